@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: Apache-2.0
+include(GoogleTest)
+
+# candela_room(name [ROOMS other...] [DOOR third-party-target...] [SOURCES file...])
+#
+# One library a room. ROOMS are the rooms it builds upon; DOOR names the third-party libraries
+# that this room alone opens (nothing of them leaves it). Without SOURCES every .cpp beside the
+# CMakeLists.txt is taken; files that end in _test.cpp become the room's test program.
+function(candela_room name)
+    cmake_parse_arguments(ROOM "" "" "ROOMS;DOOR;SOURCES" ${ARGN})
+    if(NOT ROOM_SOURCES)
+        file(GLOB ROOM_SOURCES CONFIGURE_DEPENDS *.cpp)
+    endif()
+    set(tests ${ROOM_SOURCES})
+    list(FILTER tests INCLUDE REGEX "_test\\.cpp$")
+    list(FILTER ROOM_SOURCES EXCLUDE REGEX "_test\\.cpp$")
+
+    if(ROOM_SOURCES)
+        add_library(${name} STATIC ${ROOM_SOURCES})
+        target_include_directories(${name} PUBLIC ${CMAKE_SOURCE_DIR}/src)
+        target_link_libraries(${name} PUBLIC ${ROOM_ROOMS} PRIVATE ${ROOM_DOOR})
+    else()
+        add_library(${name} INTERFACE)
+        target_include_directories(${name} INTERFACE ${CMAKE_SOURCE_DIR}/src)
+        target_link_libraries(${name} INTERFACE ${ROOM_ROOMS})
+    endif()
+    if(tests)
+        candela_test(${name}_test SOURCES ${tests} ROOMS ${name} LABELS unit)
+    endif()
+endfunction()
+
+# candela_test(name SOURCES file... ROOMS room... [LABELS label...]): a GoogleTest program.
+# Tests find the source tree and the build tree through CANDELA_SOURCE_DIR and CANDELA_BINARY_DIR.
+function(candela_test name)
+    cmake_parse_arguments(TEST "" "" "SOURCES;ROOMS;LABELS" ${ARGN})
+    add_executable(${name} ${TEST_SOURCES})
+    target_link_libraries(${name} PRIVATE ${TEST_ROOMS} GTest::gtest GTest::gtest_main)
+    target_compile_definitions(${name} PRIVATE CANDELA_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
+                                               CANDELA_BINARY_DIR="${CMAKE_BINARY_DIR}")
+    add_test(NAME ${name} COMMAND ${name})
+    set_tests_properties(${name} PROPERTIES LABELS "${TEST_LABELS}" TIMEOUT 600
+        ENVIRONMENT "CANDELA_CACHE=${CMAKE_BINARY_DIR}/shader-cache;CANDELA_SHADERS=${CMAKE_SOURCE_DIR}/shaders")
+endfunction()

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Work on several threads. TBB stands behind this door alone.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace candela {
+
+/// Bounds the number of threads for as long as it lives; 0 = all cores.
+class ThreadLimit {
+public:
+    explicit ThreadLimit(int threads);
+    ~ThreadLimit();
+    ThreadLimit(const ThreadLimit &) = delete;
+
+private:
+    void *control_;
+};
+
+/// The number of threads that parallelFor may use now.
+int threadCount();
+
+/// Calls body(i) once for every i in [0, count), on any thread, in any order. The body must not
+/// throw. Flush-to-zero stays as the calling code set it on each thread.
+void parallelFor(std::size_t count, const std::function<void(std::size_t)> &body);
+
+} // namespace candela

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// The attributes of a primitive: what the graphics state hands on with each. Records are
+// immutable once emitted and shared between the primitives that have them in common.
+#pragma once
+
+#include "foundation/base/matrix4.h"
+#include "foundation/units/color.h"
+#include "interface/ri/parameter_list.h"
+
+#include <array>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace candela {
+
+/// A transformation in time: knots in increasing order; one knot = static.
+struct MotionTransform {
+    struct Knot {
+        float time = 0;
+        Matrix4 matrix;
+    };
+    std::vector<Knot> knots{Knot{}};
+
+    bool moving() const { return knots.size() > 1; }
+    const Matrix4 &atOpen() const { return knots.front().matrix; }
+};
+
+/// A shader as bound in the RIB: where its "shader" space stood then, and its parameters.
+struct ShaderRecord {
+    std::string name;
+    ParameterList parameters;
+    MotionTransform currentFromShader;
+};
+
+enum class LightUnits { Classic, Si }; ///< DESIGN section 4.
+
+struct LightRecord {
+    int index = 0; ///< Order of declaration, from 0; names the light in Attributes::lightsOn.
+    std::string handle;
+    bool area = false; ///< AreaLightSource: the primitives that carry it are its geometry.
+    ShaderRecord shader;
+    LightUnits units = LightUnits::Classic;
+    bool shadows = false; ///< Attribute "light" "string shadows" ["on"].
+};
+
+/// RiBasis: a 4x4 matrix (rows = powers from u^3 down, as RI writes it) and its step.
+struct BasisRecord {
+    std::array<float, 16> matrix{-1, 3, -3, 1, 3, -6, 3, 0, -3, 3, 0, 0, 1, 0, 0, 0};
+    int step = 3;
+};
+
+struct Attributes {
+    Color color{1.0f};
+    Color opacity{1.0f};
+    /// s,t at (u,v) = (0,0), (1,0), (0,1), (1,1).
+    std::array<float, 8> textureCoordinates{0, 0, 1, 0, 0, 1, 1, 1};
+    std::shared_ptr<const ShaderRecord> surface; ///< Null = "defaultsurface".
+    std::shared_ptr<const ShaderRecord> displacement, atmosphere, interior, exterior;
+    std::shared_ptr<const LightRecord> areaLight; ///< Non-null: the primitive emits.
+    std::vector<int> lightsOn;                    ///< Indices of LightRecord, ascending.
+    float shadingRate = 1;
+    bool smoothInterpolation = false;
+    bool matte = false;
+    int sides = 2;
+    /// True: the surface normal is the primitive's natural dPdu x dPdv turned round. Orientation,
+    /// ReverseOrientation and the handedness of the CTM are already folded in.
+    bool flipNormal = false;
+    BasisRecord uBasis, vBasis;
+    std::string name; ///< Attribute "identifier" "name".
+    /// RiAttribute values as "category:name".
+    std::map<std::string, Parameter> named;
+
+    float number(const std::string &qualifiedName, float fallback) const;
+    std::string string(const std::string &qualifiedName, std::string fallback) const;
+};
+
+} // namespace candela

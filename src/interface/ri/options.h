@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// The options of a frame: all that WorldBegin freezes. Names and defaults: RI 3.2 section 4.1.
+#pragma once
+
+#include "foundation/base/matrix4.h"
+#include "interface/ri/parameter_list.h"
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace candela {
+
+/// A pixel filter's name as RI spells it ("gaussian", "box", ...) and its full widths in pixels.
+struct PixelFilterRecord {
+    std::string name = "gaussian";
+    float xWidth = 2, yWidth = 2;
+};
+
+/// RiQuantize: round(one * value + dither * random), clamped; one == 0 leaves floats.
+struct QuantizeRecord {
+    float one = 0, minimum = 0, maximum = 0, ditherAmplitude = 0;
+};
+
+struct DisplayRecord {
+    std::string name; ///< File name, without the leading '+'.
+    std::string type; ///< "file", "openexr", "png", ...
+    std::string mode; ///< "rgb", "rgba", "z", ... or the name of a channel.
+    std::optional<QuantizeRecord> quantize; ///< Given with this display; else Options'.
+    ParameterList parameters;
+};
+
+struct CameraRecord {
+    bool perspective = false;
+    float fieldOfView = 90; ///< Degrees across the narrower axis of the default screen window.
+    float near = 1e-6f, far = 1e30f;
+    Matrix4 cameraFromWorld; ///< The CTM at WorldBegin.
+    float shutterOpen = 0, shutterClose = 0;
+    float fStop = 0, focalLength = 0, focalDistance = 0; ///< fStop 0 = pinhole.
+};
+
+struct Options {
+    int xResolution = 640, yResolution = 480;
+    float pixelAspectRatio = 1;
+    std::optional<float> frameAspectRatio;
+    std::optional<std::array<float, 4>> screenWindow; ///< left, right, bottom, top.
+    std::array<float, 4> cropWindow{0, 1, 0, 1};      ///< x0, x1, y0, y1 in NDC.
+    CameraRecord camera;
+
+    float xSamples = 2, ySamples = 2;
+    std::optional<float> pixelVariance;
+    PixelFilterRecord filter;
+    float exposureGain = 1, exposureGamma = 1;
+    std::optional<QuantizeRecord> colorQuantize; ///< RiQuantize "rgba"; unset = display's default.
+    std::optional<QuantizeRecord> depthQuantize; ///< RiQuantize "z".
+    std::vector<DisplayRecord> displays;         ///< Empty = the default display.
+    std::string hider = "hidden";
+    float relativeDetail = 1;
+    int frame = 0;
+
+    /// RiOption values as "category:name", for example "render:integrator".
+    std::map<std::string, Parameter> named;
+    /// Named coordinate systems, each as currentFromSpace; "world", "camera" among them.
+    std::map<std::string, Matrix4> coordinateSystems;
+
+    float number(const std::string &qualifiedName, float fallback) const;
+    std::string string(const std::string &qualifiedName, std::string fallback) const;
+
+    /// Screen window and resolution after aspect ratios have been applied (RI 3.2, 4.1.1): where
+    /// the frame aspect ratio disagrees with the format, the picture is made smaller to fit.
+    std::array<float, 4> effectiveScreenWindow() const;
+    std::array<int, 2> effectiveResolution() const;
+    /// First and one-past-last pixel of the crop window: x0, x1, y0, y1 (RI 3.2, 4.1.1).
+    std::array<int, 4> cropPixels() const;
+};
+
+} // namespace candela

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// Geometric primitives as data, in object space, as the interface states them. The world turns
+// them into surfaces. Polygon, GeneralPolygon and PointsPolygons arrive here as what they are
+// special cases of: PointsGeneralPolygons; Patch as a PatchMesh of one.
+#pragma once
+
+#include "foundation/base/vec3.h"
+#include "interface/ri/attributes.h"
+#include "interface/ri/parameter_list.h"
+
+#include <array>
+#include <memory>
+#include <variant>
+#include <vector>
+
+namespace candela {
+
+struct SphereRecord {
+    float radius, zMin, zMax, thetaMax; ///< Angles in degrees, here and below.
+};
+struct ConeRecord {
+    float height, radius, thetaMax;
+};
+struct CylinderRecord {
+    float radius, zMin, zMax, thetaMax;
+};
+struct HyperboloidRecord {
+    Vec3 point1, point2;
+    float thetaMax;
+};
+struct ParaboloidRecord {
+    float rMax, zMin, zMax, thetaMax;
+};
+struct DiskRecord {
+    float height, radius, thetaMax;
+};
+struct TorusRecord {
+    float majorRadius, minorRadius, phiMin, phiMax, thetaMax;
+};
+/// RiPointsGeneralPolygons: loops a polygon, vertices a loop, indices of all vertices.
+struct PolygonsRecord {
+    std::vector<int> loopCounts, vertexCounts, vertices;
+};
+struct PatchMeshRecord {
+    bool bicubic = false;
+    int uVertices = 2, vVertices = 2;
+    bool uPeriodic = false, vPeriodic = false;
+};
+
+using ShapeRecord = std::variant<SphereRecord, ConeRecord, CylinderRecord, HyperboloidRecord,
+                                 ParaboloidRecord, DiskRecord, TorusRecord, PolygonsRecord,
+                                 PatchMeshRecord>;
+
+/// A shape with its primitive variables. Their counts have been checked against the shape (RI
+/// 3.2, 5): wrong ones were reported and dropped, missing or non-finite P drops the primitive.
+struct PrimitiveRecord {
+    ShapeRecord shape;
+    ParameterList variables;
+    SourceLocation where;
+};
+
+} // namespace candela

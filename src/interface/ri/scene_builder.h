@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the graphics state says of a world to whoever builds it. The one way from the interface
+// to the renderer: implemented in world/scene, and by tests that only listen.
+#pragma once
+
+#include "interface/ri/attributes.h"
+#include "interface/ri/options.h"
+#include "interface/ri/primitive_record.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace candela {
+
+/// All matrices are currentFromX, and "current" is camera space (left-handed: x right, y up,
+/// z forward, metres), as PRMan has it.
+class SceneBuilder {
+public:
+    virtual ~SceneBuilder() = default;
+
+    /// The options are frozen; what follows, up to worldEnd, belongs to this world.
+    virtual void worldBegin(const Options &) = 0;
+    /// A light source has been declared; its index is one more than the last one's.
+    virtual void light(std::shared_ptr<const LightRecord>) = 0;
+    virtual void primitive(std::shared_ptr<const PrimitiveRecord>,
+                           std::shared_ptr<const Attributes>,
+                           const MotionTransform &currentFromObject) = 0;
+    /// A coordinate system named inside the world block.
+    virtual void coordinateSystem(const std::string &name, const Matrix4 &currentFromSpace) = 0;
+    /// The world is complete: render it.
+    virtual void worldEnd() = 0;
+};
+
+enum class ShaderKind { Surface, Light, Displacement, Volume, Imager, Filter, Transformation };
+
+/// How the graphics state learns the types of shader parameters that no one declared.
+class ShaderLookup {
+public:
+    struct ParameterType {
+        std::string name;
+        Declaration declaration;
+    };
+    virtual ~ShaderLookup() = default;
+    /// The parameters of the shader of that name as seen from the given search path; nothing if
+    /// there is no such shader or it does not compile (the lookup has then reported why, once).
+    virtual std::optional<std::vector<ParameterType>>
+    parametersOf(ShaderKind, const std::string &name, const Options &, const SourceLocation &) = 0;
+};
+
+} // namespace candela

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// The one protocol that every geometric primitive speaks. A primitive is turned into a Surface:
+// bounded, diced into triangles for Embree, and evaluated on the true surface where rays hit.
+// Everything is in object space; whoever holds the transformation applies it.
+#pragma once
+
+#include "foundation/base/box3.h"
+#include "interface/ri/primitive_record.h"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace candela {
+
+/// How finely to dice: the longest edge and the largest distance between a triangle and the true
+/// surface, both in object units.
+struct DiceRate {
+    float edgeLength = 1;
+    float chordError = 0.1f;
+};
+
+/// Triangles that approximate a surface. A point of a triangle names a point of the surface as
+/// (piece, u, v): if `vertexUv` is empty, the piece is the triangle and (u,v) are its barycentric
+/// coordinates (weights of corners 1 and 2); otherwise the piece is 0 and (u,v) is interpolated
+/// from the corners.
+struct DicedMesh {
+    std::vector<Vec3> positions;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    std::vector<std::array<float, 2>> vertexUv;
+    float chordError = 0; ///< No triangle is farther than this from the surface; 0 = exact.
+};
+
+/// A primitive variable that a caller may ask for besides the geometry.
+struct VariableInfo {
+    std::string name;
+    Declaration declaration;
+};
+
+/// Where to evaluate: `count` points as (piece, u, v), structure of arrays.
+struct SurfaceQuery {
+    int count = 0;
+    const std::uint32_t *piece = nullptr;
+    const float *u = nullptr, *v = nullptr;
+};
+
+/// Three planes of floats, one a component.
+struct Vec3Planes {
+    float *x = nullptr, *y = nullptr, *z = nullptr;
+    Vec3 get(int i) const { return {x[i], y[i], z[i]}; }
+    void set(int i, Vec3 value) const { x[i] = value.x, y[i] = value.y, z[i] = value.z; }
+};
+
+/// Where the answers go; null planes are not wanted. Normals follow the natural orientation
+/// dPdu x dPdv (of the parametrisation, before Attributes::flipNormal) and need not have length
+/// one.
+struct SurfaceAnswer {
+    Vec3Planes P;          ///< The point on the true surface.
+    Vec3Planes Ng;         ///< dPdu x dPdv, finite and non-zero also at poles and apexes.
+    Vec3Planes N;          ///< Shading normal: the primitive variable "N", else as Ng.
+    Vec3Planes dPdu, dPdv; ///< With respect to the surface's own u and v, as shaders see them.
+    float *u = nullptr, *v = nullptr; ///< u and v as shaders see them, in [0,1].
+};
+
+class Surface {
+public:
+    virtual ~Surface() = default;
+
+    /// Contains the whole surface.
+    virtual Box3 bound() const = 0;
+    virtual DicedMesh dice(const DiceRate &) const = 0;
+    /// Total area in object units; quadrics in closed form, others as their dicing has it.
+    virtual float area() const = 0;
+    virtual void evaluate(const SurfaceQuery &, const SurfaceAnswer &) const = 0;
+
+    /// The primitive variables other than position and normal: Cs, Os, s, t (of "st" too) and
+    /// user-declared ones, numeric types only.
+    virtual std::span<const VariableInfo> variables() const = 0;
+    /// Values of variables()[index], and if wanted their derivatives by u and v. Plane c of each
+    /// is component c (floats of a color, point, ...); planes have `count` floats.
+    virtual void evaluateVariable(int index, const SurfaceQuery &, float *const *value,
+                                  float *const *valueDu, float *const *valueDv) const = 0;
+};
+
+/// The surfaces of a primitive: one, as a rule. Reports what makes it unusable (degenerate, not
+/// finite) and then returns nothing. `attributes` gives bases and texture coordinates: s and t
+/// default to the bilinear map of Attributes::textureCoordinates over (u,v), for polygons to the
+/// object-space x and y (RI 3.2, 5.1 and table 5.2).
+std::vector<std::shared_ptr<const Surface>> makeSurfaces(std::shared_ptr<const PrimitiveRecord>,
+                                                         const Attributes &, DiagnosticSink &);
+
+} // namespace candela
