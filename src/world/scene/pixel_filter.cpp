@@ -70,7 +70,7 @@ double meanRadius(const PixelFilterRecord &f) { return (double(f.xWidth) + f.yWi
 constexpr int cellCount = 512;
 /// Steps of the integral within a cell.
 constexpr int stepsPerCell = 32;
-constexpr int guideSteps = 1024;
+constexpr int guideSteps = 4096;
 
 PixelFilterRecord checked(const PixelFilterRecord &record, DiagnosticSink &sink,
                           const SourceLocation &where) {
@@ -164,7 +164,7 @@ PixelFilterSampler::Axis PixelFilterSampler::tabulate(double from, double to, bo
     for (int k = 0, cell = 0; k < guideSteps; ++k) {
         while (cell < cellCount - 1 && axis.cumulative[cell + 1] <= float(k) / guideSteps)
             ++cell;
-        axis.guide.push_back(cell);
+        axis.guide.push_back(std::uint16_t(cell));
     }
     return axis;
 }

@@ -7,6 +7,7 @@
 #include "foundation/base/diagnostics.h"
 #include "interface/ri/options.h"
 
+#include <cstdint>
 #include <string_view>
 #include <vector>
 
@@ -51,7 +52,7 @@ private:
     /// inverted by a guide from the integral to the cell; and where on that scale f changes sign.
     struct Axis {
         std::vector<float> cumulative;
-        std::vector<int> guide;
+        std::vector<std::uint16_t> guide;
         float from = 0, cellWidth = 0;
         std::vector<float> flips;
         float firstSign = 1;
