@@ -62,40 +62,71 @@ static std::size_t rightmost(const FlatLoop &loop) {
     return best;
 }
 
-/// The corner of `outside` nearest to `from` that is seen from there, holes in the way or not.
-static std::optional<std::size_t> visibleCorner(const FlatLoop &outside, FlatPoint from,
+/// Is the way from the hole's corner `start` to corner i of the outside free of other sides?
+static bool isVisible(const FlatLoop &outside, std::size_t i, const FlatLoop &hole,
+                      std::size_t start, std::span<const FlatLoop> obstacles) {
+    FlatPoint from = hole[start].place, corner = outside[i].place;
+    FlatPoint previous = outside[(i + outside.size() - 1) % outside.size()].place;
+    FlatPoint next = outside[(i + 1) % outside.size()].place;
+    // Of several corners in one place, the one whose inside the hole lies in.
+    if (corner == from)
+        return pointsInside(previous, corner, next, hole[(start + 1) % hole.size()].place) ||
+               pointsInside(previous, corner, next,
+                            hole[(start + hole.size() - 1) % hole.size()].place);
+    return pointsInside(previous, corner, next, from) && !crossesLoop(from, corner, outside) &&
+           std::ranges::none_of(
+               obstacles, [&](const FlatLoop &loop) { return crossesLoop(from, corner, loop); });
+}
+
+/// The corner of `outside` nearest to that of the hole that is seen from there.
+static std::optional<std::size_t> visibleCorner(const FlatLoop &outside, const FlatLoop &hole,
+                                                std::size_t start,
                                                 std::span<const FlatLoop> obstacles) {
     std::vector<std::size_t> order(outside.size());
     std::iota(order.begin(), order.end(), 0);
-    auto distance = [&](std::size_t i) {
-        double dx = outside[i].place.x - from.x, dy = outside[i].place.y - from.y;
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) {
+        double dx = outside[i].place.x - hole[start].place.x;
+        double dy = outside[i].place.y - hole[start].place.y;
         return dx * dx + dy * dy;
-    };
-    std::ranges::stable_sort(order, {}, distance);
-    for (std::size_t i : order) {
-        FlatPoint corner = outside[i].place;
-        FlatPoint previous = outside[(i + outside.size() - 1) % outside.size()].place;
-        FlatPoint next = outside[(i + 1) % outside.size()].place;
-        bool touches = corner == from;
-        if (!touches && !pointsInside(previous, corner, next, from))
-            continue;
-        bool hidden = !touches && (crossesLoop(from, corner, outside) ||
-                                   std::ranges::any_of(obstacles, [&](const FlatLoop &loop) {
-                                       return crossesLoop(from, corner, loop);
-                                   }));
-        if (!hidden)
+    });
+    for (std::size_t i : order)
+        if (isVisible(outside, i, hole, start, obstacles))
             return i;
-    }
     return std::nullopt;
 }
 
-/// The loop a b c with the hole p q r joined at corner b and place p: a b p q r p b c.
+/// The loop a b c with the hole p q r joined at corner b and place p: a b p q r p b c, or, where b
+/// and p are in one place, a b q r p c.
 static void splice(FlatLoop &outside, std::size_t corner, const FlatLoop &hole, std::size_t start) {
+    bool touching = outside[corner].place == hole[start].place;
     FlatLoop detour;
-    for (std::size_t i = 0; i <= hole.size(); ++i)
+    for (std::size_t i = touching ? 1 : 0; i <= hole.size(); ++i)
         detour.push_back(hole[(start + i) % hole.size()]);
-    detour.push_back(outside[corner]);
+    if (!touching)
+        detour.push_back(outside[corner]);
     outside.insert(outside.begin() + std::ptrdiff_t(corner) + 1, detour.begin(), detour.end());
+}
+
+/// Gives `loop` a corner wherever one of `other` lies on a side of it.
+static void splitWhereTouched(FlatLoop &loop, const FlatLoop &other) {
+    for (const FlatVertex &vertex : other)
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            FlatPoint a = loop[i].place, b = loop[(i + 1) % loop.size()].place;
+            if (turn(a, b, vertex.place) == 0 && between(a, b, vertex.place)) {
+                loop.insert(loop.begin() + std::ptrdiff_t(i) + 1, vertex);
+                break;
+            }
+        }
+}
+
+void splitWhereLoopsTouch(FlatLoop &outside, std::vector<FlatLoop> &holes) {
+    for (std::size_t i = 0; i < holes.size(); ++i) {
+        splitWhereTouched(outside, holes[i]);
+        splitWhereTouched(holes[i], outside);
+        for (std::size_t j = 0; j < holes.size(); ++j)
+            if (i != j)
+                splitWhereTouched(holes[i], holes[j]);
+    }
 }
 
 bool bridgeHoles(FlatLoop &outside, std::vector<FlatLoop> holes) {
@@ -104,7 +135,7 @@ bool bridgeHoles(FlatLoop &outside, std::vector<FlatLoop> holes) {
     bool good = true;
     for (std::size_t h = 0; h < holes.size(); ++h) {
         std::size_t start = rightmost(holes[h]);
-        auto corner = visibleCorner(outside, holes[h][start].place, std::span(holes).subspan(h));
+        auto corner = visibleCorner(outside, holes[h], start, std::span(holes).subspan(h));
         if (corner)
             splice(outside, *corner, holes[h], start);
         else

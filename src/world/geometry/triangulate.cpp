@@ -175,6 +175,23 @@ private:
     std::vector<int> blockers_;
 };
 
+/// One loop of many. Loops that touch are rare enough to look for only when joining fails.
+bool join(FlatLoop &outside, std::vector<FlatLoop> holes) {
+    FlatLoop joined = outside;
+    bool good = bridgeHoles(joined, holes);
+    std::size_t corners = outside.size();
+    for (const FlatLoop &hole : holes)
+        corners += hole.size();
+    constexpr std::size_t mostCorners = 10000;
+    if (!good && corners <= mostCorners) {
+        splitWhereLoopsTouch(outside, holes);
+        joined = outside;
+        good = bridgeHoles(joined, std::move(holes));
+    }
+    outside = std::move(joined);
+    return good;
+}
+
 bool clipQuickly(std::span<const Vec3> points, std::span<const int> loop, const Projection &project,
                  std::vector<std::array<std::uint32_t, 3>> &triangles) {
     if (loop.size() > 4)
@@ -219,7 +236,7 @@ TriangulationResult triangulate(std::span<const Vec3> points,
             std::ranges::reverse(hole);
         holes.push_back(std::move(hole));
     }
-    bool bridged = bridgeHoles(outside, std::move(holes));
+    bool bridged = join(outside, std::move(holes));
     std::size_t before = triangles.size();
     EarClipper(outside, triangles).run();
     if (triangles.size() == before)
