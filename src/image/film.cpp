@@ -115,17 +115,18 @@ Film::Moments Film::moments(const double *pixel, int component, FilmHalf half) c
 }
 
 /// With weights of mean 1 the mean of w v is an unbiased estimate, but where w changes its sign it
-/// makes noise even of a constant. The mean of w, known to be 1, serves as a control variate: its
-/// coefficient is the mean of v, which makes constants exact, and the last term takes away the
-/// bias that estimating this coefficient from the same samples brings.
+/// makes noise even of a constant. E[w v] = E[v] + cov(w, v), and the unbiased estimates of both
+/// leave constants alone.
 double Film::estimate(const Moments &m) {
     if (m.count == 0)
         return 0;
     const double plain = m.plain / m.count;
-    if (m.count < 2)
-        return plain;
-    const double weighted = m.weighted / m.count, weight = m.weights / m.count;
-    return weighted + plain * (1 - weight) + (weighted - plain * weight) / (m.count - 1);
+    return m.count < 2 ? plain : plain + covariance(m);
+}
+
+/// Of weight and value, unbiased, from two samples on.
+double Film::covariance(const Moments &m) {
+    return (m.weighted - m.plain / m.count * m.weights) / (m.count - 1);
 }
 
 std::vector<float> Film::mean(int channel, int component, FilmHalf half) const {
@@ -145,6 +146,23 @@ std::vector<float> Film::mean(int channel, int component, FilmHalf half) const {
     return plane;
 }
 
+/// The leading term is the spread of the residuals r = w (v - mean of v); since |w| is constant,
+/// the sum of w^2 v is the mean of w^2 times the sum of v. What the covariance adds with few
+/// samples is its textbook variance under independence.
+double Film::varianceOfEstimate(const Moments &m, double squaredWeights, double squares) const {
+    const double n = m.count, mean = m.plain / n;
+    const double residual = m.weighted - mean * m.weights;
+    const double spread = squares - mean * mean * squaredWeights - residual * residual / n;
+    double variance = spread / (n * (n - 1));
+    if (settings_.signedWeights && squaredWeights > 0) {
+        const double meanSquaredWeight = squaredWeights / n;
+        const double valueVariance = (squares / meanSquaredWeight - n * mean * mean) / (n - 1);
+        variance += ((meanSquaredWeight - 1) * valueVariance + covariance(m) * covariance(m)) /
+                    (n * (n - 1));
+    }
+    return std::max(0.0, variance);
+}
+
 std::vector<float> Film::varianceOfMean(int component) const {
     std::vector<float> plane(settings_.window.pixels());
     for (std::size_t i = 0; i < plane.size(); ++i) {
@@ -154,13 +172,7 @@ std::vector<float> Film::varianceOfMean(int component) const {
             plane[i] = std::numeric_limits<float>::infinity();
             continue;
         }
-        // The residuals are r = w (v - mean of v); |w| is constant, so that the sum of w^2 v is
-        // the mean of w^2 times the sum of v.
-        const double mean = m.plain / m.count;
-        const double squared = squares[1 + component] - mean * mean * squares[0];
-        const double sum = m.weighted - mean * m.weights;
-        const double variance = (squared - sum * sum / m.count) / (m.count * (m.count - 1));
-        plane[i] = float(std::max(0.0, variance));
+        plane[i] = float(varianceOfEstimate(m, squares[0], squares[1 + component]));
     }
     return plane;
 }

@@ -55,6 +55,8 @@ private:
     void addToBlock(double *block, double weight, const double *values) const;
     Moments moments(const double *pixel, int slot, FilmHalf) const;
     static double estimate(const Moments &);
+    static double covariance(const Moments &);
+    double varianceOfEstimate(const Moments &, double squaredWeights, double squares) const;
 
     Settings settings_;
     std::vector<ChannelInfo> channels_;
