@@ -441,7 +441,7 @@ FunctionGenerator::Value *FunctionGenerator::acceptedByCategory(int category, Va
                                                builder_.getInt32(category));
     auto *bytes = builder_.CreateGEP(builder_.getInt8Ty(), accepts, firstOfCategory);
     // Inactive lanes look at light 0, so a byte a lane may be read without branches.
-    auto *byteOf = [&](Value *index) -> Value * {
+    const auto byteOf = [&](Value *index) -> Value * {
         auto *address = builder_.CreateGEP(builder_.getInt8Ty(), bytes, index);
         return builder_.CreateIsNotNull(constantLoad(builder_.getInt8Ty(), address));
     };

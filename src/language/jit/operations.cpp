@@ -229,7 +229,7 @@ FunctionGenerator::Value *FunctionGenerator::callMath(MathFunction function,
                                : runtime::scalarMath(function, target_.level);
     llvm::Type *type = isVector ? llvm::FixedVectorType::get(float_, code.width) : float_;
     const std::vector<llvm::Type *> types(arguments.size(), type);
-    const auto callee = external(code.name, llvm::FunctionType::get(type, types, false), true);
+    auto callee = external(code.name, llvm::FunctionType::get(type, types, false), true);
     if (!isVector || code.width == lanes_.width())
         return builder_.CreateCall(callee, arguments);
     Values parts;
@@ -356,7 +356,7 @@ void FunctionGenerator::emitCall(const Instruction &i) {
         builder_.CreateStore(get(i.operands[k], rate),
                              builder_.CreateConstGEP1_64(type, callInputs_, k));
     auto *signature = llvm::FunctionType::get(builder_.getVoidTy(), {pointer_, pointer_}, false);
-    const auto callee = external(runtimeSymbol(i.immediate, width), signature, false);
+    auto callee = external(runtimeSymbol(i.immediate, width), signature, false);
     auto *function = llvm::cast<llvm::Function>(callee.getCallee());
     function->setOnlyAccessesArgMemory();
     function->addFnAttr(llvm::Attribute::WillReturn);
