@@ -15,6 +15,7 @@
 #include <array>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -64,7 +65,8 @@ public:
     Matrix objectInverse();
     /// Constant values, if they are: for callers that decide at compile time.
     const float *constantFloat(ValueId) const;
-    const bool *constantBool(ValueId) const;
+    std::optional<bool> constantBool(ValueId) const;
+    const std::string *constantText(ValueId) const;
 
     // Floats.
     ValueId add(ValueId a, ValueId b) { return emit1(Op::Add, {a, b}); }
@@ -107,7 +109,7 @@ public:
     Triple normalize(const Triple &);
     /// I - 2 (I.N) N, with N as it is.
     Triple reflect(const Triple &I, const Triple &N);
-    /// N turned against I as `reference` stands to it: sign(-I.reference) N.
+    /// N, or -N where I.reference > 0.
     Triple faceforward(const Triple &N, const Triple &I, const Triple &reference);
     Triple transformPoint(const Matrix &, const Triple &); ///< Divides by w.
     Triple transformVector(const Matrix &, const Triple &);
@@ -164,6 +166,8 @@ private:
     }
     ValueId constant(Op, Type, int immediate, float number);
     const Values *find(const Key &) const;
+    const Instruction *constantOf(ValueId) const;
+    Values makeResults(Op, const Values &operands, int immediate);
     int intern(std::vector<std::string> &, const std::string &);
     Matrix matrixOf(Op, int immediate);
 
