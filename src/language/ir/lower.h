@@ -12,7 +12,9 @@
 
 namespace candela {
 
+namespace sl {
 struct TypedShader; // language/semantics
+}
 
 namespace ir {
 
@@ -60,7 +62,7 @@ struct LoweredShader {
 /// currentFromShader, shaderFromCurrent) if the text uses that space. Things semantics could not
 /// refuse (a space name that is not constant, an array index surely outside) are reported;
 /// nothing is returned then. `variables` names the parameters that primitive variables override.
-std::optional<LoweredShader> lower(const TypedShader &, const std::vector<StringValue> &strings,
+std::optional<LoweredShader> lower(const sl::TypedShader &, const std::vector<StringValue> &strings,
                                    const std::vector<std::string> &variables, DiagnosticSink &);
 
 } // namespace ir
