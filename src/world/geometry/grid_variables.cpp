@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world/geometry/grid_variables.h"
+
+#include <algorithm>
+
+namespace candela {
+
+GridVariables::GridVariables(const PrimitiveRecord &record, const Attributes &attributes,
+                             const PatchGrid &grid, const VertexBasis *basis,
+                             DiagnosticSink &diagnostics)
+    : grid_(grid) {
+    for (const NumericVariable &variable : numericVariables(record, diagnostics)) {
+        auto polynomials = convert(variable, basis, record.where, diagnostics);
+        if (!polynomials)
+            continue;
+        if (variable.name == "N" || (variable.name == "Np" && !normal_)) {
+            normal_ = std::move(polynomials);
+        } else if (variable.name != "Np") {
+            infos_.push_back({variable.name, variable.declaration});
+            polynomials_.push_back(std::move(*polynomials));
+        }
+    }
+    addDefault("s", attributes.textureCoordinates, 0);
+    addDefault("t", attributes.textureCoordinates, 1);
+}
+
+void GridVariables::addDefault(const char *name, const std::array<float, 8> &coordinates,
+                               int offset) {
+    if (std::ranges::find(infos_, name, &VariableInfo::name) != infos_.end())
+        return;
+    PatchPolynomials polynomials{1, 1, true, {}};
+    appendBilinear(polynomials.coefficients, coordinates[offset], coordinates[2 + offset],
+                   coordinates[4 + offset], coordinates[6 + offset]);
+    infos_.push_back({name, {StorageClass::Varying, ValueType::Float, 1}});
+    polynomials_.push_back(std::move(polynomials));
+}
+
+PatchPolynomials GridVariables::perPatch(const NumericVariable &variable) const {
+    return {0, variable.components, variable.count() == 1, variable.values};
+}
+
+PatchPolynomials GridVariables::perMeshCorner(const NumericVariable &variable) const {
+    PatchPolynomials result{1, variable.components, false, {}};
+    result.coefficients.reserve(std::size_t(grid_.patches()) * variable.components * 4);
+    auto at = [&](int column, int row, int component) {
+        int corner = row % grid_.cornersV() * grid_.cornersU() + column % grid_.cornersU();
+        return variable.values[std::size_t(corner) * variable.components + component];
+    };
+    for (int row = 0; row < grid_.patchesV; ++row)
+        for (int column = 0; column < grid_.patchesU; ++column)
+            for (int c = 0; c < variable.components; ++c)
+                appendBilinear(result.coefficients, at(column, row, c), at(column + 1, row, c),
+                               at(column, row + 1, c), at(column + 1, row + 1, c));
+    return result;
+}
+
+PatchPolynomials GridVariables::perPatchCorner(const NumericVariable &variable) const {
+    int n = variable.components;
+    PatchPolynomials result{1, n, false, {}};
+    for (int patch = 0; patch < grid_.patches(); ++patch) {
+        const float *corner = &variable.values[std::size_t(patch) * 4 * n];
+        for (int c = 0; c < n; ++c)
+            appendBilinear(result.coefficients, corner[c], corner[n + c], corner[2 * n + c],
+                           corner[3 * n + c]);
+    }
+    return result;
+}
+
+std::optional<PatchPolynomials> GridVariables::convert(const NumericVariable &variable,
+                                                       const VertexBasis *basis,
+                                                       const SourceLocation &where,
+                                                       DiagnosticSink &diagnostics) const {
+    int count = variable.count();
+    auto expect = [&](int expected) {
+        if (count != expected)
+            reportWrongCount(variable, expected, where, diagnostics);
+        return count == expected;
+    };
+    switch (variable.declaration.storage) {
+    case StorageClass::Constant:
+        if (expect(1))
+            return perPatch(variable);
+        break;
+    case StorageClass::Uniform:
+        if (expect(grid_.patches()))
+            return perPatch(variable);
+        break;
+    case StorageClass::FaceVarying:
+    case StorageClass::FaceVertex:
+        if (count == 4 * grid_.patches())
+            return perPatchCorner(variable);
+        [[fallthrough]];
+    case StorageClass::Varying:
+        if (expect(grid_.corners()))
+            return perMeshCorner(variable);
+        break;
+    case StorageClass::Vertex:
+        if (!basis && expect(grid_.corners()))
+            return perMeshCorner(variable);
+        if (basis && expect(basis->vertexCount))
+            return basis->convert(variable.values, variable.components);
+        break;
+    }
+    return std::nullopt;
+}
+
+void GridVariables::evaluate(int index, int first, int count, const float *meshU,
+                             const float *meshV, float *const *value, float *const *valueDu,
+                             float *const *valueDv) const {
+    const PatchPolynomials &polynomials = polynomials_[index];
+    PatchPoints points;
+    for (int start = 0; start < count; start += PatchPoints::capacity) {
+        locate(grid_, meshU + start, meshV + start, std::min(count - start, points.capacity),
+               points);
+        for (int c = 0; c < polynomials.components; ++c)
+            polynomials.evaluate(grid_, points, c, value ? value[c] + first + start : nullptr,
+                                 valueDu ? valueDu[c] + first + start : nullptr,
+                                 valueDv ? valueDv[c] + first + start : nullptr);
+    }
+}
+
+void GridVariables::overrideNormals(int count, const float *meshU, const float *meshV,
+                                    Vec3Planes N) const {
+    if (!normal_)
+        return;
+    PatchPoints points;
+    std::array<float, PatchPoints::capacity> x, y, z;
+    for (int start = 0; start < count; start += PatchPoints::capacity) {
+        locate(grid_, meshU + start, meshV + start, std::min(count - start, points.capacity),
+               points);
+        normal_->evaluate(grid_, points, 0, x.data(), nullptr, nullptr);
+        normal_->evaluate(grid_, points, 1, y.data(), nullptr, nullptr);
+        normal_->evaluate(grid_, points, 2, z.data(), nullptr, nullptr);
+        for (int k = 0; k < points.count; ++k)
+            if (Vec3 n{x[k], y[k], z[k]}; dot(n, n) > 0)
+                N.set(start + k, n);
+    }
+}
+
+} // namespace candela

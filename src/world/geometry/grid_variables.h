@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// Primitive variables of parametric surfaces (quadrics, patch meshes) as patch polynomials.
+#pragma once
+
+#include "foundation/base/diagnostics.h"
+#include "world/geometry/patch_polynomials.h"
+#include "world/geometry/primitive_variables.h"
+
+#include <functional>
+#include <optional>
+#include <span>
+
+namespace candela {
+
+/// Turns values of class vertex into polynomials; null: vertex is as varying, as on quadrics.
+struct VertexBasis {
+    int vertexCount = 0;
+    std::function<PatchPolynomials(std::span<const float> values, int components)> convert;
+};
+
+class GridVariables {
+public:
+    /// Takes over the numeric variables; warns of and leaves out those with a wrong count. s and t
+    /// are always there: by default Attributes::textureCoordinates over the mesh.
+    GridVariables(const PrimitiveRecord &, const Attributes &, const PatchGrid &,
+                  const VertexBasis *, DiagnosticSink &);
+
+    std::span<const VariableInfo> infos() const { return infos_; }
+    /// Surface::evaluateVariable at `count` mesh coordinates; answers begin at place `first`.
+    void evaluate(int index, int first, int count, const float *meshU, const float *meshV,
+                  float *const *value, float *const *valueDu, float *const *valueDv) const;
+    /// Sets N to the variable "N" (or "Np") where that is not zero; without it, does nothing.
+    void overrideNormals(int count, const float *meshU, const float *meshV, Vec3Planes N) const;
+
+private:
+    std::optional<PatchPolynomials> convert(const NumericVariable &, const VertexBasis *,
+                                            const SourceLocation &, DiagnosticSink &) const;
+    PatchPolynomials perPatch(const NumericVariable &) const;
+    PatchPolynomials perMeshCorner(const NumericVariable &) const;
+    PatchPolynomials perPatchCorner(const NumericVariable &) const;
+    void addDefault(const char *name, const std::array<float, 8> &coordinates, int offset);
+
+    PatchGrid grid_;
+    std::vector<VariableInfo> infos_;
+    std::vector<PatchPolynomials> polynomials_;
+    std::optional<PatchPolynomials> normal_;
+};
+
+} // namespace candela

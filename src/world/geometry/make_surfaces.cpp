@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world/geometry/make_quadric.h"
+#include "world/geometry/polygon_surface.h"
+
+namespace candela {
+
+static SurfaceList makePolygons(const PolygonsRecord &polygons, const PrimitiveRecord &record,
+                                DiagnosticSink &diagnostics) {
+    auto mesh = triangulateFaces(polygons, record, diagnostics);
+    if (!mesh)
+        return {};
+    return {std::make_shared<PolygonSurface>(std::move(*mesh), record, diagnostics)};
+}
+
+static SurfaceList makePatchMesh(const PatchMeshRecord &, const PrimitiveRecord &record,
+                                 const Attributes &, DiagnosticSink &diagnostics) {
+    diagnostics.error(record.where, "patch meshes are not made into surfaces yet");
+    return {};
+}
+
+std::vector<std::shared_ptr<const Surface>>
+makeSurfaces(std::shared_ptr<const PrimitiveRecord> record, const Attributes &attributes,
+             DiagnosticSink &diagnostics) {
+    auto make = [&](const auto &shape) -> SurfaceList {
+        using Shape = std::decay_t<decltype(shape)>;
+        if constexpr (std::is_same_v<Shape, PolygonsRecord>)
+            return makePolygons(shape, *record, diagnostics);
+        else if constexpr (std::is_same_v<Shape, PatchMeshRecord>)
+            return makePatchMesh(shape, *record, attributes, diagnostics);
+        else
+            return makeQuadric(shape, *record, attributes, diagnostics);
+    };
+    return std::visit(make, record->shape);
+}
+
+} // namespace candela

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world/geometry/polygon_mesh.h"
+
+#include "world/geometry/triangulate.h"
+
+#include <algorithm>
+#include <numeric>
+#include <span>
+
+namespace candela {
+
+/// Sum of counts, or -1 if one is negative.
+static long total(const std::vector<int> &counts) {
+    if (std::ranges::any_of(counts, [](int n) { return n < 0; }))
+        return -1;
+    return std::accumulate(counts.begin(), counts.end(), 0L);
+}
+
+static bool consistent(const PolygonsRecord &record, std::size_t pointCount) {
+    return total(record.loopCounts) == long(record.vertexCounts.size()) &&
+           total(record.vertexCounts) == long(record.vertices.size()) &&
+           std::ranges::all_of(record.vertices, [&](int index) {
+               return index >= 0 && std::size_t(index) < pointCount;
+           });
+}
+
+static std::vector<Vec3> pointsOf(const PrimitiveRecord &record, DiagnosticSink &diagnostics) {
+    std::vector<float> homogeneous = homogeneousPoints(record, diagnostics);
+    std::vector<Vec3> points;
+    points.reserve(homogeneous.size() / 4);
+    for (std::size_t i = 0; i < homogeneous.size(); i += 4)
+        points.push_back(Vec3{homogeneous[i], homogeneous[i + 1], homogeneous[i + 2]} /
+                         homogeneous[i + 3]);
+    return points;
+}
+
+namespace {
+
+class FaceTriangulator {
+public:
+    FaceTriangulator(const PolygonsRecord &record, PolygonMesh &mesh)
+        : record_(record), mesh_(mesh) {
+        // Triangulation runs on places in record.vertices, so that facevarying values need no
+        // search for their corner.
+        corners_.reserve(record.vertices.size());
+        for (int index : record.vertices)
+            corners_.push_back(mesh.points[std::size_t(index)]);
+        places_.resize(record.vertices.size());
+        std::iota(places_.begin(), places_.end(), 0);
+    }
+
+    void run() {
+        for (std::size_t face = 0; face < record_.loopCounts.size(); ++face)
+            addFace(face);
+    }
+
+    void report(const SourceLocation &where, DiagnosticSink &diagnostics) const {
+        auto tell = [&](const char *what, int count, std::size_t first) {
+            diagnostics.warning(where, std::to_string(count) + " of " +
+                                           std::to_string(record_.loopCounts.size()) + what +
+                                           std::to_string(first));
+        };
+        if (degenerate_ > 0)
+            tell(" polygons have no area and are left out; the first is number ", degenerate_,
+                 firstDegenerate_);
+        if (holesDropped_ > 0)
+            tell(" polygons have a hole outside them or loops that cross, and are approximated; "
+                 "the first is number ",
+                 holesDropped_, firstHoleDropped_);
+    }
+
+private:
+    void addFace(std::size_t face) {
+        loops_.clear();
+        for (int loop = 0; loop < record_.loopCounts[face]; ++loop) {
+            auto count = std::size_t(record_.vertexCounts[nextLoop_++]);
+            loops_.push_back(std::span<const int>(places_).subspan(nextVertex_, count));
+            nextVertex_ += count;
+        }
+        auto result = triangulate(corners_, loops_, mesh_.faceVertices);
+        if (result == TriangulationResult::Degenerate && degenerate_++ == 0)
+            firstDegenerate_ = face;
+        if (result == TriangulationResult::HoleDropped && holesDropped_++ == 0)
+            firstHoleDropped_ = face;
+        for (std::size_t i = mesh_.triangles.size(); i < mesh_.faceVertices.size(); ++i) {
+            const auto &places = mesh_.faceVertices[i];
+            auto point = [&](int k) { return std::uint32_t(record_.vertices[places[k]]); };
+            mesh_.triangles.push_back({point(0), point(1), point(2)});
+            mesh_.face.push_back(std::uint32_t(face));
+        }
+    }
+
+    const PolygonsRecord &record_;
+    PolygonMesh &mesh_;
+    std::vector<Vec3> corners_;
+    std::vector<int> places_;
+    std::vector<std::span<const int>> loops_;
+    std::size_t nextLoop_ = 0, nextVertex_ = 0;
+    int degenerate_ = 0, holesDropped_ = 0;
+    std::size_t firstDegenerate_ = 0, firstHoleDropped_ = 0;
+};
+
+} // namespace
+
+std::optional<PolygonMesh> triangulateFaces(const PolygonsRecord &polygons,
+                                            const PrimitiveRecord &record,
+                                            DiagnosticSink &diagnostics) {
+    PolygonMesh mesh;
+    mesh.points = pointsOf(record, diagnostics);
+    if (mesh.points.empty())
+        return std::nullopt;
+    if (!consistent(polygons, mesh.points.size())) {
+        diagnostics.error(record.where,
+                          "the polygons' counts of loops and vertices do not add up "
+                          "or name points that \"P\" does not hold; they are dropped");
+        return std::nullopt;
+    }
+    mesh.faceCount = int(polygons.loopCounts.size());
+    mesh.vertexCount = polygons.vertices.size();
+    FaceTriangulator triangulator(polygons, mesh);
+    triangulator.run();
+    if (mesh.triangles.empty()) {
+        diagnostics.error(record.where, "no polygon of the primitive has an area; it is dropped");
+        return std::nullopt;
+    }
+    triangulator.report(record.where, diagnostics);
+    return mesh;
+}
+
+static std::vector<std::uint32_t>
+flattened(const std::vector<std::array<std::uint32_t, 3>> &triangles) {
+    std::vector<std::uint32_t> flat;
+    flat.reserve(triangles.size() * 3);
+    for (const auto &corners : triangles)
+        flat.insert(flat.end(), corners.begin(), corners.end());
+    return flat;
+}
+
+std::optional<PolygonVariable> onPolygons(const NumericVariable &variable, const PolygonMesh &mesh,
+                                          const SourceLocation &where,
+                                          DiagnosticSink &diagnostics) {
+    using enum PolygonVariable::Rate;
+    PolygonVariable result{Mesh, variable.components, {}, variable.values};
+    long expected = 1;
+    switch (variable.declaration.storage) {
+    case StorageClass::Constant: break;
+    case StorageClass::Uniform:
+        result.rate = Face;
+        result.places = mesh.face;
+        expected = mesh.faceCount;
+        break;
+    case StorageClass::Varying:
+    case StorageClass::Vertex:
+        result.rate = Corner;
+        result.places = flattened(mesh.triangles);
+        expected = long(mesh.points.size());
+        break;
+    case StorageClass::FaceVarying:
+    case StorageClass::FaceVertex:
+        result.rate = Corner;
+        result.places = flattened(mesh.faceVertices);
+        expected = long(mesh.vertexCount);
+        break;
+    }
+    if (variable.count() == expected)
+        return result;
+    reportWrongCount(variable, expected, where, diagnostics);
+    return std::nullopt;
+}
+
+} // namespace candela

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world/geometry/primitive_variables.h"
+
+#include "foundation/units/color.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace candela {
+
+int floatsPerValue(const Declaration &declaration) {
+    int size = 0;
+    switch (declaration.type) {
+    case ValueType::Float:
+    case ValueType::Integer: size = 1; break;
+    case ValueType::String: size = 0; break;
+    case ValueType::Color: size = colorSamples; break;
+    case ValueType::Point:
+    case ValueType::Vector:
+    case ValueType::Normal: size = 3; break;
+    case ValueType::HPoint: size = 4; break;
+    case ValueType::Matrix: size = 16; break;
+    }
+    return size * std::max(1, declaration.arraySize);
+}
+
+static bool allFinite(const std::vector<float> &values) {
+    return std::ranges::all_of(values, [](float x) { return std::isfinite(x); });
+}
+
+static bool isPosition(const std::string &name) {
+    return name == "P" || name == "Pw" || name == "Pz";
+}
+
+static bool isNormal(const std::string &name) { return name == "N" || name == "Np"; }
+
+/// Every second float of "st", from `first` on, as the variable `name`.
+static NumericVariable halfOf(const Parameter &st, std::string name, int first) {
+    NumericVariable half{std::move(name), {st.declaration.storage, ValueType::Float, 1}, 1, {}};
+    half.values.reserve(st.floats.size() / 2);
+    for (std::size_t i = first; i < st.floats.size(); i += 2)
+        half.values.push_back(st.floats[i]);
+    return half;
+}
+
+std::vector<NumericVariable> numericVariables(const PrimitiveRecord &record,
+                                              DiagnosticSink &diagnostics) {
+    std::vector<NumericVariable> result;
+    auto add = [&](NumericVariable variable) {
+        if (std::ranges::find(result, variable.name, &NumericVariable::name) == result.end())
+            result.push_back(std::move(variable));
+    };
+    for (const Parameter &parameter : record.variables.all) {
+        int components = floatsPerValue(parameter.declaration);
+        if (components == 0 || isPosition(parameter.name))
+            continue;
+        bool wholeValues = !parameter.floats.empty() && parameter.floats.size() % components == 0;
+        bool rightSize = !isNormal(parameter.name) || components == 3;
+        if (!wholeValues || !rightSize || !allFinite(parameter.floats)) {
+            diagnostics.warning(record.where, "the primitive variable \"" + parameter.name +
+                                                  "\" is not finite or has the wrong number of "
+                                                  "floats; it is ignored");
+            continue;
+        }
+        if (parameter.name == "st" && components == 2) {
+            add(halfOf(parameter, "s", 0));
+            add(halfOf(parameter, "t", 1));
+        } else {
+            add({parameter.name, parameter.declaration, components, parameter.floats});
+        }
+    }
+    return result;
+}
+
+void reportWrongCount(const NumericVariable &variable, long expected, const SourceLocation &where,
+                      DiagnosticSink &diagnostics) {
+    diagnostics.warning(where, "the primitive variable \"" + variable.name + "\" has " +
+                                   std::to_string(variable.count()) + " values where " +
+                                   std::to_string(expected) + " are expected; it is ignored");
+}
+
+std::vector<float> homogeneousPoints(const PrimitiveRecord &record, DiagnosticSink &diagnostics) {
+    for (const Parameter &parameter : record.variables.all) {
+        if (parameter.name != "P" && parameter.name != "Pw")
+            continue;
+        int size = parameter.name == "P" ? 3 : 4;
+        std::vector<float> points;
+        points.reserve(parameter.floats.size() / size * 4);
+        bool good = parameter.floats.size() % size == 0 && allFinite(parameter.floats);
+        for (std::size_t i = 0; good && i < parameter.floats.size(); i += size) {
+            const float *p = &parameter.floats[i];
+            float w = size == 4 ? p[3] : 1;
+            good = w > 0;
+            points.insert(points.end(), {p[0], p[1], p[2], w});
+        }
+        if (!good) {
+            diagnostics.error(record.where,
+                              "\"" + parameter.name + "\" must hold finite points of " +
+                                  std::to_string(size) +
+                                  (size == 4 ? " floats with positive w" : " floats") +
+                                  "; the primitive is dropped");
+            return {};
+        }
+        return points;
+    }
+    diagnostics.error(record.where, "the primitive has no \"P\"; it is dropped");
+    return {};
+}
+
+} // namespace candela

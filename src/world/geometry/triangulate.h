@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Triangles of a planar polygon with holes.
+#pragma once
+
+#include "foundation/base/vec3.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace candela {
+
+enum class TriangulationResult {
+    Good,
+    Degenerate, ///< No area, or too few corners: nothing was added.
+    HoleDropped ///< A hole lies outside, or the loops cross: the rest was triangulated.
+};
+
+/// Appends the triangles of one face, as indices into `points`. loops[0] is the outside and gives
+/// the orientation: the triangles turn the same way as it, however the holes turn. The face need
+/// not be exactly flat; it is cut as it looks along its mean normal. Collinear and repeated
+/// vertices are welcome. Loops that cross themselves give some triangles, never a crash.
+TriangulationResult triangulate(std::span<const Vec3> points,
+                                std::span<const std::span<const int>> loops,
+                                std::vector<std::array<std::uint32_t, 3>> &triangles);
+
+} // namespace candela
