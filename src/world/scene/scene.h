@@ -15,6 +15,8 @@
 
 namespace candela {
 
+struct SceneState;
+
 enum class Coherence { Primary, Secondary };
 
 class Scene {
@@ -62,6 +64,7 @@ public:
     /// Sum of the ambient lights at the points, as ambient() returns it.
     void ambient(int count, const std::array<const float *, 3> &P, const std::int32_t *lightSet,
                  float *const *ambient) const;
+    /// `light` as in ShadingPoints and LightSamples: index + 1, and 0 (indirect) is always on.
     bool lightIsOn(std::int32_t lightSet, std::int32_t light) const;
 
     struct Statistics {
@@ -72,9 +75,8 @@ public:
 
 private:
     friend class SceneCompiler;
-    Scene();
-    struct State;
-    std::unique_ptr<State> state_;
+    explicit Scene(std::unique_ptr<SceneState>);
+    std::unique_ptr<SceneState> state_;
 };
 
 /// Builds scenes from what the graphics state says, and hands each to `render` at worldEnd.
