@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+// CANDELA_HOT before a function compiles it once for each level of vector instructions; the
+// loader picks the best. Contraction is off everywhere, so all of them give the same bits.
+#pragma once
+
+#if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
+#define CANDELA_HOT // The loader's choice runs before the sanitizers are set up.
+#else
+#define CANDELA_HOT                                                                                \
+    __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default"),                   \
+                   optimize("O3", "no-trapping-math")))
+#endif

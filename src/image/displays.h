@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// From the film to files: every display of a frame through the imaging pipeline into its format.
+#pragma once
+
+#include "image/display_planes.h"
+#include "image/film.h"
+#include "image/picture.h"
+#include "interface/ri/options.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace candela {
+
+/// What the files say about the frame beside what film and options know.
+struct FrameDescription {
+    /// Free text: "renderer" (name and version), "integrator", "spp", "seed" and whatever else a
+    /// reader may ask. Units, exposure, filter and quantisation are added to it.
+    std::map<std::string, std::string> metadata;
+    std::optional<Matrix4> worldToCamera, worldToNdc;
+};
+
+struct OutputPolicy {
+    std::string directory = ".";
+    bool allowOutside = false; ///< --allow-programs.
+};
+
+/// Writes all displays of the options (RiDisplay), each whole or not at all. A display that cannot
+/// be written (unknown type or mode, unwritable file) is reported and the others still come.
+/// Returns the paths that were written, in order.
+std::vector<std::string> writeDisplays(const Film &, const Options &, const FrameDescription &,
+                                       const OutputPolicy &, DiagnosticSink &);
+
+/// How a display wants its planes.
+struct PlaneSettings {
+    float gain = 1, gamma = 1;
+    QuantizeRecord color, depth;
+    bool quantizeAll = false; ///< The format holds whole numbers only.
+    bool halves = false;
+};
+/// The picture a display shows: Ci through exposure and, if `color.one` is not 0, quantised, as
+/// alpha and depth are; other channels as they are unless `quantizeAll`. Planes of the halves lie
+/// under "half0" and "half1" if wanted and the film has them.
+Picture developPicture(const Film &, const std::vector<DisplayPlane> &, const PlaneSettings &);
+
+} // namespace candela

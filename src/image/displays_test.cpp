@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "image/displays.h"
+
+#include "image/exr_file.h"
+#include "image/imaging.h"
+#include "image/png_file.h"
+#include "image/whole_file.h"
+
+#include <cmath>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+namespace candela {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of its own, gone at the end.
+class DisplaysTest : public testing::Test {
+protected:
+    DisplaysTest() {
+        std::string pattern = (fs::temp_directory_path() / "candela_display_XXXXXX").string();
+        folder_ = ::mkdtemp(pattern.data());
+        policy_.directory = folder_;
+        options_.filter = {"box", 1, 1};
+        frame_.metadata = {{"renderer", "candela test"}, {"spp", "1"}};
+    }
+    ~DisplaysTest() override { fs::remove_all(folder_); }
+
+    void display(const std::string &name, const std::string &type, const std::string &mode) {
+        DisplayRecord record;
+        record.name = name;
+        record.type = type;
+        record.mode = mode;
+        options_.displays.push_back(record);
+    }
+
+    /// A film of 4 x 3 pixels, a crop of a frame of 6 x 5, with one sample a pixel.
+    void fill(bool halves = false) {
+        available_ = {{"z", 1}, {"N", 3}, {"albedo", 3}, {"id", 1}};
+        Film::Settings settings;
+        settings.window = {6, 5, 1, 5, 2, 5};
+        settings.channels = wantedChannels(options_.displays, available_);
+        settings.keepHalves = halves;
+        film_.emplace(settings);
+        for (int y = 2; y < 5; ++y)
+            for (int x = 1; x < 5; ++x)
+                addPixel(x, y);
+    }
+    void addPixel(int x, int y) {
+        std::vector<float> values;
+        std::vector<const float *> planes;
+        int k = 0;
+        for (const ChannelInfo &channel : film_->channels())
+            for (int c = 0; c < channel.components; ++c)
+                values.push_back(valueAt(x, y, k++));
+        for (const float &value : values)
+            planes.push_back(&value);
+        const int index = 0;
+        const float weight = 1;
+        film_->add({1, &x, &y, &index, &weight, planes.data()});
+    }
+    /// Component k of the film at a pixel: exact in float, within [0, 1).
+    static float valueAt(int x, int y, int k) { return float((x * 7 + y * 13 + k * 29) % 64) / 64; }
+    std::vector<std::string> writeAll() {
+        return writeDisplays(*film_, options_, frame_, policy_, list_);
+    }
+    Picture readExr(const std::string &name) {
+        std::string problem;
+        const auto bytes = readWholeFile((fs::path(folder_) / name).string(), problem);
+        const auto picture = decodeExr(bytes.value_or(""), problem);
+        EXPECT_TRUE(picture) << problem;
+        return picture.value_or(Picture{});
+    }
+    Picture readPng(const std::string &name) {
+        std::string problem;
+        const auto bytes = readWholeFile((fs::path(folder_) / name).string(), problem);
+        const auto picture = decodePng(bytes.value_or(""), problem);
+        EXPECT_TRUE(picture) << problem;
+        return picture.value_or(Picture{});
+    }
+    int fileCount() const {
+        return int(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+    }
+
+    std::string folder_;
+    OutputPolicy policy_;
+    Options options_;
+    FrameDescription frame_;
+    std::vector<ChannelInfo> available_;
+    std::optional<Film> film_;
+    DiagnosticList list_;
+};
+
+TEST_F(DisplaysTest, ExrHoldsChannelsWindowAndDescription) {
+    display("a.exr", "openexr", "rgbaz,N,radiance");
+    options_.exposureGain = 2;
+    frame_.worldToCamera = translation(1, 2, 3);
+    fill();
+    ASSERT_EQ(writeAll().size(), 1u) << list_.text();
+    const Picture picture = readExr("a.exr");
+    EXPECT_EQ(picture.window, film_->window());
+    EXPECT_EQ(picture.metadata.at("units"), "W m^-2 sr^-1");
+    EXPECT_EQ(picture.metadata.at("luminousEfficacy"), "179 lm/W");
+    EXPECT_EQ(picture.metadata.at("exposure"), "2 1");
+    EXPECT_EQ(picture.metadata.at("pixelFilter"), "box 1 1");
+    EXPECT_EQ(picture.metadata.at("renderer"), "candela test");
+    EXPECT_EQ(picture.worldToCamera, translation(1, 2, 3));
+    std::size_t i = 0;
+    for (int y = 2; y < 5; ++y)
+        for (int x = 1; x < 5; ++x, ++i) {
+            for (int c = 0; c < 3; ++c) {
+                const std::string letter(1, "RGB"[c]);
+                ASSERT_EQ(picture.find(letter)->values[i], 2 * valueAt(x, y, c));
+                ASSERT_EQ(picture.find("radiance." + letter)->values[i], valueAt(x, y, c));
+                ASSERT_EQ(picture.find(std::string("N.") + "XYZ"[c])->values[i],
+                          valueAt(x, y, 7 + c));
+            }
+            const double alpha =
+                (double(valueAt(x, y, 3)) + valueAt(x, y, 4) + valueAt(x, y, 5)) / 3;
+            ASSERT_NEAR(picture.find("A")->values[i], alpha, 1e-6);
+            ASSERT_EQ(picture.find("Z")->values[i], valueAt(x, y, 6));
+        }
+}
+
+TEST_F(DisplaysTest, PngQuantisesWithTheDocumentedDither) {
+    display("a.png", "png", "rgb");
+    options_.exposureGamma = 2;
+    fill();
+    ASSERT_EQ(writeAll().size(), 1u) << list_.text();
+    const Picture picture = readPng("a.png");
+    ASSERT_EQ(picture.channels.size(), 3u);
+    EXPECT_EQ(picture.metadata.at("units"), "W m^-2 sr^-1");
+    std::size_t i = 0;
+    for (int y = 2; y < 5; ++y)
+        for (int x = 1; x < 5; ++x, ++i)
+            for (int c = 0; c < 3; ++c) {
+                const double exact = 255 * std::sqrt(valueAt(x, y, c));
+                const int level = int(std::lround(picture.channels[c].values[i] * 255));
+                EXPECT_NEAR(level, exact, 1.001);
+                EXPECT_EQ(level, int(quantized(exposed(valueAt(x, y, c), 1, 2), eightBitQuantize,
+                                               ditherNoise(x, y, c))));
+            }
+}
+
+TEST_F(DisplaysTest, SixteenBitsAndAlpha) {
+    display("a.png", "file", "rgba");
+    options_.displays[0].quantize = QuantizeRecord{65535, 0, 65535, 0};
+    fill();
+    ASSERT_EQ(writeAll().size(), 1u) << list_.text();
+    const Picture picture = readPng("a.png");
+    ASSERT_EQ(picture.channels.size(), 4u);
+    EXPECT_NEAR(picture.find("G")->values[5], valueAt(2, 3, 1), 0.51 / 65535);
+}
+
+TEST_F(DisplaysTest, QuantizeAppliesToFloatFilesOnlyIfAsked) {
+    display("plain.exr", "openexr", "rgb,albedo");
+    display("whole.exr", "openexr", "rgb,albedo");
+    options_.displays[1].quantize = QuantizeRecord{100, 10, 50, 0};
+    fill();
+    ASSERT_EQ(writeAll().size(), 2u) << list_.text();
+    EXPECT_EQ(readExr("plain.exr").find("R")->values[0], valueAt(1, 2, 0));
+    const Picture whole = readExr("whole.exr");
+    const float level = std::floor(100 * valueAt(1, 2, 0) + 0.5f);
+    EXPECT_EQ(whole.find("R")->values[0], std::clamp(level, 10.0f, 50.0f));
+    EXPECT_EQ(whole.find("albedo.R")->values[0], valueAt(1, 2, 6)); // Channels stay raw.
+}
+
+TEST_F(DisplaysTest, HalvesAreLayers) {
+    display("a.exr", "openexr", "rgb,variance");
+    Parameter parameter;
+    parameter.name = "halfbuffers";
+    parameter.floats = {1};
+    options_.displays[0].parameters.all.push_back(parameter);
+    ASSERT_TRUE(wantsHalves(options_.displays));
+    fill(true);
+    ASSERT_EQ(writeAll().size(), 1u) << list_.text();
+    const Picture picture = readExr("a.exr");
+    EXPECT_EQ(picture.find("half0.R")->values[0], valueAt(1, 2, 0));
+    EXPECT_EQ(picture.find("half1.R")->values[0], 0); // No odd sample.
+    EXPECT_TRUE(std::isinf(picture.find("variance.R")->values[0]));
+    EXPECT_EQ(picture.find("half0.variance.R"), nullptr);
+}
+
+TEST_F(DisplaysTest, DefaultDisplayWhereNoneIsNamed) {
+    fill();
+    const auto written = writeAll();
+    ASSERT_EQ(written.size(), 1u) << list_.text();
+    EXPECT_EQ(fs::path(written[0]).filename(), "ri.exr");
+}
+
+TEST_F(DisplaysTest, OneBadDisplayDoesNotStopTheOthers) {
+    display("a.sgi", "sgif", "rgb");
+    display("b.exr", "openexr", "rgb,nonsense");
+    display("c.png", "png", "z");
+    display("d.png", "png", "rgbaz");
+    display("good.exr", "openexr", "rgb");
+    fill();
+    EXPECT_EQ(writeAll().size(), 1u);
+    EXPECT_EQ(list_.count(Severity::Error), 4);
+    for (const char *part :
+         {"\"sgif\"; known are file, openexr, png", "\"nonsense\"; known are", "Quantize \"z\""})
+        EXPECT_NE(list_.text().find(part), std::string::npos) << list_.text();
+    EXPECT_EQ(fileCount(), 1);
+}
+
+TEST_F(DisplaysTest, FileGoesByItsExtension) {
+    display("a.PNG", "file", "rgb");
+    display("b.exr", "file", "rgb");
+    display("c", "file", "rgb");
+    display("d.tif", "file", "rgb");
+    fill();
+    EXPECT_EQ(writeAll().size(), 4u) << list_.text();
+    EXPECT_EQ(list_.count(Severity::Warning), 1) << list_.text();
+    readPng("a.PNG");
+    for (const char *name : {"b.exr", "c", "d.tif"})
+        EXPECT_EQ(readExr(name).channels.size(), 3u);
+}
+
+TEST_F(DisplaysTest, FloatPngIsWarnedAbout) {
+    display("a.png", "png", "rgb");
+    options_.colorQuantize = QuantizeRecord{0, 0, 0, 0};
+    fill();
+    EXPECT_EQ(writeAll().size(), 1u);
+    EXPECT_EQ(list_.count(Severity::Warning), 1);
+}
+
+TEST_F(DisplaysTest, PathsStayInTheOutputFolder) {
+    fs::create_directory_symlink(fs::temp_directory_path(), fs::path(folder_) / "link");
+    display("../escaped.exr", "openexr", "rgb");
+    display("/escaped.exr", "openexr", "rgb");
+    display("link/escaped.exr", "openexr", "rgb");
+    display("sub/folder/inside.exr", "openexr", "rgb");
+    display(folder_ + "/absolute.exr", "openexr", "rgb");
+    fill();
+    EXPECT_EQ(writeAll().size(), 2u) << list_.text();
+    EXPECT_EQ(list_.count(Severity::Error), 3);
+    EXPECT_NE(list_.text().find("--allow-programs"), std::string::npos);
+    EXPECT_TRUE(fs::exists(fs::path(folder_) / "sub/folder/inside.exr"));
+
+    policy_.directory = folder_ + "/sub";
+    policy_.allowOutside = true;
+    options_.displays.resize(1);
+    EXPECT_EQ(writeAll().size(), 1u);
+    EXPECT_TRUE(fs::exists(fs::path(folder_) / "escaped.exr"));
+}
+
+TEST_F(DisplaysTest, UnwritablePathsAreErrors) {
+    std::string problem;
+    ASSERT_TRUE(writeWholeFile(folder_ + "/file", "x", problem)) << problem;
+    display("file/below.exr", "openexr", "rgb");
+    display("file/below/deep.png", "png", "rgb");
+    display("", "openexr", "rgb");
+    fill();
+    EXPECT_EQ(writeAll().size(), 0u);
+    EXPECT_EQ(list_.count(Severity::Error), 3);
+    EXPECT_EQ(fileCount(), 1);
+}
+
+TEST_F(DisplaysTest, FullDiskLeavesTheOldFileAndNothingElse) {
+    std::string problem;
+    ASSERT_TRUE(writeWholeFile(folder_ + "/a.exr", "old", problem));
+    display("a.exr", "openexr", "rgb");
+    display("b.png", "png", "rgb");
+    fill();
+    rlimit before{};
+    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+    rlimit small = before;
+    small.rlim_cur = 64;
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+    const std::size_t written = writeAll().size();
+    setrlimit(RLIMIT_FSIZE, &before);
+    EXPECT_EQ(written, 0u);
+    EXPECT_EQ(list_.count(Severity::Error), 2);
+    EXPECT_NE(list_.text().find("File too large"), std::string::npos) << list_.text();
+    EXPECT_EQ(readWholeFile(folder_ + "/a.exr", problem), "old");
+    EXPECT_EQ(fileCount(), 1);
+}
+
+TEST_F(DisplaysTest, SpecialFilesAreNotReplaced) {
+    std::string problem;
+    EXPECT_FALSE(writeWholeFile("/dev/null", "x", problem));
+    EXPECT_TRUE(fs::is_character_file("/dev/null"));
+    ASSERT_TRUE(writeWholeFile(folder_ + "/real", "x", problem));
+    fs::create_symlink(folder_ + "/real", folder_ + "/alias");
+    EXPECT_TRUE(writeWholeFile(folder_ + "/alias", "new", problem));
+    EXPECT_TRUE(fs::is_symlink(folder_ + "/alias"));
+    EXPECT_EQ(readWholeFile(folder_ + "/real", problem), "new");
+}
+
+TEST(Imaging, Exposure) {
+    EXPECT_EQ(exposed(0.25f, 2, 1), 0.5f);
+    EXPECT_FLOAT_EQ(exposed(0.25f, 1, 2), 0.5f);
+    EXPECT_FLOAT_EQ(exposed(0.125f, 8, 2.2f), 1);
+    EXPECT_EQ(exposed(-0.25f, 2, 1), -0.5f);
+    EXPECT_FLOAT_EQ(exposed(-0.25f, 1, 2), -0.5f);
+}
+
+TEST(Imaging, QuantiseTable) {
+    const QuantizeRecord plain{255, 0, 255, 0};
+    EXPECT_EQ(quantized(0, plain, 0), 0);
+    EXPECT_EQ(quantized(1, plain, 0), 255);
+    EXPECT_EQ(quantized(0.5f, plain, 0), 128);
+    EXPECT_EQ(quantized(2, plain, 0), 255);
+    EXPECT_EQ(quantized(-1, plain, 0), 0);
+    EXPECT_EQ(quantized(0.7f, {0, 0, 0, 0.5f}, 1), 0.7f);
+    EXPECT_EQ(quantized(10 / 255.0f, eightBitQuantize, 0.9f), 10);
+    EXPECT_EQ(quantized(10.4f / 255, eightBitQuantize, 0.5f), 11);
+}
+
+TEST(Imaging, DitherKeepsTheMean) {
+    for (double level : {10.0, 10.2, 10.5, 10.9}) {
+        double sum = 0;
+        constexpr int n = 300;
+        for (int y = 0; y < n; ++y)
+            for (int x = 0; x < n; ++x) {
+                const float noise = ditherNoise(x, y, 1);
+                ASSERT_TRUE(noise >= -1 && noise < 1);
+                sum += quantized(float(level / 255), eightBitQuantize, noise);
+            }
+        EXPECT_NEAR(sum / (n * n), level, 5 * 0.5 / n); // Five standard deviations at most.
+    }
+}
+
+} // namespace
+} // namespace candela

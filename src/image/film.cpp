@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "image/film.h"
+
+#include "foundation/units/color.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace candela {
+
+namespace {
+
+std::vector<ChannelInfo> withColorAndOpacity(const std::vector<ChannelInfo> &wanted) {
+    std::vector<ChannelInfo> channels{{"Ci", colorSamples}, {"Oi", colorSamples}};
+    for (const ChannelInfo &channel : wanted)
+        if (std::ranges::find(channels, channel.name, &ChannelInfo::name) == channels.end())
+            channels.push_back(channel);
+    return channels;
+}
+
+} // namespace
+
+Film::Film(Settings settings)
+    : settings_(std::move(settings)), channels_(withColorAndOpacity(settings_.channels)) {
+    for (const ChannelInfo &channel : channels_) {
+        if (channel.name == "z")
+            depthComponent_ = components_;
+        firstComponent_.push_back(components_);
+        components_ += channel.components;
+    }
+    blockSize_ = 2 + components_ * (settings_.signedWeights ? 2 : 1);
+    squares_ = blockSize_ * (settings_.keepHalves ? 2 : 1);
+    stride_ = squares_ + 1 + colorSamples;
+    sums_.assign(settings_.window.pixels() * stride_, 0.0);
+    if (depthComponent_ >= 0)
+        for (std::size_t i = 0; i < settings_.window.pixels(); ++i)
+            sums_[i * stride_ + 2 + depthComponent_] = std::numeric_limits<float>::max();
+}
+
+int Film::channelIndex(std::string_view name) const {
+    auto found = std::ranges::find(channels_, name, &ChannelInfo::name);
+    return found == channels_.end() ? -1 : int(found - channels_.begin());
+}
+
+void Film::add(const SampleBatch &batch) {
+    const FrameWindow &w = settings_.window;
+    for (int first = 0, last = 0; first < batch.count; first = last) {
+        const int x = batch.x[first], y = batch.y[first];
+        while (last < batch.count && batch.x[last] == x && batch.y[last] == y)
+            ++last;
+        if (x < w.x0 || x >= w.x1 || y < w.y0 || y >= w.y1)
+            continue;
+        const std::size_t pixel = std::size_t(y - w.y0) * w.columns() + (x - w.x0);
+        addRun(&sums_[pixel * stride_], {batch, first, last});
+    }
+}
+
+void Film::addRun(double *pixel, const Run &run) {
+    addToBlock(pixel, run, false);
+    if (settings_.keepHalves)
+        addToBlock(pixel + blockSize_, run, true);
+    addSquares(pixel + squares_, run);
+}
+
+void Film::addToBlock(double *block, const Run &run, bool evenOnly) {
+    double count = block[0], weights = block[1];
+    for (int i = run.first; i < run.last; ++i)
+        if (!evenOnly || run.batch.sampleIndex[i] % 2 == 0) {
+            count += 1;
+            weights += run.batch.weight[i];
+        }
+    block[0] = count;
+    block[1] = weights;
+    double *weighted = block + 2, *plain = weighted + components_;
+    for (int c = 0; c < components_; ++c) {
+        if (c == depthComponent_) {
+            weighted[c] = nearest(weighted[c], run, c);
+            continue;
+        }
+        weighted[c] = addComponent(weighted[c], run, c, evenOnly, true);
+        if (settings_.signedWeights)
+            plain[c] = addComponent(plain[c], run, c, evenOnly, false);
+    }
+}
+
+double Film::nearest(double depth, const Run &run, int component) {
+    const float *values = run.batch.values[component];
+    for (int i = run.first; i < run.last; ++i)
+        depth = values[i] < depth ? values[i] : depth; // NaN is not nearer.
+    return depth;
+}
+
+/// The sum with a run's values added one after the other. No sum of floats overflows a double, so
+/// a sum that is not finite tells that some value was not, and only then is each one looked at.
+double Film::addComponent(double sum, const Run &run, int component, bool evenOnly, bool weighted) {
+    const float *values = run.batch.values[component], *weights = run.batch.weight;
+    const int *index = run.batch.sampleIndex;
+    const double before = sum;
+    if (!evenOnly && weighted)
+        for (int i = run.first; i < run.last; ++i)
+            sum += double(weights[i]) * values[i];
+    else
+        for (int i = run.first; i < run.last; ++i)
+            if (!evenOnly || index[i] % 2 == 0)
+                sum += weighted ? double(weights[i]) * values[i] : double(values[i]);
+    if (std::isfinite(sum))
+        return sum;
+    sum = before;
+    for (int i = run.first; i < run.last; ++i) {
+        if (evenOnly && index[i] % 2 != 0)
+            continue;
+        if (std::isfinite(values[i]))
+            sum += weighted ? double(weights[i]) * values[i] : double(values[i]);
+        else if (weighted && !evenOnly)
+            nonFinite_.fetch_add(1, std::memory_order_relaxed);
+    }
+    return sum;
+}
+
+void Film::addSquares(double *squares, const Run &run) {
+    const float *weights = run.batch.weight;
+    double sum = squares[0];
+    for (int i = run.first; i < run.last; ++i)
+        sum += double(weights[i]) * weights[i];
+    squares[0] = sum;
+    for (int c = 0; c < colorSamples; ++c) {
+        const float *values = run.batch.values[c];
+        sum = squares[1 + c];
+        for (int i = run.first; i < run.last; ++i) {
+            const double value = double(weights[i]) * values[i];
+            sum += std::isfinite(value) ? value * value : 0;
+        }
+        squares[1 + c] = sum;
+    }
+}
+
+Film::Moments Film::moments(const double *pixel, int component, FilmHalf half) const {
+    const auto of = [&](const double *block) {
+        const double weighted = block[2 + component];
+        const double plain =
+            settings_.signedWeights ? block[2 + components_ + component] : weighted;
+        return Moments{block[0], block[1], weighted, plain};
+    };
+    const Moments all = of(pixel);
+    if (half == FilmHalf::Both)
+        return all;
+    const Moments even = of(pixel + blockSize_);
+    if (half == FilmHalf::Even)
+        return even;
+    return {all.count - even.count, all.weights - even.weights, all.weighted - even.weighted,
+            all.plain - even.plain};
+}
+
+/// With weights of mean 1 the mean of w v is an unbiased estimate, but where w changes its sign it
+/// makes noise even of a constant. E[w v] = E[v] + cov(w, v), and the unbiased estimates of both
+/// leave constants alone.
+double Film::estimate(const Moments &m) {
+    if (m.count == 0)
+        return 0;
+    const double plain = m.plain / m.count;
+    return m.count < 2 ? plain : plain + covariance(m);
+}
+
+/// Of weight and value, unbiased, from two samples on.
+double Film::covariance(const Moments &m) {
+    return (m.weighted - m.plain / m.count * m.weights) / (m.count - 1);
+}
+
+std::vector<float> Film::mean(int channel, int component, FilmHalf half) const {
+    const int slot = firstComponent_[channel] + component;
+    std::vector<float> plane(settings_.window.pixels());
+    for (std::size_t i = 0; i < plane.size(); ++i) {
+        const double *pixel = &sums_[i * stride_];
+        if (slot == depthComponent_) {
+            plane[i] = float(pixel[2 + slot]);
+            continue;
+        }
+        const Moments m = moments(pixel, slot, half);
+        plane[i] = float(settings_.signedWeights ? estimate(m)
+                         : m.count > 0           ? m.weighted / m.count
+                                                 : 0);
+    }
+    return plane;
+}
+
+/// The leading term is the spread of the residuals r = w (v - mean of v); since |w| is constant,
+/// the sum of w^2 v is the mean of w^2 times the sum of v. What the covariance adds with few
+/// samples is its textbook variance under independence.
+double Film::varianceOfEstimate(const Moments &m, double squaredWeights, double squares) const {
+    const double n = m.count, mean = m.plain / n;
+    const double residual = m.weighted - mean * m.weights;
+    const double spread = squares - mean * mean * squaredWeights - residual * residual / n;
+    double variance = spread / (n * (n - 1));
+    if (settings_.signedWeights && squaredWeights > 0) {
+        const double meanSquaredWeight = squaredWeights / n;
+        const double valueVariance = (squares / meanSquaredWeight - n * mean * mean) / (n - 1);
+        variance += ((meanSquaredWeight - 1) * valueVariance + covariance(m) * covariance(m)) /
+                    (n * (n - 1));
+    }
+    return std::max(0.0, variance);
+}
+
+std::vector<float> Film::varianceOfMean(int component) const {
+    std::vector<float> plane(settings_.window.pixels());
+    for (std::size_t i = 0; i < plane.size(); ++i) {
+        const double *pixel = &sums_[i * stride_], *squares = pixel + squares_;
+        const Moments m = moments(pixel, component, FilmHalf::Both);
+        if (m.count < 2) {
+            plane[i] = std::numeric_limits<float>::infinity();
+            continue;
+        }
+        plane[i] = float(varianceOfEstimate(m, squares[0], squares[1 + component]));
+    }
+    return plane;
+}
+
+} // namespace candela

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where samples become pixels. Sums are double, a pixel's samples are added in the order of their
+// index and pixels share nothing, so a pixel depends on its own samples alone.
+#pragma once
+
+#include "image/picture.h"
+#include "world/scene/sample_sink.h"
+
+#include <atomic>
+#include <cstdint>
+
+namespace candela {
+
+enum class FilmHalf { Both, Even, Odd };
+
+class Film : public SampleSink {
+public:
+    struct Settings {
+        FrameWindow window; ///< Only its pixels are stored; samples of others are ignored.
+        /// Wanted beside Ci and Oi, which are always there. "z" becomes the minimum over the
+        /// samples (RI 3.2, 4.1), every other channel the filtered mean.
+        std::vector<ChannelInfo> channels;
+        bool signedWeights = false; ///< The pixel filter has negative lobes.
+        bool keepHalves = false;    ///< Even and odd samples are wanted on their own, too.
+    };
+    explicit Film(Settings);
+
+    std::span<const ChannelInfo> channels() const override { return channels_; }
+    void add(const SampleBatch &) override;
+
+    const FrameWindow &window() const { return settings_.window; }
+    bool keepsHalves() const { return settings_.keepHalves; }
+
+    /// Index in channels(), or -1.
+    int channelIndex(std::string_view name) const;
+
+    /// Component `component` of a channel over the window. Without samples a pixel is 0 (z: the
+    /// largest float). Under a filter with negative lobes the mean stays exact for constants.
+    /// Halves: only if kept; z has none.
+    std::vector<float> mean(int channel, int component, FilmHalf = FilmHalf::Both) const;
+
+    /// Variance of the pixel means of Ci, estimated as for independent samples, which is an upper
+    /// estimate for stratified ones; infinite for a pixel of fewer than two samples.
+    std::vector<float> varianceOfMean(int component) const;
+
+    /// Samples whose value was NaN or infinite, counted once for each component. They count as 0.
+    std::uint64_t nonFiniteSamples() const { return nonFinite_; }
+
+private:
+    /// What is known of one component in one block of samples.
+    struct Moments {
+        double count, weights, weighted, plain; ///< n, sum of w, of w v, of v.
+    };
+    /// Samples [first, last) of a batch, all of one pixel.
+    struct Run {
+        const SampleBatch &batch;
+        int first, last;
+    };
+    void addRun(double *pixel, const Run &);
+    void addToBlock(double *block, const Run &, bool evenOnly);
+    /// Non-finite values are left out and counted.
+    double addComponent(double sum, const Run &, int component, bool evenOnly, bool weighted);
+    static double nearest(double depth, const Run &, int component);
+    static void addSquares(double *squares, const Run &);
+    Moments moments(const double *pixel, int slot, FilmHalf) const;
+    static double estimate(const Moments &);
+    static double covariance(const Moments &);
+    double varianceOfEstimate(const Moments &, double squaredWeights, double squares) const;
+
+    Settings settings_;
+    std::vector<ChannelInfo> channels_;
+    std::vector<int> firstComponent_; ///< Of each channel in the batch's planes.
+    int components_ = 0;
+    int depthComponent_ = -1;
+    // A pixel's doubles: the block of all samples, that of the even ones if kept, then the sums of
+    // squares. A block is count, sum of weights, weighted sums and, if signed, plain sums.
+    int blockSize_ = 0, squares_ = 0, stride_ = 0;
+    std::vector<double> sums_;
+    std::atomic<std::uint64_t> nonFinite_{0};
+};
+
+} // namespace candela

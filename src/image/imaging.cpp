@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "image/imaging.h"
+
+#include "foundation/base/hash.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace candela {
+
+float exposed(float value, float gain, float gamma) {
+    const float light = value * gain;
+    return gamma == 1 ? light : std::copysign(std::pow(std::abs(light), 1 / gamma), light);
+}
+
+float ditherNoise(int x, int y, int component) {
+    const std::uint64_t pixel = std::uint64_t(std::uint32_t(y)) << 32 | std::uint32_t(x);
+    const std::uint64_t bits = mixBits(mixBits(pixel) + std::uint64_t(component) + 1);
+    return float(bits >> 40) * 0x1p-23f - 1;
+}
+
+float quantized(float value, const QuantizeRecord &quantize, float noise) {
+    if (quantize.one == 0)
+        return value;
+    const float level = std::floor(quantize.one * value + quantize.ditherAmplitude * noise + 0.5f);
+    return std::min(std::max(level, quantize.minimum), quantize.maximum);
+}
+
+} // namespace candela

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "image/whole_file.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <ctime>
+#include <fcntl.h>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <vector>
+
+namespace candela {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Writing beyond RLIMIT_FSIZE raises SIGXFSZ, which would end the process with other pictures
+/// unwritten. While this lives the signal is held back, and taken away if it came, so that write()
+/// just fails with EFBIG.
+class FileSizeSignalHeld {
+public:
+    FileSizeSignalHeld() {
+        sigemptyset(&signal_);
+        sigaddset(&signal_, SIGXFSZ);
+        pthread_sigmask(SIG_BLOCK, &signal_, &before_);
+    }
+    ~FileSizeSignalHeld() {
+        const int reason = errno; // Of the write, which is to be reported.
+        const timespec now{};
+        while (sigtimedwait(&signal_, nullptr, &now) > 0) {
+        }
+        pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+        errno = reason;
+    }
+    FileSizeSignalHeld(const FileSizeSignalHeld &) = delete;
+
+private:
+    sigset_t signal_, before_;
+};
+
+bool writeAll(int file, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(file, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR)
+            continue;
+        if (written <= 0)
+            return false;
+        bytes.remove_prefix(std::size_t(written));
+    }
+    return true;
+}
+
+/// The permissions an ordinary new file gets; mkstemp() makes private ones.
+mode_t newFileMode() {
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    return 0666 & ~mask;
+}
+
+bool writeTemporary(int file, std::string_view bytes) {
+    const FileSizeSignalHeld held;
+    const bool written = writeAll(file, bytes) && ::fchmod(file, newFileMode()) == 0;
+    const int reason = errno;
+    const bool closed = ::close(file) == 0;
+    if (!written)
+        errno = reason;
+    return written && closed;
+}
+
+bool liesWithin(const fs::path &path, const fs::path &folder) {
+    const auto [end, unused] =
+        std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
+    return end == folder.end();
+}
+
+} // namespace
+
+bool writeWholeFile(const std::string &path, std::string_view bytes, std::string &problem) {
+    const auto fail = [&](const std::string &what) {
+        problem = "cannot write " + path + ": " + what;
+        return false;
+    };
+    std::error_code error;
+    fs::path target = path;
+    if (fs::is_symlink(target, error))
+        target = fs::weakly_canonical(target, error); // Not the link, but what it leads to.
+    if (fs::exists(target, error) && !fs::is_regular_file(target, error))
+        return fail("it is there and not a regular file");
+    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+    const std::string pattern = (folder / ("." + target.filename().string() + ".XXXXXX")).string();
+    std::vector<char> temporary(pattern.begin(), pattern.end());
+    temporary.push_back(0);
+    const int file = ::mkstemp(temporary.data());
+    if (file < 0)
+        return fail(std::strerror(errno));
+    if (!writeTemporary(file, bytes) || std::rename(temporary.data(), target.c_str()) != 0) {
+        const std::string reason = std::strerror(errno);
+        ::unlink(temporary.data());
+        return fail(reason);
+    }
+    return true;
+}
+
+std::optional<std::string> readWholeFile(const std::string &path, std::string &problem) {
+    std::error_code error;
+    if (!fs::is_regular_file(path, error)) {
+        problem = "cannot read " + path + ": " +
+                  (fs::exists(path, error) ? "not a regular file" : "no such file");
+        return std::nullopt;
+    }
+    std::ifstream stream(path, std::ios::binary);
+    std::ostringstream content;
+    content << stream.rdbuf();
+    if (!stream || stream.bad()) {
+        if (fs::file_size(path, error) == 0 && !error)
+            return std::string();
+        problem = "cannot read " + path + ": " + std::strerror(errno);
+        return std::nullopt;
+    }
+    return content.str();
+}
+
+std::optional<std::string> outputPath(const std::string &name, const std::string &directory,
+                                      bool allowOutside, std::string &problem) {
+    const auto fail = [&](const std::string &what) {
+        problem = "cannot write " + name + ": " + what;
+        return std::nullopt;
+    };
+    if (name.empty() || name.find('\0') != std::string::npos)
+        return fail("a display needs a file name");
+    std::error_code error;
+    const fs::path folder = fs::absolute(directory.empty() ? "." : directory, error);
+    const fs::path path = folder / name; // An absolute name stands for itself.
+    const fs::path realFolder = fs::weakly_canonical(folder, error);
+    if (error)
+        return fail(error.message());
+    const fs::path realPath = fs::weakly_canonical(path, error);
+    if (error)
+        return fail(error.message());
+    if (!allowOutside && !liesWithin(realPath, realFolder))
+        return fail("writes outside the output folder need --allow-programs");
+    fs::create_directories(path.parent_path(), error);
+    if (error)
+        return fail("cannot make its folder: " + error.message());
+    return path.lexically_normal().string();
+}
+
+} // namespace candela

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// The graphics state: a sink of requests that keeps options, attributes and transformations and
+// tells a SceneBuilder of worlds (RI 3.2, section 4). This class judges where a request stands
+// (scopes, nesting, object definitions, motion blocks); what a request does is StateHandlers'.
+#pragma once
+
+#include "interface/ri/error_policy.h"
+#include "interface/ri/graphics_state_settings.h"
+#include "interface/ri/request_sink.h"
+#include "interface/ri/scene_builder.h"
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace candela {
+
+class StateHandlers;
+
+class GraphicsState final : public RequestSink {
+public:
+    /// All three must outlive it.
+    GraphicsState(SceneBuilder &, ShaderLookup &, DiagnosticSink &, GraphicsStateSettings = {});
+    ~GraphicsState() override;
+
+#define REQUEST(Name, handler, scopes, ...)                                                        \
+    void handler(const SourceLocation &where CANDELA_PARAMETERS(__VA_ARGS__)) override;
+#define REQUEST_OF_BLOCKS(Name, handler, scopes, ...)                                              \
+    void handler(const SourceLocation &where CANDELA_PARAMETERS(__VA_ARGS__)) override;
+#define REQUEST_LATER(Name, handler, scopes, consequence, ...)                                     \
+    void handler(const SourceLocation &where CANDELA_PARAMETERS(__VA_ARGS__)) override;
+#include "interface/ri/requests.def"
+
+    std::optional<std::string> findArchive(const std::string &name,
+                                           const SourceLocation &where) const override;
+    bool stopped() const override { return policy_.stopped(); }
+
+    /// Obeys ErrorHandler and then tells the sink that was given to the constructor: for readers,
+    /// and for whoever else finds something wrong in the user's files.
+    DiagnosticSink &diagnostics() { return policy_; }
+    /// After the last request: reports blocks that are still open. A world that was never closed
+    /// is not rendered.
+    void finish();
+
+private:
+    enum class BlockKind { Frame, World, Attribute, Transform, Solid, Object, Motion };
+    struct Block {
+        BlockKind kind;
+        SourceLocation where;
+    };
+    /// A recorded request, ready to be made again.
+    using RecordedRequest = std::function<void(GraphicsState &)>;
+    struct ObjectDefinition {
+        std::vector<RecordedRequest> requests;
+        int depth = 1; ///< Levels of instances below.
+    };
+    enum class Verdict { Drop, Record, Run };
+
+    Verdict judge(RequestId, const SourceLocation &);
+    bool isLegal(RequestId, const SourceLocation &);
+    void reportScope(RequestId, const SourceLocation &, unsigned place);
+    bool isLaterMotionSample(RequestId, const SourceLocation &);
+    unsigned place() const;
+    bool isOpen(BlockKind) const;
+    /// Keeps the stack of open blocks in step with a legal request; false if it must be dropped.
+    bool nest(RequestId, const SourceLocation &);
+    bool closeBlock(BlockKind, RequestId, const SourceLocation &);
+    void endInnermost(const SourceLocation &);
+    void record(RecordedRequest);
+    void replay(const std::shared_ptr<const ObjectDefinition> &);
+
+    ErrorPolicy policy_;
+    std::unique_ptr<StateHandlers> handlers_;
+    std::vector<Block> blocks_;
+    std::map<std::string, std::shared_ptr<const ObjectDefinition>> objects_;
+    std::string objectHandle_; ///< Of the definition that is being recorded.
+    std::shared_ptr<ObjectDefinition> recording_;
+    std::optional<RequestId> motionRequest_; ///< What the open motion block is about.
+};
+
+} // namespace candela

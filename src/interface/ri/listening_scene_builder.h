@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// For tests: a SceneBuilder that only listens, and a ShaderLookup that knows a few shaders.
+#pragma once
+
+#include "interface/ri/scene_builder.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace candela::testing {
+
+class ListeningSceneBuilder : public SceneBuilder {
+public:
+    struct Primitive {
+        std::shared_ptr<const PrimitiveRecord> record;
+        std::shared_ptr<const Attributes> attributes;
+        MotionTransform currentFromObject;
+
+        /// Where the object's point (x, y, z) is in camera space.
+        Vec3 place(float x, float y, float z) const {
+            return transformPoint(currentFromObject.atOpen(), {x, y, z});
+        }
+    };
+    struct World {
+        Options options;
+        std::vector<std::shared_ptr<const LightRecord>> lights;
+        std::vector<Primitive> primitives;
+        std::map<std::string, Matrix4> coordinateSystems;
+        bool ended = false;
+    };
+    std::vector<World> worlds;
+
+    void worldBegin(const Options &options) override { worlds.push_back({options, {}, {}, {}}); }
+    void light(std::shared_ptr<const LightRecord> light) override {
+        worlds.back().lights.push_back(std::move(light));
+    }
+    void primitive(std::shared_ptr<const PrimitiveRecord> record,
+                   std::shared_ptr<const Attributes> attributes,
+                   const MotionTransform &currentFromObject) override {
+        worlds.back().primitives.push_back(
+            {std::move(record), std::move(attributes), currentFromObject});
+    }
+    void coordinateSystem(const std::string &name, const Matrix4 &currentFromSpace) override {
+        worlds.back().coordinateSystems[name] = currentFromSpace;
+    }
+    void worldEnd() override { worlds.back().ended = true; }
+};
+
+/// Knows "marble" (float scale, color vein, string grain); no other shader exists.
+class SmallShaderLookup : public ShaderLookup {
+public:
+    std::optional<std::vector<ParameterType>> parametersOf(ShaderKind, const std::string &name,
+                                                           const Options &,
+                                                           const SourceLocation &) override {
+        if (name != "marble")
+            return std::nullopt;
+        auto uniform = [](ValueType type) { return Declaration{StorageClass::Uniform, type, 1}; };
+        return std::vector<ParameterType>{{"scale", uniform(ValueType::Float)},
+                                          {"vein", uniform(ValueType::Color)},
+                                          {"grain", uniform(ValueType::String)}};
+    }
+};
+
+} // namespace candela::testing

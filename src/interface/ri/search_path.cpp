@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "interface/ri/search_path.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <system_error>
+
+namespace candela {
+
+static std::string environment(const std::string &name) {
+    const char *value = std::getenv(name.c_str());
+    return value ? value : "";
+}
+
+static std::string expandVariables(std::string_view entry) {
+    std::string result;
+    for (std::size_t i = 0; i < entry.size(); ++i) {
+        std::size_t close = entry[i] == '%' ? entry.find('%', i + 1) : std::string_view::npos;
+        if (close != std::string_view::npos) {
+            result += environment(std::string(entry.substr(i + 1, close - i - 1)));
+            i = close;
+        } else if (i == 0 && entry[i] == '~' && (entry.size() == 1 || entry[1] == '/')) {
+            result += environment("HOME");
+        } else {
+            result += entry[i];
+        }
+    }
+    return result;
+}
+
+std::vector<std::string> splitSearchPath(std::string_view text) {
+    std::vector<std::string> result;
+    while (!text.empty()) {
+        std::string_view entry = text.substr(0, text.find(':'));
+        text.remove_prefix(std::min(entry.size() + 1, text.size()));
+        if (!entry.empty())
+            result.emplace_back(entry);
+    }
+    return result;
+}
+
+std::string expandSearchPath(std::string_view text, std::string_view previous,
+                             std::string_view standard) {
+    std::vector<std::string> folders;
+    auto add = [&](std::string_view list) {
+        for (std::string &folder : splitSearchPath(list))
+            if (std::ranges::find(folders, folder) == folders.end())
+                folders.push_back(std::move(folder));
+    };
+    for (const std::string &entry : splitSearchPath(text))
+        add(entry == "&" ? std::string(previous)
+                         : (entry == "@" ? std::string(standard) : expandVariables(entry)));
+    std::string result;
+    for (const std::string &folder : folders)
+        result += (result.empty() ? "" : ":") + folder;
+    return result;
+}
+
+std::vector<std::string> searchFolders(const Options &options, const std::string &kind) {
+    return splitSearchPath(options.string("searchpath:" + kind, ""));
+}
+
+std::optional<std::string> findFile(const std::string &name,
+                                    const std::vector<std::string> &folders) {
+    namespace fs = std::filesystem;
+    auto isFile = [](const fs::path &path) {
+        std::error_code error;
+        return fs::exists(path, error) && !fs::is_directory(path, error);
+    };
+    if (fs::path(name).is_absolute())
+        return isFile(name) ? std::optional(name) : std::nullopt;
+    for (const std::string &folder : folders)
+        if (fs::path path = fs::path(folder) / name; isFile(path))
+            return path.lexically_normal().string();
+    return std::nullopt;
+}
+
+} // namespace candela

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Option "searchpath": lists of folders as text, "a:b:@" (RI 3.2, 4.1.4).
+#pragma once
+
+#include "interface/ri/options.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace candela {
+
+/// The folders of a path as a flat list "a:b:c", with '&' replaced by the previous value of the
+/// path, '@' by the default one, %NAME% by the environment variable of that name (nothing if it
+/// is not set) and a leading ~ by the home folder. Empty and repeated entries vanish.
+std::string expandSearchPath(std::string_view text, std::string_view previous,
+                             std::string_view standard);
+/// The entries of an expanded path.
+std::vector<std::string> splitSearchPath(std::string_view expanded);
+/// The folders of Option "searchpath" `kind` ("shader", "texture", "archive"...), in order.
+std::vector<std::string> searchFolders(const Options &, const std::string &kind);
+/// The file as it stands if absolute; else the first folder that holds it. Nothing if none does.
+std::optional<std::string> findFile(const std::string &name,
+                                    const std::vector<std::string> &folders);
+
+} // namespace candela

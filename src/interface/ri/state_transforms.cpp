@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// Transformations and coordinate systems (RI 3.2, section 4.3).
+#include "interface/ri/state_handlers.h"
+
+#include <cmath>
+
+namespace candela {
+
+void StateHandlers::setTransform(const SourceLocation &where, const char *request,
+                                 const Matrix4 &matrix) {
+    if (inverse(matrix))
+        ctm_ = matrix;
+    else
+        error(where, request,
+              "the transformation would be singular (it flattens space) or is "
+              "not finite; the request is left out");
+}
+
+void StateHandlers::concatenate(const SourceLocation &where, const char *request,
+                                const Matrix4 &matrix) {
+    setTransform(where, request, matrix * ctm_);
+}
+
+void StateHandlers::identity(const SourceLocation &) { ctm_ = base_; }
+
+void StateHandlers::transform(const SourceLocation &where, const Matrix4 &matrix) {
+    setTransform(where, "Transform", matrix * base_);
+}
+
+void StateHandlers::concatTransform(const SourceLocation &where, const Matrix4 &matrix) {
+    concatenate(where, "ConcatTransform", matrix);
+}
+
+void StateHandlers::perspective(const SourceLocation &where, float fieldOfView) {
+    if (!(fieldOfView > 0 && fieldOfView < 180))
+        return error(where, "Perspective", "expected an angle between 0 and 180 degrees");
+    concatenate(where, "Perspective", candela::perspective(fieldOfView));
+}
+
+void StateHandlers::translate(const SourceLocation &where, float dx, float dy, float dz) {
+    concatenate(where, "Translate", translation(dx, dy, dz));
+}
+
+void StateHandlers::rotate(const SourceLocation &where, float angle, float dx, float dy, float dz) {
+    if (!finite(where, "Rotate", {angle, dx, dy, dz}))
+        return;
+    if (length({dx, dy, dz}) == 0)
+        return error(where, "Rotate", "the axis has no length; the request is left out");
+    concatenate(where, "Rotate", rotation(angle, {dx, dy, dz}));
+}
+
+void StateHandlers::scale(const SourceLocation &where, float sx, float sy, float sz) {
+    concatenate(where, "Scale", scaling(sx, sy, sz));
+}
+
+void StateHandlers::skew(const SourceLocation &where, float angle, float dx1, float dy1, float dz1,
+                         float dx2, float dy2, float dz2) {
+    if (!finite(where, "Skew", {angle, dx1, dy1, dz1, dx2, dy2, dz2}))
+        return;
+    Vec3 turned = normalize({dx1, dy1, dz1}), towards = normalize({dx2, dy2, dz2});
+    if (length(cross(turned, towards)) < 1e-6f)
+        return error(where, "Skew", "expected two axes that are not parallel");
+    float between = std::acos(dot(turned, towards)) * 180 / float(M_PI);
+    if (angle >= between || angle <= between - 180)
+        return error(where, "Skew",
+                     "expected an angle below the one between the axes and above "
+                     "that minus 180 degrees");
+    concatenate(where, "Skew", candela::skew(angle, turned, towards));
+}
+
+void StateHandlers::coordinateSystem(const SourceLocation &, const std::string &name) {
+    options_.coordinateSystems[name] = ctm_;
+    if (inWorld_)
+        builder_.coordinateSystem(name, ctm_);
+}
+
+void StateHandlers::coordSysTransform(const SourceLocation &where, const std::string &name) {
+    auto found = options_.coordinateSystems.find(name);
+    if (found != options_.coordinateSystems.end())
+        ctm_ = found->second;
+    else
+        error(where, "CoordSysTransform", "no coordinate system '" + name + "' has been named");
+}
+
+} // namespace candela

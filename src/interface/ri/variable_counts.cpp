@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "interface/ri/variable_counts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <initializer_list>
+#include <numeric>
+
+namespace candela {
+
+namespace {
+
+bool isQuadric(const ShapeRecord &shape) {
+    return !std::holds_alternative<PolygonsRecord>(shape) &&
+           !std::holds_alternative<PatchMeshRecord>(shape);
+}
+
+/// The defect of a quadric: non-finite numbers, or one of these that must not be zero is.
+std::string quadricDefect(std::initializer_list<float> all, std::initializer_list<float> nonZero) {
+    for (float value : all)
+        if (!std::isfinite(value))
+            return "expected finite numbers";
+    for (float value : nonZero)
+        if (value == 0)
+            return "it is degenerate: it has no area";
+    return {};
+}
+
+std::string defect(const SphereRecord &s) {
+    std::string found = quadricDefect({s.radius, s.zMin, s.zMax, s.thetaMax},
+                                      {s.radius, s.thetaMax, s.zMax - s.zMin});
+    float r = std::fabs(s.radius);
+    if (found.empty() && (std::min(s.zMin, s.zMax) >= r || std::max(s.zMin, s.zMax) <= -r))
+        return "it is degenerate: zmin and zmax cut all of it away";
+    return found;
+}
+std::string defect(const ConeRecord &c) {
+    return quadricDefect({c.height, c.radius, c.thetaMax}, {c.radius, c.thetaMax});
+}
+std::string defect(const CylinderRecord &c) {
+    return quadricDefect({c.radius, c.zMin, c.zMax, c.thetaMax},
+                         {c.radius, c.zMax - c.zMin, c.thetaMax});
+}
+std::string defect(const HyperboloidRecord &h) {
+    Vec3 a = h.point1, b = h.point2;
+    // A line on the axis sweeps nothing.
+    return quadricDefect({a.x, a.y, a.z, b.x, b.y, b.z, h.thetaMax},
+                         {h.thetaMax, length(a - b), std::hypot(a.x, a.y) + std::hypot(b.x, b.y)});
+}
+std::string defect(const ParaboloidRecord &p) {
+    std::string found = quadricDefect({p.rMax, p.zMin, p.zMax, p.thetaMax},
+                                      {p.rMax, p.zMax, p.zMax - p.zMin, p.thetaMax});
+    if (found.empty() && (p.zMin < 0) != (p.zMax < 0) && p.zMin != 0)
+        return "expected zmin and zmax on one side of the apex";
+    return found;
+}
+std::string defect(const DiskRecord &d) {
+    return quadricDefect({d.height, d.radius, d.thetaMax}, {d.radius, d.thetaMax});
+}
+std::string defect(const TorusRecord &t) {
+    return quadricDefect({t.majorRadius, t.minorRadius, t.phiMin, t.phiMax, t.thetaMax},
+                         {t.minorRadius, t.phiMax - t.phiMin, t.thetaMax});
+}
+
+/// The sum, or nothing if an entry is below `minimum` or the sum too large to be true.
+std::optional<std::int64_t> checkedSum(const std::vector<int> &counts, int minimum) {
+    std::int64_t sum = 0;
+    for (int count : counts) {
+        if (count < minimum)
+            return std::nullopt;
+        sum += count;
+    }
+    return sum <= INT32_MAX ? std::optional(sum) : std::nullopt;
+}
+
+std::string defect(const PolygonsRecord &p) {
+    if (p.loopCounts.empty())
+        return "there are no polygons";
+    auto loops = checkedSum(p.loopCounts, 1);
+    if (!loops)
+        return "expected at least one loop in each polygon";
+    if (*loops != std::int64_t(p.vertexCounts.size()))
+        return "the polygons have " + std::to_string(*loops) + " loops, but there are " +
+               std::to_string(p.vertexCounts.size()) + " counts of vertices";
+    auto vertices = checkedSum(p.vertexCounts, 3);
+    if (!vertices)
+        return "expected at least three vertices in each loop";
+    if (*vertices != std::int64_t(p.vertices.size()))
+        return "the loops have " + std::to_string(*vertices) + " vertices, but there are " +
+               std::to_string(p.vertices.size()) + " vertex indices";
+    if (*std::ranges::min_element(p.vertices) < 0)
+        return "a vertex index is negative";
+    return {};
+}
+
+/// Patches along one direction of a mesh; 0 if the number of vertices does not fit.
+int patchesAlong(int vertices, bool periodic, bool bicubic, int step) {
+    if (!bicubic)
+        return vertices < 2 ? 0 : periodic ? vertices : vertices - 1;
+    if (vertices < 4)
+        return 0;
+    int rest = periodic ? vertices : vertices - 4;
+    return rest % step ? 0 : rest / step + (periodic ? 0 : 1);
+}
+
+int uPatches(const PatchMeshRecord &m, const Attributes &a) {
+    return patchesAlong(m.uVertices, m.uPeriodic, m.bicubic, a.uBasis.step);
+}
+int vPatches(const PatchMeshRecord &m, const Attributes &a) {
+    return patchesAlong(m.vVertices, m.vPeriodic, m.bicubic, a.vBasis.step);
+}
+
+std::string meshDefect(const PatchMeshRecord &m, const Attributes &a) {
+    if (m.uVertices > 1 << 15 || m.vVertices > 1 << 15)
+        return "expected at most 32768 vertices each way";
+    auto says = [&](char direction, int vertices, int step) {
+        std::string text =
+            std::to_string(vertices) + " vertices in " + direction +
+            (m.bicubic ? " do not make whole cubic patches with basis step " + std::to_string(step)
+                       : " do not make a patch");
+        return text;
+    };
+    if (uPatches(m, a) == 0)
+        return says('u', m.uVertices, a.uBasis.step);
+    if (vPatches(m, a) == 0)
+        return says('v', m.vVertices, a.vBasis.step);
+    return {};
+}
+
+} // namespace
+
+int VariableCounts::of(StorageClass storage) const {
+    switch (storage) {
+    case StorageClass::Constant: return 1;
+    case StorageClass::Uniform: return uniform;
+    case StorageClass::Varying: return varying;
+    case StorageClass::Vertex: return vertex;
+    case StorageClass::FaceVarying: return faceVarying;
+    case StorageClass::FaceVertex: return faceVertex;
+    }
+    return 1;
+}
+
+std::string defectOf(const ShapeRecord &shape, const Attributes &attributes) {
+    return std::visit(
+        [&](const auto &record) {
+            if constexpr (std::is_same_v<std::decay_t<decltype(record)>, PatchMeshRecord>)
+                return meshDefect(record, attributes);
+            else
+                return defect(record);
+        },
+        shape);
+}
+
+int verticesNeeded(const ShapeRecord &shape, const Attributes &) {
+    if (const auto *polygons = std::get_if<PolygonsRecord>(&shape))
+        return *std::ranges::max_element(polygons->vertices) + 1;
+    if (const auto *mesh = std::get_if<PatchMeshRecord>(&shape))
+        return mesh->uVertices * mesh->vVertices;
+    return 4;
+}
+
+VariableCounts countsOf(const ShapeRecord &shape, const Attributes &attributes, int vertexCount) {
+    if (isQuadric(shape))
+        return {};
+    if (const auto *polygons = std::get_if<PolygonsRecord>(&shape)) {
+        int corners = int(polygons->vertices.size());
+        return {int(polygons->loopCounts.size()), vertexCount, vertexCount, corners, corners};
+    }
+    const auto &mesh = std::get<PatchMeshRecord>(shape);
+    int u = uPatches(mesh, attributes), v = vPatches(mesh, attributes);
+    int corners = (u + (mesh.uPeriodic ? 0 : 1)) * (v + (mesh.vPeriodic ? 0 : 1));
+    return {u * v, corners, mesh.uVertices * mesh.vVertices, 4 * u * v, 4 * u * v};
+}
+
+} // namespace candela

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bytes as a stream with a window to look ahead in, from memory or from a file that may be
+// compressed with gzip.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace candela {
+
+class ByteSource {
+public:
+    /// Nothing if the file cannot be opened; `why` then says so. "-" is the standard input.
+    static std::unique_ptr<ByteSource> open(const std::string &path, std::string &why);
+    static std::unique_ptr<ByteSource> fromMemory(std::string bytes);
+    ~ByteSource();
+
+    /// The byte `ahead` of the next one, or -1 after the end. `ahead` is below 256.
+    int peek(std::size_t ahead = 0) {
+        return next_ + ahead < end_ || fill(ahead) ? (unsigned char)window_[next_ + ahead] : -1;
+    }
+    void skip() { ++next_; }
+    /// What went wrong while reading, as a damaged compressed file; empty if nothing did.
+    const std::string &failure() const { return failure_; }
+
+private:
+    struct File;
+    ByteSource();
+    bool fill(std::size_t ahead);
+
+    std::unique_ptr<File> file_;
+    std::vector<char> window_;
+    std::size_t next_ = 0, end_ = 0;
+    std::string failure_;
+};
+
+} // namespace candela

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// From the typed syntax tree to the IR: the whole text of one shader as one function.
+#pragma once
+
+#include "foundation/base/diagnostics.h"
+#include "language/ir/ir.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace candela {
+
+namespace sl {
+struct TypedShader; // language/semantics
+}
+
+namespace ir {
+
+/// How a light shader lights (RI 3.2 section 10.3; paper 5.4).
+enum class LightClass : std::uint8_t {
+    Ambient, ///< Neither illuminate() nor solar().
+    Local,   ///< illuminate(): from a position, or from the surface of an area light.
+    Distant, ///< solar(): from a direction.
+};
+
+/// A shader parameter with its default.
+struct ShaderParameter {
+    std::string name;
+    /// "float", "color", "point", "vector", "normal", "matrix", "string".
+    std::string type;
+    int arraySize = 1;
+    bool output = false;
+    bool varying = false;
+    int firstSlot = -1; ///< Into Function::parameters; -1 for strings and what nothing reads.
+    /// Default value, components in row; points, vectors and normals in the space `defaultSpace`
+    /// ("shader" unless the text says otherwise), colors in the rendering colour space.
+    std::vector<float> defaults;
+    std::string defaultSpace = "shader";
+    std::vector<std::string> stringDefaults;
+};
+
+/// String parameters are compile-time constants of an instance.
+struct StringValue {
+    std::string name;
+    std::vector<std::string> value;
+};
+
+struct LoweredShader {
+    std::string name;
+    std::string kind; ///< "surface", "light", ...
+    std::vector<ShaderParameter> parameters;
+    Function whole;
+    LightClass lightClass = LightClass::Ambient;
+    /// Light shaders: Cl falls off as 1/(L.L) for Local (or is constant for Distant), provably.
+    bool inverseSquare = false;
+};
+
+/// Lowers a checked shader. Output slots: surface "Ci", "Oi" and its output parameters; light
+/// "L", "Cl". Hidden parameter slots are appended after the declared ones: "shader" (32 floats:
+/// currentFromShader, shaderFromCurrent) if the text uses that space. Things semantics could not
+/// refuse (a space name that is not constant, an array index surely outside) are reported;
+/// nothing is returned then. `variables` names the parameters that primitive variables override.
+std::optional<LoweredShader> lower(const sl::TypedShader &, const std::vector<StringValue> &strings,
+                                   const std::vector<std::string> &variables, DiagnosticSink &);
+
+} // namespace ir
+} // namespace candela

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// One procedural text, many questions: how a lowered shader is sliced into the functions that
+// answer them (data specialisation; DESIGN section 3).
+//
+// Values are partitioned by dependence into three stages: Surface (neither view nor light), View
+// (depends on I) and Response (depends on a light sample or an answer). `Prepare` runs the first
+// two once a point and view and saves in the frame what `Scatter` needs; `Scatter` then runs once
+// a light direction.
+#pragma once
+
+#include "foundation/base/diagnostics.h"
+#include "language/ir/ir.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace candela::ir {
+
+enum class Stage : std::uint8_t { Surface, View, Response };
+
+enum class Question : std::uint8_t {
+    Shade,   ///< Everything, all light given. Outputs "Ci", "Oi".
+    Surface, ///< The Surface stage alone: fills its part of the frame.
+    View,    ///< The View stage on the frame of Surface. Outputs as Prepare.
+    Prepare, ///< Surface and View in one. Outputs "cone k axis|angle|exponent|importance",
+             ///< "Ce" (emission), "Ca" (answer to ambient and irradiance as given, without Ce;
+             ///< only if SurfaceFacts::readsAmbient), "Oi".
+    Scatter, ///< On the frame: the linear response. Output "g": for answeredRequest =
+             ///< finiteRequests, pi f_r cos for the direction sampleL; for a delta request, the
+             ///< factor on the radiance from its direction.
+    Emit,    ///< Output "Ce": Ci with every light request, ambient() and irradiance() zero.
+    Opacity, ///< Output "Oi".
+    Light,   ///< Light shaders: outputs "L" (from the light to Ps) and "Cl".
+};
+
+/// One importance cone that Prepare states. Its six outputs (axis x y z in current space and of
+/// any length, full angle in degrees, exponent, importance >= 0) start at output slot `output`.
+/// The caller clears the importance plane first: lanes that do not reach the request leave it.
+struct ConeSlot {
+    int request = 0;
+    int output = 0;
+};
+
+/// What is known of a surface shader without running it.
+struct SurfaceFacts {
+    std::vector<ConeSlot> cones;
+    bool hasLoops = false;     ///< Any light loop, diffuse(), specular() and phong() included.
+    bool readsAmbient = false; ///< ambient() or irradiance() reaches Ci.
+    bool emits = false;        ///< Ce is not provably zero.
+    bool opaqueIfOsIs1 = false; ///< Oi is provably Os (or 1).
+    bool affine = true;         ///< Ci is affine in the light, channel by channel.
+    int notAffineLine = 0;      ///< The line that makes it not so.
+    /// Requests are static: numbered, independent of each other's answers. If not, Prepare and
+    /// Scatter re-run the text (no frame is saved), and the facts say so for the caller's warning.
+    bool staticRequests = true;
+    int notStaticLine = 0;
+};
+
+/// A function's facts; `path` rule as for slice().
+SurfaceFacts surfaceFacts(const Function &whole);
+
+/// Which light a shader's ambient() stands for (DESIGN section 4, "all light, exactly once").
+enum class LightRule : std::uint8_t {
+    Classic, ///< ambient() is what the caller gives; irradiance() is 0.
+    Path,    ///< A shader without loops gets its E by rays: irradiance() gains a loop pi Cl
+             ///< (N.L), or ambient() a loop Cl (N.L) if the shader never calls irradiance().
+};
+
+/// The whole text with the rule's loops added to Ambient or Irradiance where it has none itself.
+Function applyLightRule(const Function &whole, LightRule);
+
+/// The function that answers the question, with dead code gone, ready to interpret or compile.
+/// `whole` is a lowered shader to which folding and the light rule have been applied.
+Function slice(const Function &whole, Question);
+
+/// Replaces Parameter slots by constants where `values[slot]` is given and folds all that follows:
+/// constants, branches, loops of known count that hold light requests.
+struct FoldedValue {
+    int slot;
+    float value;
+};
+Function fold(const Function &whole, const std::vector<FoldedValue> &values);
+/// The parameter slots that decide uniform control flow (branches, trip counts, array indices,
+/// delta or finite cones): worth folding, since then lanes need no masks. Strings are always
+/// folded, by the lowering.
+std::vector<int> steeringParameters(const Function &whole);
+
+} // namespace candela::ir

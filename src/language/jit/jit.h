@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// IR to native code. LLVM stands behind this door alone.
+#pragma once
+
+#include "foundation/base/diagnostics.h"
+#include "language/ir/ir.h"
+#include "language/runtime/shader_abi.h"
+
+#include <memory>
+#include <string>
+
+namespace candela {
+
+struct JitOptions {
+    int width = laneBlock; ///< 16 or 1; results agree bit by bit.
+    std::string cpu;       ///< LLVM's name, for example "x86-64-v3"; empty = this machine.
+    /// Folder of the object cache; empty = $CANDELA_CACHE, else $XDG_CACHE_HOME/candela, else
+    /// ~/.cache/candela. A folder that can't be written is done without.
+    std::string cacheFolder;
+    bool useCache = true;
+};
+
+/// Compiles functions and keeps their code alive. Thread-safe.
+class Jit {
+public:
+    Jit(JitOptions, DiagnosticSink &);
+    ~Jit();
+
+    /// The function's code, from the cache where it is there; null (and a diagnostic) if LLVM
+    /// fails. The code lives as long as the Jit.
+    ShaderFunction compile(const ir::Function &);
+
+    /// LLVM IR after optimisation, or assembly, as `candela compile --emit llvm|asm` prints it.
+    std::string emit(const ir::Function &, bool assembly);
+
+    /// True if this machine can execute code for the given CPU name.
+    static bool hostRuns(const std::string &cpu);
+
+    struct Statistics {
+        int compiled = 0, fromCache = 0;
+        double secondsOptimising = 0, secondsEmitting = 0;
+    };
+    Statistics statistics() const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+} // namespace candela

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// How compiled shaders are called. One function a question, one argument struct a call, a call a
+// batch: structure of arrays, as Embree's filter functions have it. See docs/shader-abi.md.
+//
+// The interpreter (language/ir) and compiled code at every lane width read and write exactly the
+// same memory, so a batch may be prepared at one width and answered at another.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace candela {
+
+/// Widest batch step. All planes hold a multiple of this many floats and are 64-byte aligned.
+inline constexpr int laneBlock = 16;
+
+/// Component planes in the order of shader_inputs.def: inputPlane("P") is the first of three.
+enum class ShaderInput : std::uint16_t {
+#define SHADER_INPUT(name, components, meaning) name, name##Last_ = name + components - 1,
+#include "language/runtime/shader_inputs.def"
+#undef SHADER_INPUT
+    Count
+};
+
+/// What the runtime does for shaders outside the fast path.
+struct ShaderCallbacks {
+    void *context = nullptr;
+    /// printf(): the text for one lane, already formatted.
+    void (*print)(void *context, const char *text) = nullptr;
+};
+
+/// No question but finite light samples: see ShaderArgs::answeredRequest.
+inline constexpr std::int32_t finiteRequests = -1;
+
+struct ShaderArgs {
+    std::int32_t count = 0; ///< Points. Lanes from count up to the next multiple are inactive.
+    std::int32_t sampleCount = 0; ///< `shade`: light samples a point.
+
+    /// One bit a lane, 16 lanes a word; null = all lanes active.
+    const std::uint16_t *active = nullptr;
+    /// inputs[ShaderInput]: plane of `count` floats. Planes that the shader doesn't read (see
+    /// ir::Function::inputsRead) may be null.
+    const float *const *inputs = nullptr;
+
+    /// Instance parameters: lane i's block starts at parameters + parameterOffset[i].
+    const float *parameters = nullptr;
+    const std::int32_t *parameterOffset = nullptr;
+    /// Planes of parameters that primitive variables override, in ir::Function::variables order.
+    const float *const *variables = nullptr;
+
+    /// Named coordinate systems in ir::Function::spaces order: 32 floats each, currentFromSpace
+    /// and then spaceFromCurrent.
+    const float *const *spaces = nullptr;
+    /// "object" space of lane i: 32 floats at objectMatrices + 32 * objectIndex[i].
+    const float *objectMatrices = nullptr;
+    const std::int32_t *objectIndex = nullptr;
+
+    /// Values saved between questions: slot k of lane i stands at
+    /// frame[((i / 16) * frameSlots + k) * 16 + i % 16].
+    float *frame = nullptr;
+    /// Output planes in ir::Function::outputs order. Lanes that don't reach an output leave it
+    /// as it was.
+    float *const *outputs = nullptr;
+
+    /// Light samples, `sampleCount` of them, each a row of `sampleStride` lanes: L (3 planes, from
+    /// P to the light, any length) and Cl (colorSamples planes; zero = no light).
+    const float *const *sampleL = nullptr;
+    const float *const *sampleCl = nullptr;
+    std::int32_t sampleStride = 0;
+    /// Which light a sample comes from, rows as above: index + 1, 0 = indirect. Null = all 0.
+    const std::int32_t *sampleLight = nullptr;
+    /// May light l - 1 (0 = indirect) speak to loop category k (ir::Function::categories order)?
+    /// One byte at categoryAccepts[k * (lightCount + 1) + l]. Null = yes to all.
+    const std::uint8_t *categoryAccepts = nullptr;
+    std::int32_t lightCount = 0;
+
+    /// `scatter`: the light request that is answered with 1 in this lane: the number of a delta
+    /// request, or finiteRequests = all finite ones get the sample along Input sampleL.
+    const std::int32_t *answeredRequest = nullptr;
+    /// `shade`: traced answers, planes [request * colorSamples + channel]; null = all black.
+    const float *const *answers = nullptr;
+    /// ambient(): colorSamples planes; null = black. irradiance(): likewise, W m^-2.
+    const float *const *ambient = nullptr;
+    const float *const *irradiance = nullptr;
+
+    const ShaderCallbacks *callbacks = nullptr;
+};
+
+using ShaderFunction = void (*)(const ShaderArgs *);
+
+} // namespace candela

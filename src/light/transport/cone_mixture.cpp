@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "light/transport/cone_mixture.h"
+
+#include "foundation/base/hot.h"
+#include "foundation/base/vec3.h"
+#include "light/transport/cone.h"
+#include "light/transport/sincos.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace candela {
+
+namespace {
+
+constexpr float coneShare = 0.9f, uniformShare = 0.05f, cosineShare = 0.05f;
+constexpr float pi = float(M_PI);
+
+/// Angle and exponent of the defensive lobes, in the terms of a cone.
+struct LobeShape {
+    float angle, exponent;
+};
+
+/// A cone over the hemisphere with exponent 0 (uniform) or 1 (cosine): what most surfaces state.
+inline bool isSimple(float angle, float exponent) {
+    return angle == 180 && (exponent == 0 || exponent == 1);
+}
+
+CANDELA_HOT void normalizeAxes(int count, const float *__restrict x, const float *__restrict y,
+                               const float *__restrict z, float *__restrict ax,
+                               float *__restrict ay, float *__restrict az) {
+    for (int i = 0; i < count; ++i) {
+        float squared = x[i] * x[i] + y[i] * y[i] + z[i] * z[i];
+        float scale = squared > 0 ? 1 / std::sqrt(squared) : 0;
+        ax[i] = x[i] * scale;
+        ay[i] = y[i] * scale;
+        az[i] = squared > 0 ? z[i] * scale : 1.0f;
+    }
+}
+
+CANDELA_HOT void addTo(int count, const float *__restrict a, float *__restrict sum) {
+    for (int i = 0; i < count; ++i)
+        sum[i] += a[i];
+}
+
+CANDELA_HOT void scaleToShares(int count, const float *__restrict total, float *__restrict share) {
+    for (int i = 0; i < count; ++i)
+        share[i] = total[i] > 0 ? share[i] * (coneShare / total[i]) : 0.0f;
+}
+
+/// Lanes whose `u` falls into [low, low + share) take the lobe; low moves on.
+CANDELA_HOT void takeLobe(int count, const float *__restrict u, const float *__restrict share,
+                          const float *__restrict ax, const float *__restrict ay,
+                          const float *__restrict az, const float *__restrict angle,
+                          const float *__restrict exponent, float *__restrict low,
+                          float *__restrict x, float *__restrict y, float *__restrict z,
+                          float *__restrict xi, float *__restrict chosenAngle,
+                          float *__restrict chosenExponent) {
+    for (int i = 0; i < count; ++i) {
+        float from = low[i], to = from + share[i];
+        bool take = u[i] >= from && u[i] < to;
+        float within = (u[i] - from) / (take ? share[i] : 1.0f);
+        x[i] = take ? ax[i] : x[i];
+        y[i] = take ? ay[i] : y[i];
+        z[i] = take ? az[i] : z[i];
+        xi[i] = take ? std::min(within, 0x1.fffffep-1f) : xi[i];
+        chosenAngle[i] = take ? angle[i] : chosenAngle[i];
+        chosenExponent[i] = take ? exponent[i] : chosenExponent[i];
+        low[i] = to;
+    }
+}
+
+/// The defensive lobes take what is left of the unit interval. Over the full sphere each half
+/// gets half of the lobe.
+CANDELA_HOT void takeDefensiveLobes(int count, const float *__restrict u,
+                                    const float *__restrict low, const float *__restrict full,
+                                    const float *__restrict nx, const float *__restrict ny,
+                                    const float *__restrict nz, float *__restrict x,
+                                    float *__restrict y, float *__restrict z,
+                                    float *__restrict xi, float *__restrict angle,
+                                    float *__restrict exponent) {
+    for (int i = 0; i < count; ++i) {
+        bool take = u[i] >= low[i];
+        float rest = std::min((u[i] - low[i]) / (1 - low[i]), 0x1.fffffep-1f);
+        bool uniform = rest < 0.5f;
+        float within = uniform ? 2 * rest : 2 * rest - 1;
+        bool below = full[i] > 0 && within >= 0.5f;
+        float half = full[i] > 0 ? (below ? 2 * within - 1 : 2 * within) : within;
+        float sign = below ? -1.0f : 1.0f;
+        x[i] = take ? sign * nx[i] : x[i];
+        y[i] = take ? sign * ny[i] : y[i];
+        z[i] = take ? sign * nz[i] : z[i];
+        xi[i] = take ? half : xi[i];
+        angle[i] = take ? 180.0f : angle[i];
+        exponent[i] = take ? (uniform ? 0.0f : 1.0f) : exponent[i];
+    }
+}
+
+CANDELA_HOT void simpleHeights(int count, const float *__restrict xi,
+                               const float *__restrict exponent, float *__restrict tau) {
+    for (int i = 0; i < count; ++i)
+        tau[i] = exponent[i] == 1 ? 1 - std::sqrt(1 - xi[i]) : xi[i];
+}
+
+CANDELA_HOT void directionsAbout(int count, const float *__restrict ax, const float *__restrict ay,
+                                 const float *__restrict az, const float *__restrict tau,
+                                 const float *__restrict v, float *__restrict x,
+                                 float *__restrict y, float *__restrict z) {
+    for (int i = 0; i < count; ++i) {
+        float sine, cosine;
+        sinCosTurns(v[i], sine, cosine);
+        float radius = std::sqrt(std::max(0.0f, tau[i] * (2 - tau[i])));
+        float s = radius * cosine, t = radius * sine, n = 1 - tau[i];
+        // The frame of orthonormalBasis(), spelled out for the vectoriser.
+        float sign = az[i] >= 0 ? 1.0f : -1.0f;
+        float a = -1 / (sign + az[i]), b = ax[i] * ay[i] * a;
+        x[i] = s * (1 + sign * ax[i] * ax[i] * a) + t * b + n * ax[i];
+        y[i] = s * sign * b + t * (sign + ay[i] * ay[i] * a) + n * ay[i];
+        z[i] = -s * sign * ax[i] - t * ay[i] + n * az[i];
+    }
+}
+
+CANDELA_HOT void defensivePdf(int count, const float *__restrict nx, const float *__restrict ny,
+                              const float *__restrict nz, const float *__restrict full,
+                              const float *__restrict x, const float *__restrict y,
+                              const float *__restrict z, float *__restrict pdf) {
+    for (int i = 0; i < count; ++i) {
+        float mu = nx[i] * x[i] + ny[i] * y[i] + nz[i] * z[i];
+        float above = mu > 0 ? 1.0f : 0.0f;
+        float covered = full[i] > 0 ? 0.5f : above;
+        float height = full[i] > 0 ? 0.5f * std::fabs(mu) : std::max(mu, 0.0f);
+        pdf[i] = covered * (uniformShare / (2 * pi)) + height * (cosineShare / pi);
+    }
+}
+
+CANDELA_HOT void addSimplePdf(int count, const float *__restrict ax, const float *__restrict ay,
+                              const float *__restrict az, const float *__restrict share,
+                              const float *__restrict exponent, const float *__restrict x,
+                              const float *__restrict y, const float *__restrict z,
+                              float *__restrict pdf) {
+    for (int i = 0; i < count; ++i) {
+        float mu = ax[i] * x[i] + ay[i] * y[i] + az[i] * z[i];
+        float density = exponent[i] == 1 ? mu * (1 / pi) : 1 / (2 * pi);
+        pdf[i] += mu > 0 ? share[i] * density : 0.0f;
+    }
+}
+
+} // namespace
+
+ConeMixture::ConeMixture(int capacity)
+    : total_(1, capacity), facing_(3, capacity), fullSphere_(1, capacity), chosen_(8, capacity) {}
+
+void ConeMixture::state(int count, const std::vector<ConePlanes> &cones,
+                        const ConstVec3Planes &facing, const float *transmits) {
+    count_ = count;
+    coneCount_ = int(cones.size());
+    while (int(cones_.size()) < coneCount_)
+        cones_.emplace_back(total_.lanes());
+    for (int c = 0; c < 3; ++c)
+        std::copy_n(facing[c], count, facing_[c]);
+    std::copy_n(transmits, count, fullSphere_[0]);
+    std::fill_n(total_[0], count, 0.0f);
+    for (int k = 0; k < coneCount_; ++k)
+        stateCone(k, cones[k]);
+    for (int k = 0; k < coneCount_; ++k) {
+        markLeavingCones(k);
+        scaleToShares(count, total_[0], cones_[k].share());
+    }
+}
+
+void ConeMixture::stateCone(int index, const ConePlanes &stated) {
+    Cone &cone = cones_[index];
+    normalizeAxes(count_, stated.axis[0], stated.axis[1], stated.axis[2], cone.axis(0),
+                  cone.axis(1), cone.axis(2));
+    std::copy_n(stated.angle, count_, cone.angle());
+    std::copy_n(stated.exponent, count_, cone.exponent());
+    cone.simple = true;
+    for (int i = 0; i < count_; ++i) {
+        float r = stated.importance[i];
+        bool finite = stated.kindAngle[i] > 0 && stated.angle[i] > 0;
+        cone.share()[i] = finite && r > 0 && std::isfinite(r) ? r : 0;
+        cone.simple &= cone.share()[i] == 0 || isSimple(stated.angle[i], stated.exponent[i]);
+    }
+    addTo(count_, cone.share(), total_[0]);
+}
+
+/// A cone that reaches below the facing hemisphere asks for a defensive lobe there too.
+void ConeMixture::markLeavingCones(int index) {
+    const Cone &cone = cones_[index];
+    float *full = fullSphere_[0];
+    for (int i = 0; i < count_; ++i) {
+        if (cone.share()[i] == 0)
+            continue;
+        float mu = cone.axis(0)[i] * facing_[0][i] + cone.axis(1)[i] * facing_[1][i] +
+                   cone.axis(2)[i] * facing_[2][i];
+        float angle = cone.angle()[i];
+        float reach = angle == 180 ? 1 : std::sin(std::min(angle, 180.0f) * (pi / 360));
+        if (angle > 180 || mu < reach - 1e-4f)
+            full[i] = 1;
+    }
+}
+
+void ConeMixture::sample(const float *u, const float *v, const MutableVec3Planes &direction) {
+    chooseLobe(u);
+    lobeHeights();
+    directionsAbout(count_, chosen_[0], chosen_[1], chosen_[2], chosen_[6], v, direction[0],
+                    direction[1], direction[2]);
+}
+
+void ConeMixture::chooseLobe(const float *u) {
+    float *low = chosen_[7];
+    std::fill_n(low, count_, 0.0f);
+    for (int k = 0; k < coneCount_; ++k) {
+        const Cone &cone = cones_[k];
+        takeLobe(count_, u, cone.share(), cone.axis(0), cone.axis(1), cone.axis(2), cone.angle(),
+                 cone.exponent(), low, chosen_[0], chosen_[1], chosen_[2], chosen_[3], chosen_[4],
+                 chosen_[5]);
+    }
+    takeDefensiveLobes(count_, u, low, fullSphere_[0], facing_[0], facing_[1], facing_[2],
+                       chosen_[0], chosen_[1], chosen_[2], chosen_[3], chosen_[4], chosen_[5]);
+}
+
+void ConeMixture::lobeHeights() {
+    const float *xi = chosen_[3], *angle = chosen_[4], *exponent = chosen_[5];
+    float *tau = chosen_[6];
+    simpleHeights(count_, xi, exponent, tau);
+    for (int k = 0; k < coneCount_; ++k)
+        if (!cones_[k].simple) {
+            for (int i = 0; i < count_; ++i)
+                if (!isSimple(angle[i], exponent[i]))
+                    tau[i] = float(ConeLobe(angle[i], exponent[i]).sampleOneMinusMu(xi[i]));
+            return;
+        }
+}
+
+void ConeMixture::pdf(const ConstVec3Planes &w, float *pdf) {
+    defensivePdf(count_, facing_[0], facing_[1], facing_[2], fullSphere_[0], w[0], w[1], w[2],
+                 pdf);
+    for (int k = 0; k < coneCount_; ++k) {
+        const Cone &cone = cones_[k];
+        if (cone.simple) {
+            addSimplePdf(count_, cone.axis(0), cone.axis(1), cone.axis(2), cone.share(),
+                         cone.exponent(), w[0], w[1], w[2], pdf);
+            continue;
+        }
+        for (int i = 0; i < count_; ++i) {
+            if (cone.share()[i] == 0)
+                continue;
+            double mu = double(cone.axis(0)[i]) * w[0][i] + double(cone.axis(1)[i]) * w[1][i] +
+                        double(cone.axis(2)[i]) * w[2][i];
+            pdf[i] += cone.share()[i] *
+                      float(ConeLobe(cone.angle()[i], cone.exponent()[i]).pdf(mu));
+        }
+    }
+}
+
+} // namespace candela

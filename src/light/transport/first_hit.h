@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Channels that are read off the first surface a camera ray meets.
+#pragma once
+
+#include "language/runtime/shader_abi.h"
+#include "world/scene/sample_sink.h"
+
+#include <span>
+#include <vector>
+
+namespace candela {
+
+/// One plane of a channel: an input of shaders, or the number of the primitive (from 1).
+struct FirstHitPlane {
+    int input = -1; ///< ShaderInput, -1 = not an input.
+    bool primitive = false;
+    float background = 0; ///< Where nothing is hit.
+};
+
+/// The planes of all channels after Ci and Oi, in their order. Channels of unknown name stay 0.
+std::vector<FirstHitPlane> firstHitPlanes(std::span<const ChannelInfo>);
+/// All channels that a first hit has to give.
+std::vector<ChannelInfo> firstHitChannels();
+
+} // namespace candela

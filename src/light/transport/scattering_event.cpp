@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "light/transport/scattering_event.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace candela {
+
+ScatteringEvents::ScatteringEvents(int capacity)
+    : events_(1, capacity), floats_(5, capacity), transmission_(1, capacity) {}
+
+void ScatteringEvents::transmission(const SurfaceVertices &vertices, float *transmission) {
+    for (int i = 0; i < vertices.count(); ++i) {
+        float through = 0;
+        for (int c = 0; c < colorSamples; ++c)
+            through += luminanceWeights[c] * (1 - std::clamp(vertices.Oi(c)[i], 0.0f, 1.0f));
+        transmission[i] = through > 1e-6f ? through : 0;
+    }
+}
+
+void ScatteringEvents::choose(SurfaceVertices &vertices, const float *finiteTotal,
+                              const float *u) {
+    const int count = vertices.count();
+    transmission(vertices, transmission_[0]);
+    ConstVec3Planes incident = vertices.input(ShaderInput::I);
+    std::vector<const ConePlanes *> deltas;
+    for (const ConePlanes &cone : vertices.cones())
+        if (cone.first)
+            deltas.push_back(&cone);
+
+    auto weightOf = [](const ConePlanes &cone, int i) {
+        float r = cone.importance[i];
+        return !(cone.kindAngle[i] > 0) && r > 0 && std::isfinite(r) ? r : 0;
+    };
+    for (int i = 0; i < count; ++i) {
+        float total = finiteTotal[i] + transmission_[0][i];
+        for (const ConePlanes *cone : deltas)
+            total += weightOf(*cone, i);
+        events_[0][i] = pathEnds;
+        floats_[0][i] = floats_[1][i] = 0;
+        if (!(total > 0))
+            continue;
+        float scale = 1 / total, left = u[i] * total;
+        floats_[1][i] = finiteTotal[i] * scale;
+        auto take = [&](std::int32_t event, float weight) {
+            if (weight <= 0 || events_[0][i] != pathEnds)
+                return false;
+            left -= weight;
+            if (left >= 0)
+                return false;
+            events_[0][i] = event;
+            floats_[0][i] = weight * scale;
+            return true;
+        };
+        take(finiteRequests, finiteTotal[i]);
+        for (const ConePlanes *cone : deltas)
+            if (take(cone->request, weightOf(*cone, i)))
+                for (int c = 0; c < 3; ++c)
+                    floats_[2 + c][i] = cone->axis[c][i];
+        if (take(straightThrough, transmission_[0][i]))
+            for (int c = 0; c < 3; ++c)
+                floats_[2 + c][i] = incident[c][i];
+        // Rounding may leave a sliver above the last weight: the path ends there, unweighted,
+        // with a probability below 1e-7.
+    }
+}
+
+bool ScatteringEvents::any(std::int32_t event, int count) const {
+    return std::find(events_[0], events_[0] + count, event) != events_[0] + count;
+}
+
+} // namespace candela

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// What becomes of a path at a vertex: it follows a finite lobe, a mirror-like request, passes
+// straight through, or ends. One event a vertex, chosen by importance.
+#pragma once
+
+#include "light/transport/surface_vertices.h"
+
+namespace candela {
+
+/// Events besides finiteRequests (-1) and the numbers of delta requests.
+inline constexpr std::int32_t straightThrough = -2;
+inline constexpr std::int32_t pathEnds = -3;
+
+class ScatteringEvents {
+public:
+    explicit ScatteringEvents(int capacity);
+
+    /// Chooses by the uniform number u of each lane. `finiteTotal` is the mixture's importance.
+    /// Direction is filled for delta requests and for straightThrough.
+    void choose(SurfaceVertices &, const float *finiteTotal, const float *u);
+    /// Where a surface is not opaque, light passes: 1 - Oi, as luminance.
+    static void transmission(const SurfaceVertices &, float *transmission);
+
+    const std::int32_t *event() const { return events_[0]; }
+    const float *probability() const { return floats_[0]; } ///< Of the event chosen.
+    /// Probability of finiteRequests, whatever was chosen: part of its pdf.
+    const float *finiteProbability() const { return floats_[1]; }
+    MutableVec3Planes direction() const { return {floats_[2], floats_[3], floats_[4]}; }
+    /// True if any lane chose the event.
+    bool any(std::int32_t event, int count) const;
+
+private:
+    Planes<std::int32_t> events_;
+    Planes<float> floats_;
+    Planes<float> transmission_;
+};
+
+} // namespace candela

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "light/transport/surface_vertices.h"
+
+#include "foundation/base/hot.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace candela {
+
+namespace {
+
+/// Unit geometric normals on the side that I comes from.
+CANDELA_HOT void faceForward(int count, const float *__restrict nx, const float *__restrict ny,
+                             const float *__restrict nz, const float *__restrict ix,
+                             const float *__restrict iy, const float *__restrict iz,
+                             float *__restrict fx, float *__restrict fy, float *__restrict fz) {
+    for (int i = 0; i < count; ++i) {
+        float squared = nx[i] * nx[i] + ny[i] * ny[i] + nz[i] * nz[i];
+        float towards = nx[i] * ix[i] + ny[i] * iy[i] + nz[i] * iz[i];
+        float scale = (towards > 0 ? -1.0f : 1.0f) / std::sqrt(squared > 0 ? squared : 1.0f);
+        fx[i] = nx[i] * scale;
+        fy[i] = ny[i] * scale;
+        fz[i] = nz[i] * scale;
+    }
+}
+
+/// Grows storage to what a question needs; keeps it otherwise.
+void reserve(Planes<float> &planes, int count, int lanes) {
+    if (planes.planes() < count)
+        planes = Planes<float>(count, lanes);
+}
+
+} // namespace
+
+SurfaceVertices::SurfaceVertices(int capacity)
+    : points(capacity), capacity_(paddedLanes(capacity)), facing_(3, capacity),
+      direction_(3, capacity) {}
+
+ConstVec3Planes SurfaceVertices::input(ShaderInput first) {
+    int at = int(first);
+    return {points.input(at), points.input(at + 1), points.input(at + 2)};
+}
+
+void SurfaceVertices::meet(const Scene &scene, int code, const RayBatch &rays,
+                           const HitBatch &hits, const int *order, int count) {
+    scene_ = &scene;
+    codeIndex_ = code;
+    code_ = &scene.code(code);
+    scene.shadingPoints(rays, hits, order, count, points);
+    ConstVec3Planes n = input(ShaderInput::Ng), i = input(ShaderInput::I);
+    faceForward(count, n[0], n[1], n[2], i[0], i[1], i[2], facing_[0], facing_[1], facing_[2]);
+}
+
+ShaderArgs SurfaceVertices::arguments() const {
+    ShaderArgs args;
+    scene_->bind(codeIndex_, points, args);
+    args.count = points.count;
+    return args;
+}
+
+void SurfaceVertices::prepare(const float *const *ambient) {
+    const QuestionCode &question = code_->question(ir::Question::Prepare);
+    reserve(outputs_, int(question.function.outputs.size()), capacity_);
+    reserve(frame_, question.function.frameSlots, capacity_);
+    outputTable_.resize(question.function.outputs.size());
+    for (std::size_t slot = 0; slot < outputTable_.size(); ++slot)
+        outputTable_[slot] = outputs_[int(slot)];
+
+    cones_.clear();
+    for (const ir::ConeSlot &cone : code_->facts().cones) {
+        float *const *out = outputTable_.data() + cone.output;
+        std::fill_n(out[5], points.count, 0.0f); // Lanes that do not reach the request leave it.
+        std::fill_n(out[3], points.count, 180.0f);
+        bool first = cones_.empty() || cones_.back().request != cone.request;
+        const float *kindAngle = first ? out[3] : cones_.back().kindAngle;
+        cones_.push_back(
+            {{out[0], out[1], out[2]}, out[3], out[4], out[5], kindAngle, cone.request, first});
+    }
+    int oi = question.output("Oi"), ca = question.output("Ca");
+    for (int c = 0; c < colorSamples; ++c) {
+        opacity_[c] = outputTable_[oi + c];
+        ambientAnswer_[c] = ca >= 0 ? outputTable_[ca + c] : nullptr;
+    }
+
+    ShaderArgs args = arguments();
+    args.outputs = outputTable_.data();
+    args.frame = frame_[0];
+    args.ambient = ambient;
+    question.code(&args);
+}
+
+void SurfaceVertices::scatter(const ConstVec3Planes &direction, const std::int32_t *answered,
+                              const std::int32_t *light, float *const *g) {
+    for (int c = 0; c < 3; ++c)
+        points.inputTable[int(ShaderInput::sampleL) + c] = const_cast<float *>(direction[c]);
+    const QuestionCode &question = code_->question(ir::Question::Scatter);
+    ShaderArgs args = arguments();
+    args.outputs = g;
+    args.frame = frame_[0];
+    args.answeredRequest = answered;
+    args.sampleLight = light;
+    question.code(&args);
+}
+
+void SurfaceVertices::shade(int sampleCount, float *const *L, float *const *Cl,
+                            const std::int32_t *light, const float *const *ambient,
+                            float *const *Ci, float *const *Oi) {
+    const QuestionCode &question = code_->question(ir::Question::Shade);
+    std::vector<float *> outputs(question.function.outputs.size());
+    reserve(shadeOutputs_, int(outputs.size()), capacity_);
+    for (std::size_t slot = 0; slot < outputs.size(); ++slot)
+        outputs[slot] = shadeOutputs_[int(slot)];
+    for (int c = 0; c < colorSamples; ++c) {
+        outputs[question.output("Ci") + c] = Ci[c];
+        outputs[question.output("Oi") + c] = Oi[c];
+    }
+    ShaderArgs args = arguments();
+    args.outputs = outputs.data();
+    args.sampleCount = sampleCount;
+    args.sampleL = L;
+    args.sampleCl = Cl;
+    args.sampleStride = capacity_;
+    args.sampleLight = light;
+    args.ambient = ambient;
+    question.code(&args);
+}
+
+} // namespace candela

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world/scene/camera.h"
+
+#include "foundation/base/hot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace candela {
+
+namespace {
+
+Matrix4 screenMatrix(bool perspective, float focal, double near, double far) {
+    Matrix4 matrix;
+    if (!perspective) {
+        matrix.at(2, 2) = float(1 / (far - near));
+        matrix.at(3, 2) = float(-near / (far - near));
+        return matrix;
+    }
+    matrix.at(0, 0) = matrix.at(1, 1) = focal;
+    matrix.at(2, 2) = float(far / (far - near));
+    matrix.at(2, 3) = 1;
+    matrix.at(3, 2) = float(-near * far / (far - near));
+    matrix.at(3, 3) = 0;
+    return matrix;
+}
+
+struct RayPlanes {
+    float *ox, *oy, *oz, *dx, *dy, *dz, *tMax;
+};
+
+/// Where raster positions fall on the plane z = 1 (perspective) or z = 0 (orthographic).
+struct ImagePlane {
+    float left, top, xStep, yStep;
+};
+
+CANDELA_HOT void perspectiveRays(int count, const float *__restrict x, const float *__restrict y,
+                                 const float *__restrict lensX, const float *__restrict lensY,
+                                 ImagePlane plane, float focalDistance, float near, float far,
+                                 RayPlanes rays) {
+    float *__restrict ox = rays.ox, *__restrict oy = rays.oy, *__restrict oz = rays.oz;
+    float *__restrict dx = rays.dx, *__restrict dy = rays.dy, *__restrict dz = rays.dz;
+    float *__restrict tMax = rays.tMax;
+    for (int i = 0; i < count; ++i) {
+        float px = plane.left + plane.xStep * x[i], py = plane.top + plane.yStep * y[i];
+        float vx = px * focalDistance - lensX[i], vy = py * focalDistance - lensY[i];
+        float length = std::sqrt(vx * vx + vy * vy + focalDistance * focalDistance);
+        float scale = 1 / length;
+        dx[i] = vx * scale, dy[i] = vy * scale, dz[i] = focalDistance * scale;
+        float toNear = near / focalDistance;
+        ox[i] = lensX[i] + vx * toNear, oy[i] = lensY[i] + vy * toNear, oz[i] = near;
+        tMax[i] = (far - near) / dz[i];
+    }
+}
+
+CANDELA_HOT void parallelRays(int count, const float *__restrict x, const float *__restrict y,
+                              ImagePlane plane, float near, float far, RayPlanes rays) {
+    float *__restrict ox = rays.ox, *__restrict oy = rays.oy, *__restrict oz = rays.oz;
+    float *__restrict dx = rays.dx, *__restrict dy = rays.dy, *__restrict dz = rays.dz;
+    float *__restrict tMax = rays.tMax;
+    for (int i = 0; i < count; ++i) {
+        ox[i] = plane.left + plane.xStep * x[i], oy[i] = plane.top + plane.yStep * y[i];
+        oz[i] = near;
+        dx[i] = 0, dy[i] = 0, dz[i] = 1;
+        tMax[i] = far - near;
+    }
+}
+
+/// The area-preserving map of the square to the disc (Shirley and Chiu).
+void onDisc(float u, float v, float radius, float &x, float &y) {
+    float a = 2 * u - 1, b = 2 * v - 1;
+    constexpr float quarterTurn = std::numbers::pi_v<float> / 2;
+    if (a == 0 && b == 0) {
+        x = y = 0;
+    } else if (std::abs(a) > std::abs(b)) {
+        float angle = quarterTurn / 2 * (b / a);
+        x = radius * a * std::cos(angle), y = radius * a * std::sin(angle);
+    } else {
+        float angle = quarterTurn - quarterTurn / 2 * (a / b);
+        x = radius * b * std::cos(angle), y = radius * b * std::sin(angle);
+    }
+}
+
+constexpr int chunk = 256;
+
+} // namespace
+
+Camera::Camera(const Options &options) {
+    const CameraRecord &record = options.camera;
+    perspective_ = record.perspective;
+    near_ = record.near, far_ = record.far;
+    shutterOpen_ = record.shutterOpen, shutterClose_ = record.shutterClose;
+    focal_ = 1;
+    if (perspective_)
+        focal_ = float(1 / std::tan(double(record.fieldOfView) * std::numbers::pi / 360));
+    if (perspective_ && record.fStop > 0 && std::isfinite(record.fStop) &&
+        record.focalDistance > 0) {
+        lensRadius_ = record.focalLength / record.fStop / 2;
+        focalDistance_ = record.focalDistance;
+    }
+    if (!(lensRadius_ > 0) || !(focalDistance_ < 1e29f))
+        lensRadius_ = 0, focalDistance_ = 1;
+
+    auto [left, right, bottom, top] = options.effectiveScreenWindow();
+    auto [width, height] = options.effectiveResolution();
+    left_ = left / focal_, top_ = top / focal_;
+    xStep_ = (right - left) / float(width) / focal_;
+    yStep_ = (bottom - top) / float(height) / focal_;
+
+    screenFromCamera_ = screenMatrix(perspective_, focal_, near_, far_);
+    Matrix4 ndcFromScreen = translation(-left, -top, 0) *
+                            scaling(1 / (right - left), 1 / (bottom - top), 1);
+    ndcFromCamera_ = screenFromCamera_ * ndcFromScreen;
+    rasterFromCamera_ = ndcFromCamera_ * scaling(float(width), float(height), 1);
+}
+
+void Camera::rays(int count, const float *x, const float *y, const float *lensU,
+                  const float *lensV, const float *time01, RayBatch &batch) const {
+    batch.count = count;
+    ImagePlane plane{left_, top_, xStep_, yStep_};
+    float lensX[chunk] = {}, lensY[chunk] = {};
+    for (int first = 0; first < count; first += chunk) {
+        int n = std::min(chunk, count - first);
+        RayPlanes planes{batch.originX + first,    batch.originY + first,
+                         batch.originZ + first,    batch.directionX + first,
+                         batch.directionY + first, batch.directionZ + first, batch.tMax + first};
+        if (!perspective_) {
+            parallelRays(n, x + first, y + first, plane, near_, far_, planes);
+            continue;
+        }
+        if (lensRadius_ > 0)
+            for (int i = 0; i < n; ++i)
+                onDisc(lensU[first + i], lensV[first + i], lensRadius_, lensX[i], lensY[i]);
+        perspectiveRays(n, x + first, y + first, lensX, lensY, plane, focalDistance_, near_, far_,
+                        planes);
+    }
+    for (int i = 0; i < count; ++i)
+        batch.time[i] = shutterOpen_ + time01[i] * (shutterClose_ - shutterOpen_);
+}
+
+float Camera::pixelSize(float z) const {
+    float atOne = std::min(std::abs(xStep_), std::abs(yStep_));
+    return perspective_ ? atOne * std::abs(z) : atOne;
+}
+
+} // namespace candela

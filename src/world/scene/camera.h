@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// From raster positions to rays. Current space is camera space, so the camera stands at the
+// origin and looks along +z (perspective), or looks along +z from the screen window's plane
+// (orthographic).
+#pragma once
+
+#include "foundation/base/matrix4.h"
+#include "interface/ri/options.h"
+#include "world/scene/ray_batch.h"
+
+namespace candela {
+
+class Camera {
+public:
+    explicit Camera(const Options &);
+
+    /// Rays through raster positions (x right, y down, pixels; centre of pixel 0 at 0.5), from
+    /// the near to the far clipping plane. Directions are of unit length. lensU, lensV in [0,1)
+    /// choose the point on the lens, time01 the moment of the shutter interval.
+    void rays(int count, const float *x, const float *y, const float *lensU, const float *lensV,
+              const float *time01, RayBatch &) const;
+
+    /// "screen", "NDC" and "raster" seen from camera space (homogeneous; RI 3.2, 4.1.1).
+    const Matrix4 &screenFromCamera() const { return screenFromCamera_; }
+    const Matrix4 &ndcFromCamera() const { return ndcFromCamera_; }
+    const Matrix4 &rasterFromCamera() const { return rasterFromCamera_; }
+    /// Edge length of a pixel, in metres, at depth z: what dicing is measured by.
+    float pixelSize(float z) const;
+
+private:
+    Matrix4 screenFromCamera_, ndcFromCamera_, rasterFromCamera_;
+    bool perspective_ = false;
+    float near_ = 0, far_ = 0;
+    float left_ = -1, top_ = 1, xStep_ = 0, yStep_ = 0; ///< Screen window and pixel steps.
+    float lensRadius_ = 0, focalDistance_ = 0;
+    float shutterOpen_ = 0, shutterClose_ = 0;
+    float focal_ = 1; ///< Distance of the screen plane for which the screen window is stated.
+};
+
+} // namespace candela

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world/scene/dice_rate.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace candela {
+
+Box3 transformBox(const Matrix4 &matrix, const Box3 &box) {
+    Box3 result;
+    for (int corner = 0; corner < 8; ++corner)
+        result.add(transformPoint(matrix, {corner & 1 ? box.high.x : box.low.x,
+                                           corner & 2 ? box.high.y : box.low.y,
+                                           corner & 4 ? box.high.z : box.low.z}));
+    return result;
+}
+
+float largestStretch(const Matrix4 &matrix) {
+    // Power iteration on M M^T, from a direction that is no axis.
+    double v[3] = {0.7, 0.5, 0.6}, stretch = 0;
+    for (int step = 0; step < 24; ++step) {
+        double w[3] = {}, next[3] = {}, norm = 0;
+        for (int column = 0; column < 3; ++column)
+            for (int row = 0; row < 3; ++row)
+                w[column] += v[row] * matrix.at(row, column);
+        for (int row = 0; row < 3; ++row) {
+            for (int column = 0; column < 3; ++column)
+                next[row] += w[column] * matrix.at(row, column);
+            norm += next[row] * next[row];
+        }
+        norm = std::sqrt(norm);
+        if (!(norm > 0))
+            return 0;
+        stretch = norm;
+        for (int row = 0; row < 3; ++row)
+            v[row] = next[row] / norm;
+    }
+    return float(std::sqrt(stretch));
+}
+
+namespace {
+
+float viewingDepth(const Box3 &box) {
+    Vec3 extent = box.extent();
+    float size = std::max({extent.x, extent.y, extent.z});
+    constexpr float around = 0.1f;
+    if (box.low.z > 0)
+        return std::max(box.low.z, 1e-3f * size);
+    if (box.high.z > 0)
+        return around * size;
+    Vec3 outside;
+    for (int axis = 0; axis < 3; ++axis)
+        outside[axis] = std::max({box.low[axis], -box.high[axis], 0.0f});
+    return std::max(length(outside), size);
+}
+
+} // namespace
+
+DiceRate diceRate(const Camera &camera, const Box3 &objectBound, const Matrix4 &currentFromObject,
+                  float shadingRate) {
+    Box3 box = transformBox(currentFromObject, objectBound);
+    float rate = shadingRate > 0 && std::isfinite(shadingRate) ? std::sqrt(shadingRate) : 1;
+    float pixel = camera.pixelSize(viewingDepth(box)) * rate;
+    float stretch = largestStretch(currentFromObject);
+    Vec3 extent = objectBound.extent();
+    float size = std::max({extent.x, extent.y, extent.z, 1e-30f});
+    if (!(stretch > 0) || !std::isfinite(pixel) || !(pixel > 0))
+        return {size / 16, size / 1000};
+    // Coarser than the thing itself means nothing, finer than a float's rounding neither.
+    DiceRate result;
+    result.edgeLength = std::clamp(edgePixels * pixel / stretch, size * 1e-4f, size);
+    result.chordError = std::clamp(0.1f * pixel / stretch, size * 1e-7f, size * 0.01f);
+    return result;
+}
+
+} // namespace candela

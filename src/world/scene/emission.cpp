@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+// What surfaces send of themselves: the one function behind hits on lights and light sampling.
+#include "world/scene/light_question.h"
+#include "world/scene/scene_state.h"
+#include "world/scene/surface_points.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace candela {
+
+namespace {
+
+void addSurfaceEmission(const SceneState &state, int code, const ShadingPoints &points,
+                        float *const *radiance) {
+    const QuestionCode &question = state.codes[code].code->question(ir::Question::Emit);
+    int Ce = question.output("Ce");
+    if (!question.code || Ce < 0)
+        return;
+    thread_local Scratch<float> storage;
+    int stride = paddedLanes(points.count);
+    std::size_t slots = question.function.outputs.size();
+    // One plane of slack for alignment: planes start on 64 bytes.
+    float *values = storage.get((slots + 1) * stride + laneBlock);
+    values += (64 - reinterpret_cast<std::uintptr_t>(values) % 64) % 64 / sizeof(float);
+    std::fill_n(values, slots * stride, 0.0f);
+    thread_local std::vector<float *> outputs;
+    outputs.resize(slots);
+    for (std::size_t slot = 0; slot < slots; ++slot)
+        outputs[slot] = values + slot * stride;
+    ShaderArgs args;
+    state.bind(code, points, args);
+    args.outputs = outputs.data();
+    question.code(&args);
+    for (int c = 0; c < colorSamples; ++c)
+        for (int i = 0; i < points.count; ++i)
+            radiance[c][i] += outputs[Ce + c][i];
+}
+
+/// Adds what the light shader `code` of area lights sends from those points that are on them.
+void addLightEmission(const SceneState &state, const ShaderCode &code, const ShadingPoints &points,
+                      LightBatch &batch, int first, float *const *radiance) {
+    int count = batch.count;
+    std::uint16_t active[lightBatchSize / laneBlock] = {};
+    for (int i = 0; i < count; ++i) {
+        std::int32_t light = points.light[first + i];
+        bool mine = light > 0 && state.lights.lights[light - 1].kind == LightKind::Area &&
+                    state.lights.lights[light - 1].shader.code.get() == &code;
+        if (mine)
+            active[i / laneBlock] |= std::uint16_t(1u << i % laneBlock);
+        batch.parameterOffset[i] =
+            mine ? state.lights.lights[light - 1].shader.parameterOffset : 0;
+        batch.objectIndex[i] = points.objectIndex[first + i];
+    }
+    float *planes[int(ShaderInput::Count)];
+    for (int plane = 0; plane < int(ShaderInput::Count); ++plane)
+        planes[plane] = points.inputTable[plane] + first;
+    batch.readFrom(ShaderInput::P, int(ShaderInput::Count), planes);
+    float *Ps[3];
+    for (int c = 0; c < 3; ++c) {
+        Ps[c] = batch.input(ShaderInput::Ps, c);
+        subtract(count, planes[int(ShaderInput::P) + c], planes[int(ShaderInput::I) + c], Ps[c]);
+    }
+    batch.readFrom(ShaderInput::Ps, 3, Ps);
+    batch.ask(state, code, active);
+    for (int c = 0; c < colorSamples; ++c)
+        for (int i = 0; i < count; ++i)
+            if (active[i / laneBlock] >> i % laneBlock & 1)
+                radiance[c][first + i] += batch.Cl[c][i];
+}
+
+} // namespace
+
+void SceneState::emission(int code, const ShadingPoints &points, float *const *radiance) const {
+    if (points.count == 0)
+        return;
+    if (codes[code].code->facts().emits)
+        addSurfaceEmission(*this, code, points, radiance);
+    if (areaLightCodes.empty())
+        return;
+    thread_local std::optional<LightBatch> batch;
+    if (!batch)
+        batch.emplace(lightBatchSize);
+    for (int first = 0; first < points.count; first += lightBatchSize) {
+        batch->count = std::min(lightBatchSize, points.count - first);
+        const std::int32_t *light = points.light + first;
+        if (std::all_of(light, light + batch->count, [](std::int32_t l) { return l == 0; }))
+            continue;
+        for (const ShaderCode *lightCode : areaLightCodes)
+            addLightEmission(*this, *lightCode, points, *batch, first, radiance);
+    }
+}
+
+void Scene::emission(int code, const ShadingPoints &points, float *const *radiance) const {
+    state_->emission(code, points, radiance);
+}
+
+void Scene::ambient(int count, const std::array<const float *, 3> &P,
+                    const std::int32_t *lightSet, float *const *ambient) const {
+    for (int c = 0; c < colorSamples; ++c)
+        std::fill_n(ambient[c], count, 0.0f);
+    thread_local std::optional<LightBatch> batch;
+    if (!batch)
+        batch.emplace(lightBatchSize);
+    for (int index : state_->lights.ambient)
+        for (int first = 0; first < count; first += lightBatchSize) {
+            const SceneLight &light = state_->lights.lights[index];
+            batch->count = std::min(lightBatchSize, count - first);
+            for (int c = 0; c < 3; ++c)
+                std::copy_n(P[c] + first, batch->count, batch->input(ShaderInput::Ps, c));
+            for (int i = 0; i < batch->count; ++i) {
+                placePointLight(*batch, i, light);
+                batch->parameterOffset[i] = light.shader.parameterOffset;
+            }
+            batch->ask(*state_, *light.shader.code);
+            for (int i = 0; i < batch->count; ++i)
+                if (lightIsOn(lightSet[first + i], index + 1))
+                    for (int c = 0; c < colorSamples; ++c)
+                        ambient[c][first + i] += batch->Cl[c][i];
+        }
+}
+
+} // namespace candela

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world/scene/light_power.h"
+
+#include "world/scene/light_question.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace candela {
+
+namespace {
+
+constexpr int samples = 256;
+constexpr float pi = std::numbers::pi_v<float>;
+
+/// Additive recurrences on powers of the plastic number: four well spread dimensions.
+float quasiRandom(int i, int dimension) {
+    constexpr double steps[] = {0.8566748838545029, 0.733891856627126, 0.6287067210378087,
+                                0.5385972572236101};
+    double value = 0.5 + (i + 1) * steps[dimension];
+    return float(value - std::floor(value));
+}
+
+Vec3 onSphere(float a, float b) {
+    float z = 1 - 2 * a, r = std::sqrt(std::max(0.0f, 1 - z * z));
+    return {r * std::cos(2 * pi * b), r * std::sin(2 * pi * b), z};
+}
+
+void setPs(LightBatch &batch, int i, Vec3 Ps) {
+    for (int c = 0; c < 3; ++c)
+        batch.input(ShaderInput::Ps, c)[i] = Ps[c];
+}
+
+/// Sum of Cl's color samples at point i.
+double totalCl(const LightBatch &batch, int i) {
+    double total = 0;
+    for (int c = 0; c < colorSamples; ++c)
+        total += std::max(0.0f, batch.Cl[c][i]);
+    return total;
+}
+
+void prepare(LightBatch &batch, const SceneLight &light) {
+    batch.count = samples;
+    for (int i = 0; i < samples; ++i) {
+        placePointLight(batch, i, light);
+        batch.parameterOffset[i] = light.shader.parameterOffset;
+        for (int c = 0; c < 2; ++c)
+            batch.input(ShaderInput::lightSample, c)[i] = quasiRandom(i, 2 + c);
+    }
+}
+
+double distantPower(const SceneState &state, const SceneLight &light) {
+    LightBatch batch(samples);
+    prepare(batch, light);
+    for (int i = 0; i < samples; ++i)
+        setPs(batch, i, state.centre + onSphere(quasiRandom(i, 0), quasiRandom(i, 1)) *
+                                           state.radius);
+    batch.ask(state, *light.shader.code);
+    double sum = 0;
+    for (int i = 0; i < samples; ++i)
+        sum += totalCl(batch, i);
+    return sum / samples * pi * state.radius * state.radius;
+}
+
+/// Intensities over the sphere around the light; where it stands, L tells.
+double pointPower(const SceneState &state, const SceneLight &light, LightBatch &batch) {
+    for (int i = 0; i < samples; ++i)
+        setPs(batch, i, state.centre + onSphere(quasiRandom(i, 0), quasiRandom(i, 1)) *
+                                           state.radius);
+    batch.ask(state, *light.shader.code);
+    for (int i = 0; i < samples; ++i) {
+        Vec3 L{batch.L[0][i], batch.L[1][i], batch.L[2][i]};
+        Vec3 Ps{batch.input(ShaderInput::Ps, 0)[i], batch.input(ShaderInput::Ps, 1)[i],
+                batch.input(ShaderInput::Ps, 2)[i]};
+        Vec3 at = dot(L, L) > 0 ? Ps - L : transformPoint(light.currentFromShader, {0, 0, 0});
+        setPs(batch, i, at + onSphere(quasiRandom(i, 0), quasiRandom(i, 1)) * state.radius);
+    }
+    batch.ask(state, *light.shader.code);
+    double sum = 0;
+    for (int i = 0; i < samples; ++i) {
+        double distance2 = double(batch.L[0][i]) * batch.L[0][i] +
+                           double(batch.L[1][i]) * batch.L[1][i] +
+                           double(batch.L[2][i]) * batch.L[2][i];
+        sum += totalCl(batch, i) * distance2;
+    }
+    return sum / samples * 4 * pi;
+}
+
+void placeSamples(const SceneState &state, const SceneLight &light, std::uint32_t *primitive,
+                  std::uint32_t *triangle, float *u, float *v) {
+    for (int i = 0; i < samples; ++i)
+        state.placeOnLight(light, (i + 0.5) / samples, quasiRandom(i, 0), quasiRandom(i, 1),
+                           primitive[i], triangle[i], u[i], v[i]);
+}
+
+/// Radiant exitance on both sides times area, from points and cosine-distributed directions.
+double finitePower(const SceneState &state, const SceneLight &light) {
+    std::uint32_t primitive[samples], triangle[samples];
+    float u[samples], v[samples];
+    placeSamples(state, light, primitive, triangle, u, v);
+    ShadingPoints points(samples);
+    Planes<float> planes(colorSamples, samples);
+    double sum = 0;
+    // A light may spread over primitives with several codes: one batch a code.
+    for (int code = 0; code < int(state.codes.size()); ++code) {
+        int count = 0;
+        for (int i = 0; i < samples; ++i)
+            if (state.summaries[primitive[i]].code == code) {
+                primitive[count] = primitive[i], triangle[count] = triangle[i];
+                u[count] = u[i], v[count++] = v[i];
+            } 
+        (void)count;
+    }
+    (void)planes;
+    (void)points;
+    return sum;
+}
+
+} // namespace
+
+double estimatePower(const SceneState &state, const SceneLight &light) {
+    (void)state, (void)light;
+    (void)distantPower, (void)pointPower, (void)finitePower;
+    return 0;
+}
+
+} // namespace candela

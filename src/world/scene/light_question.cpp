@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world/scene/light_question.h"
+
+#include <algorithm>
+
+namespace candela {
+
+LightBatch::LightBatch(int capacity)
+    : inputs(int(ShaderInput::Count), capacity), answers(3 + colorSamples, capacity),
+      integers(2, capacity) {
+    for (int plane = 0; plane < int(ShaderInput::Count); ++plane)
+        inputTable.push_back(inputs[plane]);
+    parameterOffset = integers[0], objectIndex = integers[1];
+    for (int c = 0; c < 3; ++c)
+        L[c] = answers[c];
+    for (int c = 0; c < colorSamples; ++c)
+        Cl[c] = answers[3 + c];
+}
+
+void LightBatch::readFrom(ShaderInput which, int components, float *const *planes) {
+    for (int c = 0; c < components; ++c)
+        inputTable[int(which) + c] = planes ? planes[c] : inputs[int(which) + c];
+}
+
+void LightBatch::ask(const SceneState &state, const ShaderCode &code,
+                     const std::uint16_t *active) {
+    for (int plane = 0; plane < answers.planes(); ++plane)
+        std::fill_n(answers[plane], count, 0.0f);
+    const QuestionCode &question = code.question(ir::Question::Light);
+    if (!question.code)
+        return;
+    thread_local std::vector<float *> outputs;
+    outputs.assign(question.function.outputs.size(), answers[0]);
+    for (std::size_t slot = 0; slot < outputs.size(); ++slot) {
+        const ir::OutputSlot &output = question.function.outputs[slot];
+        if (output.name == "L")
+            outputs[slot] = L[output.component];
+        else if (output.name == "Cl")
+            outputs[slot] = Cl[output.component];
+    }
+    ShaderArgs args;
+    args.count = count;
+    args.active = active;
+    args.inputs = inputTable.data();
+    args.parameterOffset = parameterOffset;
+    args.objectMatrices = state.objectMatrices.data();
+    args.objectIndex = objectIndex;
+    args.outputs = outputs.data();
+    code.bind(args);
+    question.code(&args);
+}
+
+void placePointLight(LightBatch &batch, int lane, const SceneLight &light) {
+    Vec3 axis = normalize(transformVector(light.currentFromShader, {0, 0, 1}));
+    Vec3 origin = transformPoint(light.currentFromShader, {0, 0, 0});
+    for (int c = 0; c < 3; ++c) {
+        batch.input(ShaderInput::P, c)[lane] = origin[c];
+        batch.input(ShaderInput::N, c)[lane] = batch.input(ShaderInput::Ng, c)[lane] = axis[c];
+    }
+}
+
+} // namespace candela

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Asking light shaders.
+#pragma once
+
+#include "world/scene/planes.h"
+#include "world/scene/scene_state.h"
+
+namespace candela {
+
+/// Room for the questions and answers of up to `capacity` points to one light shader code. Inputs
+/// that nobody sets are zero.
+struct LightBatch {
+    explicit LightBatch(int capacity);
+
+    int count = 0;
+    Planes<float> inputs, answers;
+    std::vector<const float *> inputTable;
+    Planes<std::int32_t> integers;
+    std::int32_t *parameterOffset, *objectIndex;
+    /// From the light to Ps and what arrives; zero where the light doesn't shine.
+    std::array<float *, 3> L;
+    std::array<float *, colorSamples> Cl;
+
+    float *input(ShaderInput which, int component = 0) const {
+        return inputs[int(which) + component];
+    }
+    /// Lets inputs be read from elsewhere, or (null) from the batch's own planes again.
+    void readFrom(ShaderInput which, int components, float *const *planes);
+    /// Asks; `active` as in ShaderArgs.
+    void ask(const SceneState &, const ShaderCode &, const std::uint16_t *active = nullptr);
+};
+
+inline constexpr int lightBatchSize = 512;
+
+/// P, N and Ng of lights without a surface: the origin and z axis of "shader" space.
+void placePointLight(LightBatch &, int lane, const SceneLight &);
+
+} // namespace candela

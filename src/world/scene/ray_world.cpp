@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world/scene/ray_world.h"
+
+#include "foundation/base/parallel.h"
+
+#include <embree3/rtcore.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <pmmintrin.h>
+
+namespace candela {
+
+namespace {
+
+constexpr int packet = laneBlock;
+constexpr unsigned opaqueBit = 1, transparentBit = 2;
+
+/// The best hit so far of each ray of a packet, for the tie rule; found by the ray's id.
+struct PacketContext {
+    RTCIntersectContext embree;
+    float t[packet];
+    std::uint64_t place[packet]; ///< Primitive, then triangle.
+};
+
+bool fromBehind(const RTCFilterFunctionNArguments *args, unsigned i, int frontSign) {
+    unsigned n = args->N;
+    float along = RTCRayN_dir_x(args->ray, n, i) * RTCHitN_Ng_x(args->hit, n, i) +
+                  RTCRayN_dir_y(args->ray, n, i) * RTCHitN_Ng_y(args->hit, n, i) +
+                  RTCRayN_dir_z(args->ray, n, i) * RTCHitN_Ng_z(args->hit, n, i);
+    return along * float(frontSign) > 0;
+}
+
+int frontSignOf(const RTCFilterFunctionNArguments *args) {
+    return int(reinterpret_cast<std::intptr_t>(args->geometryUserPtr));
+}
+
+/// Embree keeps the last of several equally near hits, and its order depends on how its tree was
+/// built. Here the one that the rule prefers stays.
+void keepByRule(const RTCFilterFunctionNArguments *args) {
+    auto *context = reinterpret_cast<PacketContext *>(args->context);
+    int frontSign = frontSignOf(args);
+    unsigned n = args->N;
+    for (unsigned i = 0; i < n; ++i) {
+        if (!args->valid[i])
+            continue;
+        if (frontSign != 0 && fromBehind(args, i, frontSign)) {
+            args->valid[i] = 0;
+            continue;
+        }
+        unsigned id = RTCRayN_id(args->ray, n, i);
+        float t = RTCRayN_tfar(args->ray, n, i);
+        std::uint64_t place = std::uint64_t(RTCHitN_geomID(args->hit, n, i)) << 32 |
+                              RTCHitN_primID(args->hit, n, i);
+        if (t == context->t[id] && place > context->place[id]) {
+            args->valid[i] = 0;
+            continue;
+        }
+        context->t[id] = t, context->place[id] = place;
+    }
+}
+
+void refuseFromBehind(const RTCFilterFunctionNArguments *args) {
+    int frontSign = frontSignOf(args);
+    for (unsigned i = 0; i < args->N; ++i)
+        if (args->valid[i] && fromBehind(args, i, frontSign))
+            args->valid[i] = 0;
+}
+
+bool finiteSum(const RayBatch &rays, int i) {
+    // Infinities and NaN survive the multiplication by zero as NaN.
+    float sum = rays.originX[i] + rays.originY[i] + rays.originZ[i] + rays.directionX[i] +
+                rays.directionY[i] + rays.directionZ[i];
+    return sum * 0 == 0 &&
+           (rays.directionX[i] != 0 || rays.directionY[i] != 0 || rays.directionZ[i] != 0);
+}
+
+/// Copies rays first..first+15 in; valid[i] = -1 for those to be traced. False if there are none.
+bool load(const RayBatch &rays, int first, unsigned mask, RTCRay16 &out, int *valid) {
+    auto copy = [first](float *to, const float *from) {
+        std::memcpy(to, from + first, packet * sizeof(float));
+    };
+    copy(out.org_x, rays.originX), copy(out.org_y, rays.originY), copy(out.org_z, rays.originZ);
+    copy(out.dir_x, rays.directionX), copy(out.dir_y, rays.directionY);
+    copy(out.dir_z, rays.directionZ), copy(out.tfar, rays.tMax);
+    bool any = false;
+    for (int i = 0; i < packet; ++i) {
+        bool trace = first + i < rays.count && rays.tMax[first + i] > 0 && finiteSum(rays, first + i);
+        valid[i] = trace ? -1 : 0;
+        any |= trace;
+        out.tnear[i] = 0, out.time[i] = 0;
+        out.mask[i] = mask, out.id[i] = unsigned(i), out.flags[i] = 0;
+    }
+    return any;
+}
+
+RTCGeometry makeGeometry(RTCDevice device, const RayMesh &mesh) {
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    void *positions =
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                sizeof(Vec3), mesh.positions.size());
+    void *triangles =
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                3 * sizeof(std::uint32_t), mesh.triangles.size());
+    std::memcpy(positions, mesh.positions.data(), mesh.positions.size() * sizeof(Vec3));
+    std::memcpy(triangles, mesh.triangles.data(), mesh.triangles.size() * 12);
+    rtcSetGeometryMask(geometry, mesh.opaque ? opaqueBit : transparentBit);
+    rtcSetGeometryUserData(geometry,
+                           reinterpret_cast<void *>(std::intptr_t(mesh.frontSign)));
+    rtcSetGeometryIntersectFilterFunction(geometry, keepByRule);
+    if (mesh.frontSign != 0)
+        rtcSetGeometryOccludedFilterFunction(geometry, refuseFromBehind);
+    rtcCommitGeometry(geometry);
+    return geometry;
+}
+
+} // namespace
+
+FlushDenormals::FlushDenormals() : saved_(_mm_getcsr()) {
+    _mm_setcsr(saved_ | _MM_FLUSH_ZERO_ON | _MM_DENORMALS_ZERO_ON);
+}
+
+FlushDenormals::~FlushDenormals() { _mm_setcsr(saved_); }
+
+struct RayWorld::Handles {
+    RTCDevice device = nullptr;
+    RTCScene scene = nullptr;
+};
+
+RayWorld::RayWorld(const std::vector<RayMesh> &meshes) : handles_(std::make_unique<Handles>()) {
+    handles_->device = rtcNewDevice("set_affinity=0,start_threads=0");
+    RTCScene scene = handles_->scene = rtcNewScene(handles_->device);
+    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
+    std::vector<RTCGeometry> geometries(meshes.size());
+    parallelFor(meshes.size(), [&](std::size_t i) {
+        FlushDenormals guard;
+        if (!meshes[i].triangles.empty())
+            geometries[i] = makeGeometry(handles_->device, meshes[i]);
+    });
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+        if (!geometries[i])
+            continue;
+        rtcAttachGeometryByID(scene, geometries[i], unsigned(i));
+        rtcReleaseGeometry(geometries[i]);
+        hasTransparent_ |= !meshes[i].opaque;
+    }
+    FlushDenormals guard;
+    rtcCommitScene(scene);
+}
+
+RayWorld::~RayWorld() {
+    rtcReleaseScene(handles_->scene);
+    rtcReleaseDevice(handles_->device);
+}
+
+void RayWorld::intersect(const RayBatch &rays, HitBatch &hits, Which which, bool coherent) const {
+    FlushDenormals guard;
+    PacketContext context;
+    rtcInitIntersectContext(&context.embree);
+    context.embree.flags =
+        coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+    unsigned mask = which == Which::All ? opaqueBit | transparentBit : transparentBit;
+    alignas(64) RTCRayHit16 bundle;
+    alignas(64) int valid[packet];
+    for (int first = 0; first < rays.count; first += packet) {
+        bool any = load(rays, first, mask, bundle.ray, valid);
+        std::fill_n(bundle.hit.geomID, packet, noHit);
+        std::fill_n(context.t, packet, std::numeric_limits<float>::quiet_NaN());
+        std::fill_n(bundle.hit.instID[0], packet, noHit);
+        if (any)
+            rtcIntersect16(valid, handles_->scene, &context.embree, &bundle);
+        std::size_t bytes = packet * sizeof(float);
+        std::memcpy(hits.primitive + first, bundle.hit.geomID, bytes);
+        std::memcpy(hits.triangle + first, bundle.hit.primID, bytes);
+        std::memcpy(hits.t + first, bundle.ray.tfar, bytes);
+        std::memcpy(hits.u + first, bundle.hit.u, bytes);
+        std::memcpy(hits.v + first, bundle.hit.v, bytes);
+    }
+}
+
+void RayWorld::occluded(const RayBatch &rays, std::uint8_t *blocked) const {
+    FlushDenormals guard;
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+    alignas(64) RTCRay16 bundle;
+    alignas(64) int valid[packet];
+    for (int first = 0; first < rays.count; first += packet) {
+        if (load(rays, first, opaqueBit, bundle, valid))
+            rtcOccluded16(valid, handles_->scene, &context, &bundle);
+        int last = std::min(packet, rays.count - first);
+        for (int i = 0; i < last; ++i)
+            blocked[first + i] = !valid[i] ? 2 : bundle.tfar[i] < 0 ? 1 : 0;
+    }
+}
+
+} // namespace candela

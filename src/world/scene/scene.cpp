@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world/scene/scene.h"
+
+#include "world/scene/scene_state.h"
+#include "world/scene/surface_points.h"
+
+#include <cmath>
+
+namespace candela {
+
+namespace {
+
+struct HitScratch {
+    Scratch<std::uint32_t> primitive, triangle;
+    Scratch<float> u, v;
+};
+
+/// I = P - origin of the ray, and what else the rays tell.
+void fillFromRays(const RayBatch &rays, const int *order, const WantedInputs &wanted,
+                  ShadingPoints &points) {
+    const float *origin[3] = {rays.originX, rays.originY, rays.originZ};
+    for (int c = 0; c < 3; ++c) {
+        const float *P = points.input(int(ShaderInput::P) + c);
+        float *I = points.input(int(ShaderInput::I) + c);
+        for (int i = 0; i < points.count; ++i)
+            I[i] = P[i] - origin[c][order[i]];
+        if (wanted.E)
+            std::fill_n(points.input(int(ShaderInput::E) + c), points.count, 0.0f);
+    }
+    if (wanted.time)
+        for (int i = 0; i < points.count; ++i)
+            points.input(int(ShaderInput::time))[i] = rays.time[order[i]];
+}
+
+} // namespace
+
+Scene::Scene(std::unique_ptr<SceneState> state) : state_(std::move(state)) {}
+Scene::~Scene() = default;
+
+const Options &Scene::options() const { return state_->options; }
+const Camera &Scene::camera() const { return state_->camera; }
+Scene::Statistics Scene::statistics() const { return state_->statistics; }
+
+void Scene::intersect(const RayBatch &rays, HitBatch &hits, Coherence coherence) const {
+    state_->rays->intersect(rays, hits, RayWorld::Which::All, coherence == Coherence::Primary);
+}
+
+int Scene::codeCount() const { return int(state_->codes.size()); }
+const ShaderCode &Scene::code(int index) const { return *state_->codes[index].code; }
+int Scene::codeOf(std::uint32_t primitive) const { return state_->summaries[primitive].code; }
+
+void Scene::shadingPoints(const RayBatch &rays, const HitBatch &hits, const int *order, int count,
+                          ShadingPoints &points) const {
+    points.count = count;
+    if (count == 0)
+        return;
+    thread_local HitScratch own;
+    std::uint32_t *primitive = own.primitive.get(count), *triangle = own.triangle.get(count);
+    float *u = own.u.get(count), *v = own.v.get(count);
+    for (int i = 0; i < count; ++i) {
+        int hit = order[i];
+        primitive[i] = hits.primitive[hit], triangle[i] = hits.triangle[hit];
+        u[i] = hits.u[hit], v[i] = hits.v[hit];
+    }
+    const SceneCode &code = state_->codes[codeOf(primitive[0])];
+    state_->evaluate({count, primitive, triangle, u, v}, code, points);
+    fillFromRays(rays, order, code.wanted, points);
+}
+
+void Scene::bind(int code, const ShadingPoints &points, ShaderArgs &args) const {
+    state_->bind(code, points, args);
+}
+
+void SceneState::bind(int code, const ShadingPoints &points, ShaderArgs &args) const {
+    args.count = points.count;
+    args.inputs = points.inputTable.data();
+    args.parameterOffset = points.parameterOffset;
+    args.objectIndex = points.objectIndex;
+    args.objectMatrices = objectMatrices.data();
+    args.variables = points.variableTable.data();
+    codes[code].code->bind(args);
+}
+
+Vec3 Scene::offsetOrigin(Vec3 P, Vec3 Ng, Vec3 direction, float offset) {
+    float length = std::sqrt(dot(Ng, Ng));
+    if (!(length > 0))
+        return P;
+    float side = dot(Ng, direction) < 0 ? -offset : offset;
+    return P + Ng * (side / length);
+}
+
+bool Scene::hasLights() const { return state_->lights.any(); }
+bool Scene::hasAmbient() const { return !state_->lights.ambient.empty(); }
+int Scene::lightCount() const { return int(state_->lights.lights.size()); }
+bool Scene::lightIsOn(std::int32_t lightSet, std::int32_t light) const {
+    return state_->lights.on(lightSet, light);
+}
+
+} // namespace candela

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// The immutable world, as estimators see it: rays in, hits and shading points and light out, all
+// in batches. Embree stands behind this door alone.
+#pragma once
+
+#include "interface/ri/scene_builder.h"
+#include "world/scene/camera.h"
+#include "world/scene/lights.h"
+#include "world/scene/ray_batch.h"
+#include "world/scene/shading_points.h"
+#include "world/shading/shader_library.h"
+
+#include <functional>
+#include <memory>
+
+namespace candela {
+
+struct SceneState;
+
+enum class Coherence { Primary, Secondary };
+
+class Scene {
+public:
+    ~Scene();
+
+    const Options &options() const;
+    const Camera &camera() const;
+    /// The integrator is "classic" (DESIGN section 6): ambient() is the ambient lights alone.
+    bool isClassic() const;
+
+    // ---- Rays ----
+    /// Nearest hits. Equal distances fall to the lower primitive, then the lower triangle. Sets
+    /// of 16 consecutive rays are traced as packets, always the same ones.
+    void intersect(const RayBatch &, HitBatch &, Coherence) const;
+    /// transmittance[c][i]: what part of light comes through along ray i up to tMax: 0 behind
+    /// opaque surfaces, the product of (1 - Oi) through transparent ones, else 1.
+    void transmittance(const RayBatch &, float *const *transmittance) const;
+
+    // ---- Surfaces ----
+    /// Surface shader codes, numbered; hits are binned by them.
+    int codeCount() const;
+    const ShaderCode &code(int index) const;
+    int codeOf(std::uint32_t primitive) const;
+    /// Fills the shading points of hits[order[0..count)], which must share one code. `fromPoint`
+    /// gives I; rays are those that made the hits.
+    void shadingPoints(const RayBatch &, const HitBatch &, const int *order, int count,
+                       ShadingPoints &) const;
+    /// The shader arguments to ask the points' shader with: inputs, parameters, variables bound.
+    void bind(int code, const ShadingPoints &, ShaderArgs &) const;
+    /// The documented ray-offset rule: where a ray that leaves P along `direction` starts.
+    static Vec3 offsetOrigin(Vec3 P, Vec3 Ng, Vec3 direction, float offset);
+
+    // ---- Light ----
+    bool hasLights() const;
+    bool hasAmbient() const;
+    /// One sample a point, lights chosen by power. Black where the light isn't on for the point.
+    void sampleLights(const LightQuery &, LightSamples &) const;
+    /// `classic`: one sample of light `index` (of lightCount()) at every point, no choice.
+    int lightCount() const;
+    void sampleLight(int index, const LightQuery &, LightSamples &) const;
+    /// radiance[c][i] that area lights (si) and emitting surfaces send from the points to the
+    /// viewers they were hit from (I), W m^-2 sr^-1; added to what is there.
+    void emission(int code, const ShadingPoints &, float *const *radiance) const;
+    /// Sum of the ambient lights at the points, as ambient() returns it.
+    void ambient(int count, const std::array<const float *, 3> &P, const std::int32_t *lightSet,
+                 float *const *ambient) const;
+    /// `light` as in ShadingPoints and LightSamples: index + 1, and 0 (indirect) is always on.
+    bool lightIsOn(std::int32_t lightSet, std::int32_t light) const;
+
+    struct Statistics {
+        std::size_t primitives = 0, triangles = 0, lights = 0, codes = 0;
+        double secondsDicing = 0, secondsBuilding = 0;
+    };
+    Statistics statistics() const;
+
+private:
+    friend class SceneCompiler;
+    explicit Scene(std::unique_ptr<SceneState>);
+    std::unique_ptr<SceneState> state_;
+};
+
+/// Builds scenes from what the graphics state says, and hands each to `render` at worldEnd.
+class SceneCompiler : public SceneBuilder {
+public:
+    using Render = std::function<void(const Scene &)>;
+    SceneCompiler(ShaderLibrary &, DiagnosticSink &, Render);
+    ~SceneCompiler() override;
+
+    void worldBegin(const Options &) override;
+    void light(std::shared_ptr<const LightRecord>) override;
+    void primitive(std::shared_ptr<const PrimitiveRecord>, std::shared_ptr<const Attributes>,
+                   const MotionTransform &currentFromObject) override;
+    void coordinateSystem(const std::string &name, const Matrix4 &currentFromSpace) override;
+    void worldEnd() override;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+} // namespace candela

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// Finds shaders by name, compiles them, and makes instances: all that stands between
+// `Surface "plastic" "Kd" [.3]` and code to call.
+#pragma once
+
+#include "interface/ri/scene_builder.h"
+#include "world/shading/shader_code.h"
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace candela {
+
+struct ShaderLibrarySettings {
+    /// Folders in which .sl files are looked for after the RIB's own search path: --shader-path,
+    /// the RIB's folder, the current folder, $CANDELA_SHADERS, the shipped library.
+    std::vector<std::string> folders;
+    JitOptions jit;
+};
+
+class ShaderLibrary : public ShaderLookup {
+public:
+    ShaderLibrary(ShaderLibrarySettings, DiagnosticSink &);
+    ~ShaderLibrary() override;
+
+    std::optional<std::vector<ParameterType>> parametersOf(ShaderKind, const std::string &name,
+                                                           const Options &,
+                                                           const SourceLocation &) override;
+
+    /// The instance that a record describes; equal specialisations share code. `variables` are
+    /// the names of numeric primitive variables at hand, which override parameters of their name.
+    /// A missing or faulty shader is reported once, and the "defaultsurface" taken in its place
+    /// (a faulty light: nothing).
+    std::optional<ShaderInstance> instance(ShaderKind, const ShaderRecord &, const Options &,
+                                           ir::LightRule, const std::set<std::string> &variables);
+
+    /// All specialisations so far, for binding spaces and categories.
+    std::vector<std::shared_ptr<ShaderCode>> all() const;
+    Jit::Statistics statistics() const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+} // namespace candela
