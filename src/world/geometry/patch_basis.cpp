@@ -9,7 +9,7 @@ namespace candela {
 /// Patches along one side of a mesh (RI 3.2, 5.2), or 0.
 static int patchesAlong(int vertices, bool bicubic, bool periodic, int step) {
     if (!bicubic)
-        return periodic ? (vertices >= 3 ? vertices : 0) : vertices - 1;
+        return vertices < 2 ? 0 : periodic ? vertices : vertices - 1;
     if (step < 1 || vertices < 4)
         return 0;
     return periodic ? vertices / step : (vertices - 4) / step + 1;
@@ -29,9 +29,9 @@ std::optional<PatchTopology> patchTopology(const PatchMeshRecord &mesh,
     topology.vStep = attributes.vBasis.step;
     topology.uBasis = attributes.uBasis.matrix;
     topology.vBasis = attributes.vBasis.matrix;
-    constexpr int mostVertices = 1 << 14; // A side; also keeps products within int.
+    constexpr int mostVertices = 1 << 15; // A side; keeps products within int.
     if (mesh.uVertices > mostVertices || mesh.vVertices > mostVertices) {
-        why = "has more than 16384 control points along a side";
+        why = "has more than 32768 control points along a side";
         return std::nullopt;
     }
     topology.grid = {patchesAlong(mesh.uVertices, mesh.bicubic, mesh.uPeriodic, topology.uStep),
