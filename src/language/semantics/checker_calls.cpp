@@ -132,6 +132,12 @@ static std::string signatureOf(const ast::Function &function) {
 }
 
 void Checker::noFittingOverload(const ast::Expr &e) {
+    int errors = reporter_.errorCount();
+    for (const ast::ExprPtr &argument : e.operands)
+        if (!typesOf(*argument).arrayLength)
+            check(*argument);
+    if (reporter_.errorCount() > errors)
+        return;
     std::string given;
     for (const TypeSet &types : argumentTypes(e))
         given += (given.empty() ? "" : ", ") + (types.empty() ? "?" : types.text());

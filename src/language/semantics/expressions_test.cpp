@@ -38,6 +38,9 @@ TEST(Expressions, OverloadsAndPromotions) {
         {"w = normalize(noise(q));", "w = normalize:vector(noise:vector(q))"},
         {"if (noise(q) > .5) f = 1;", "  f = 1"},
         {"printf(\"%f\", noise(q));", "printf:void(\"%f\", noise:float(q))"},
+        {"c = f * f / 2;", "c = color<((f * f) / 2)>"},
+        {"c = noise(q) + 0.5;", "c = (noise:color(q) + color<0.5>)"},
+        {"w = f * f;", "w = vector<(f * f)>"},
         {"f = f > 0 ? noise(f) : 2;", "f = ((f > 0) ? noise:float(f) : 2)"},
         {"c = f > 0 ? noise(f) : 2;", "c = ((f > 0) ? noise:color(f) : color<2>)"},
         // Arguments choose among overloads.
