@@ -52,6 +52,7 @@ void FunctionGenerator::declare(const std::string &symbol) {
     args_ = code_->getArg(0);
     code_->addParamAttr(0, llvm::Attribute::NoAlias);
     code_->addParamAttr(0, llvm::Attribute::ReadOnly);
+    code_->addDereferenceableParamAttr(0, sizeof(ShaderArgs));
     builder_.SetInsertPoint(block("entry"));
 }
 
@@ -75,18 +76,17 @@ void FunctionGenerator::clearArrays() {
 
 void FunctionGenerator::generateBlocks() {
     auto *count = field(offsetof(ShaderArgs, count), integer_);
-    auto *entry = builder_.GetInsertBlock();
-    auto *head = block("block"), *test = block("mask"), *body = block("body"),
-         *next = block("next"), *done = block("done");
+    prepare_ = block("prepare");
+    auto *head = block("block"), *body = block("body"), *next = block("next"),
+         *done = block("done");
+    builder_.CreateCondBr(builder_.CreateICmpSGT(count, builder_.getInt32(0)), prepare_, done);
+    builder_.SetInsertPoint(prepare_);
     builder_.CreateBr(head);
 
     builder_.SetInsertPoint(head);
     auto *base = builder_.CreatePHI(integer_, 2, "base");
-    base->addIncoming(builder_.getInt32(0), entry);
+    base->addIncoming(builder_.getInt32(0), prepare_);
     base_ = base;
-    builder_.CreateCondBr(builder_.CreateICmpSLT(base, count), test, done);
-
-    builder_.SetInsertPoint(test);
     auto *number = builder_.CreateAdd(lanes_.splat(base), lanes_.laneNumbers());
     auto *inside = builder_.CreateICmpSLT(number, lanes_.splat(count));
     auto *mask = builder_.CreateAnd(inside, blockMask(), "full_mask");
@@ -102,8 +102,9 @@ void FunctionGenerator::generateBlocks() {
     builder_.CreateBr(next);
 
     builder_.SetInsertPoint(next);
-    base->addIncoming(builder_.CreateAdd(base, builder_.getInt32(lanes_.width())), next);
-    builder_.CreateBr(head);
+    auto *nextBase = builder_.CreateAdd(base, builder_.getInt32(lanes_.width()));
+    base->addIncoming(nextBase, next);
+    builder_.CreateCondBr(builder_.CreateICmpSLT(nextBase, count), head, done);
 
     builder_.SetInsertPoint(done);
     builder_.CreateRetVoid();
