@@ -39,6 +39,8 @@ private:
     void generateBlocks();
     Value *blockMask();
     void preloadGathers();
+    void preload(const std::set<int> &used, std::map<int, Value *> &loaded, std::size_t baseField,
+                 std::size_t indexField, int scale);
     void collectGathers(const ir::Region &);
     void emitRegion(const ir::Region &);
     void emitControl(const ir::Instruction &);
