@@ -52,6 +52,7 @@ void FunctionGenerator::declare(const std::string &symbol) {
     args_ = code_->getArg(0);
     code_->addParamAttr(0, llvm::Attribute::NoAlias);
     code_->addParamAttr(0, llvm::Attribute::ReadOnly);
+    code_->addDereferenceableParamAttr(0, sizeof(ShaderArgs));
     builder_.SetInsertPoint(block("entry"));
 }
 
@@ -75,18 +76,17 @@ void FunctionGenerator::clearArrays() {
 
 void FunctionGenerator::generateBlocks() {
     auto *count = field(offsetof(ShaderArgs, count), integer_);
-    auto *entry = builder_.GetInsertBlock();
-    auto *head = block("block"), *test = block("mask"), *body = block("body"),
-         *next = block("next"), *done = block("done");
+    prepare_ = block("prepare");
+    auto *head = block("block"), *body = block("body"), *next = block("next"),
+         *done = block("done");
+    builder_.CreateCondBr(builder_.CreateICmpSGT(count, builder_.getInt32(0)), prepare_, done);
+    builder_.SetInsertPoint(prepare_);
     builder_.CreateBr(head);
 
     builder_.SetInsertPoint(head);
     auto *base = builder_.CreatePHI(integer_, 2, "base");
-    base->addIncoming(builder_.getInt32(0), entry);
+    base->addIncoming(builder_.getInt32(0), prepare_);
     base_ = base;
-    builder_.CreateCondBr(builder_.CreateICmpSLT(base, count), test, done);
-
-    builder_.SetInsertPoint(test);
     auto *number = builder_.CreateAdd(lanes_.splat(base), lanes_.laneNumbers());
     auto *inside = builder_.CreateICmpSLT(number, lanes_.splat(count));
     auto *mask = builder_.CreateAnd(inside, blockMask(), "full_mask");
@@ -102,8 +102,9 @@ void FunctionGenerator::generateBlocks() {
     builder_.CreateBr(next);
 
     builder_.SetInsertPoint(next);
-    base->addIncoming(builder_.CreateAdd(base, builder_.getInt32(lanes_.width())), next);
-    builder_.CreateBr(head);
+    auto *nextBase = builder_.CreateAdd(base, builder_.getInt32(lanes_.width()));
+    base->addIncoming(nextBase, next);
+    builder_.CreateCondBr(builder_.CreateICmpSLT(nextBase, count), head, done);
 
     builder_.SetInsertPoint(done);
     builder_.CreateRetVoid();
@@ -141,56 +142,59 @@ void FunctionGenerator::collectGathers(const Region &region) {
     }
 }
 
-/// Parameters and object matrices stand at a per-lane index, but mostly all lanes of a block share
-/// one: then they are loaded once and broadcast.
 void FunctionGenerator::preloadGathers() {
-    const auto preload = [&](const std::set<int> &used, std::map<int, Value *> &loaded,
-                             std::size_t baseField, std::size_t indexField, int scale) {
-        if (used.empty())
-            return;
-        auto *base = fieldPointer(baseField);
-        auto *indexPlane = builder_.CreateGEP(integer_, fieldPointer(indexField), base_);
-        auto *mask = masks_.current();
-        auto *raw = lanes_.maskedLoad(integer_, indexPlane, mask);
-        auto *index = builder_.CreateMul(raw, lanes_.splat(builder_.getInt32(scale)));
-        if (lanes_.width() == 1) {
-            for (int k : used)
-                loaded[k] = constantLoad(
-                    float_, builder_.CreateGEP(float_, base,
-                                               builder_.CreateAdd(index, builder_.getInt32(k))));
-            return;
-        }
-        auto *firstLane = builder_.CreateBinaryIntrinsic(llvm::Intrinsic::cttz, lanes_.bits(mask),
-                                                         builder_.getTrue());
-        auto *first = builder_.CreateExtractElement(index, firstLane);
-        auto *same = builder_.CreateICmpEQ(index, lanes_.splat(first));
-        auto *shared = block("shared"), *apart = block("apart"), *join = block("gathered");
-        auto *allSame = lanes_.all(builder_.CreateOr(same, builder_.CreateNot(mask)));
-        builder_.CreateCondBr(allSame, shared, apart);
-        std::map<int, std::pair<Value *, Value *>> both;
-        builder_.SetInsertPoint(shared);
-        auto *origin = builder_.CreateGEP(float_, base, first);
-        for (int k : used)
-            both[k].first = lanes_.splat(
-                constantLoad(float_, builder_.CreateGEP(float_, origin, builder_.getInt32(k))));
-        builder_.CreateBr(join);
-        builder_.SetInsertPoint(apart);
-        for (int k : used)
-            both[k].second = lanes_.gather(
-                float_, builder_.CreateGEP(float_, base, builder_.getInt32(k)), index, mask);
-        builder_.CreateBr(join);
-        builder_.SetInsertPoint(join);
-        for (const auto &[k, sources] : both) {
-            auto *phi = builder_.CreatePHI(lanes_.varying(float_), 2);
-            phi->addIncoming(sources.first, shared);
-            phi->addIncoming(sources.second, apart);
-            loaded[k] = phi;
-        }
-    };
     preload(parametersUsed_, parameters_, offsetof(ShaderArgs, parameters),
             offsetof(ShaderArgs, parameterOffset), 1);
     preload(objectElementsUsed_, objectElements_, offsetof(ShaderArgs, objectMatrices),
             offsetof(ShaderArgs, objectIndex), 32);
+}
+
+/// Parameters and object matrices stand at a per-lane index, but mostly all lanes of a block share
+/// one: then they are loaded once and broadcast.
+void FunctionGenerator::preload(const std::set<int> &used, std::map<int, Value *> &loaded,
+                                std::size_t baseField, std::size_t indexField, int scale) {
+    if (used.empty())
+        return;
+    auto *mask = masks_.current();
+    auto *base = fieldPointer(baseField);
+    auto *indexPlane = builder_.CreateGEP(integer_, fieldPointer(indexField), base_);
+    auto *raw = lanes_.maskedLoad(integer_, indexPlane, mask);
+    auto *index = builder_.CreateMul(raw, lanes_.splat(builder_.getInt32(scale)));
+    const auto shared = [&](Value *origin, int k) {
+        auto *element = builder_.CreateGEP(float_, origin, builder_.getInt32(k));
+        return lanes_.splat(constantLoad(float_, element));
+    };
+    if (lanes_.width() == 1) {
+        for (int k : used)
+            loaded[k] = shared(builder_.CreateGEP(float_, base, index), k);
+        return;
+    }
+    auto *firstLane = builder_.CreateBinaryIntrinsic(llvm::Intrinsic::cttz, lanes_.bits(mask),
+                                                     builder_.getTrue());
+    auto *first = builder_.CreateExtractElement(index, firstLane);
+    auto *same = builder_.CreateICmpEQ(index, lanes_.splat(first));
+    auto *together = block("together"), *apart = block("apart"), *join = block("gathered");
+    builder_.CreateCondBr(lanes_.all(builder_.CreateOr(same, builder_.CreateNot(mask))), together,
+                          apart);
+    Values broadcast, gathered;
+    builder_.SetInsertPoint(together);
+    auto *origin = builder_.CreateGEP(float_, base, first);
+    for (int k : used)
+        broadcast.push_back(shared(origin, k));
+    builder_.CreateBr(join);
+    builder_.SetInsertPoint(apart);
+    for (int k : used)
+        gathered.push_back(lanes_.gather(
+            float_, builder_.CreateGEP(float_, base, builder_.getInt32(k)), index, mask));
+    builder_.CreateBr(join);
+    builder_.SetInsertPoint(join);
+    std::size_t next = 0;
+    for (int k : used) {
+        auto *phi = builder_.CreatePHI(lanes_.varying(float_), 2);
+        phi->addIncoming(broadcast[next], together);
+        phi->addIncoming(gathered[next++], apart);
+        loaded[k] = phi;
+    }
 }
 
 void FunctionGenerator::emitRegion(const Region &region) {
@@ -324,9 +328,7 @@ void FunctionGenerator::emitLoop(const Instruction &i) {
 
     builder_.SetInsertPoint(done);
     for (std::size_t k = 0; k < carried.size(); ++k)
-        set(i.results[k], resultRate(i) == Rate::Varying && rate(i.results[k]) == Rate::Varying
-                              ? lanes_.splat(carried[k])
-                              : static_cast<Value *>(carried[k]));
+        set(i.results[k], carried[k]);
 }
 
 FunctionGenerator::Value *FunctionGenerator::dot(const Values &a, const Values &b) {

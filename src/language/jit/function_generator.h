@@ -39,6 +39,8 @@ private:
     void generateBlocks();
     Value *blockMask();
     void preloadGathers();
+    void preload(const std::set<int> &used, std::map<int, Value *> &loaded, std::size_t baseField,
+                 std::size_t indexField, int scale);
     void collectGathers(const ir::Region &);
     void emitRegion(const ir::Region &);
     void emitControl(const ir::Instruction &);
@@ -99,8 +101,11 @@ private:
     Value *field(std::size_t offset, llvm::Type *);
     Value *fieldPointer(std::size_t offset);
     Value *constantLoad(llvm::Type *, Value *from);
-    /// table[index] + base: where the block's lanes stand in a plane.
+    /// table[index] + base: where the block's lanes stand in a plane. The plane is looked up
+    /// before the loop over blocks, where the table can't be null.
     Value *planeBlock(std::size_t tableField, int index);
+    /// The same, looked up here and now.
+    Value *planeBlockHere(std::size_t tableField, int index);
     Value *entryAlloca(llvm::Type *, int count, const char *name);
     llvm::BasicBlock *block(const char *name);
     llvm::FunctionCallee external(const std::string &name, llvm::FunctionType *, bool pure);
@@ -115,8 +120,10 @@ private:
 
     llvm::Function *code_ = nullptr;
     Value *args_ = nullptr;
-    Value *base_ = nullptr; ///< First point of the block.
-    Values values_;         ///< By ValueId.
+    Value *base_ = nullptr;               ///< First point of the block.
+    llvm::BasicBlock *prepare_ = nullptr; ///< Runs once, before the first block, if there is one.
+    std::map<std::pair<std::size_t, int>, Value *> planes_; ///< Looked up in prepare_.
+    Values values_;                                         ///< By ValueId.
     std::vector<llvm::AllocaInst *> arrays_;
     Value *callInputs_ = nullptr, *callOutputs_ = nullptr;
     /// What is gathered at the head of each block: parameters, and object matrix elements.

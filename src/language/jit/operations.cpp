@@ -54,10 +54,21 @@ FunctionGenerator::Value *FunctionGenerator::fieldPointer(std::size_t offset) {
 }
 
 FunctionGenerator::Value *FunctionGenerator::planeBlock(std::size_t tableField, int index) {
-    auto *table = fieldPointer(tableField);
-    auto *plane =
-        constantLoad(pointer_, builder_.CreateConstGEP1_64(pointer_, table, std::uint64_t(index)));
+    Value *&plane = planes_[{tableField, index}];
+    if (!plane) {
+        llvm::IRBuilder<>::InsertPointGuard guard(builder_);
+        builder_.SetInsertPoint(prepare_->getTerminator());
+        auto *entry =
+            builder_.CreateConstGEP1_64(pointer_, fieldPointer(tableField), std::uint64_t(index));
+        plane = constantLoad(pointer_, entry);
+    }
     return builder_.CreateGEP(float_, plane, base_);
+}
+
+FunctionGenerator::Value *FunctionGenerator::planeBlockHere(std::size_t tableField, int index) {
+    auto *entry =
+        builder_.CreateConstGEP1_64(pointer_, fieldPointer(tableField), std::uint64_t(index));
+    return builder_.CreateGEP(float_, constantLoad(pointer_, entry), base_);
 }
 
 FunctionGenerator::Value *FunctionGenerator::entryAlloca(llvm::Type *type, int count,
@@ -331,7 +342,7 @@ FunctionGenerator::Values FunctionGenerator::loadColor(std::size_t tableField, i
     builder_.SetInsertPoint(load);
     Values loaded, color;
     for (int k = 0; k < colorSamples; ++k)
-        loaded.push_back(lanes_.load(float_, planeBlock(tableField, first + k)));
+        loaded.push_back(lanes_.load(float_, planeBlockHere(tableField, first + k)));
     builder_.CreateBr(join);
     builder_.SetInsertPoint(join);
     for (Value *channel : loaded) {

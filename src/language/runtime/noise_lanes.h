@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The two vector types that noise is written over: one lane, and sixteen. Plain operators mean
-// the same for both, and each lane rounds as the single one does.
+// The two vector types that noise is written over: one lane, and as many as the level's registers
+// hold. Plain operators mean the same for both, and each lane rounds as the single one does.
 //
 // For noise_level.h alone, which is compiled once per instruction-set level: everything here is
 // inlined, or the linker could pick one level's copy for all of them.
@@ -14,9 +14,16 @@ namespace {
 
 using Floats1 = float;
 using Bits1 = std::uint32_t;
-using Floats16 = float __attribute__((vector_size(64)));
-using Bits16 = std::uint32_t __attribute__((vector_size(64)));
-using Integers16 = std::int32_t __attribute__((vector_size(64)));
+#if defined(__AVX512F__)
+constexpr int registerBytes = 64;
+#elif defined(__AVX2__)
+constexpr int registerBytes = 32;
+#else
+constexpr int registerBytes = 16;
+#endif
+using WideFloats = float __attribute__((vector_size(registerBytes)));
+using WideBits = std::uint32_t __attribute__((vector_size(registerBytes)));
+using WideIntegers = std::int32_t __attribute__((vector_size(registerBytes)));
 
 template <typename Floats> struct Lanes;
 
@@ -32,22 +39,24 @@ template <> struct Lanes<Floats1> {
     CANDELA_INLINE void store(float *to, Floats1 x) { *to = x; }
 };
 
-template <> struct Lanes<Floats16> {
-    using Bits = Bits16;
-    CANDELA_INLINE Floats16 truncate(Floats16 x) {
-        return __builtin_convertvector(__builtin_convertvector(x, Integers16), Floats16);
+template <> struct Lanes<WideFloats> {
+    using Bits = WideBits;
+    CANDELA_INLINE WideFloats truncate(WideFloats x) {
+        return __builtin_convertvector(__builtin_convertvector(x, WideIntegers), WideFloats);
     }
-    CANDELA_INLINE Bits integerBits(Floats16 x) {
-        return Bits16(__builtin_convertvector(x, Integers16));
+    CANDELA_INLINE Bits integerBits(WideFloats x) {
+        return WideBits(__builtin_convertvector(x, WideIntegers));
     }
-    CANDELA_INLINE Floats16 fromSmallInteger(Bits b) {
-        return __builtin_convertvector(Integers16(b), Floats16);
+    CANDELA_INLINE WideFloats fromSmallInteger(Bits b) {
+        return __builtin_convertvector(WideIntegers(b), WideFloats);
     }
-    CANDELA_INLINE Floats16 flipSign(Floats16 x, Bits sign) { return Floats16(Bits16(x) ^ sign); }
-    CANDELA_INLINE Floats16 load(const float *from) {
-        return *reinterpret_cast<const Floats16 *>(from);
+    CANDELA_INLINE WideFloats flipSign(WideFloats x, Bits sign) {
+        return WideFloats(WideBits(x) ^ sign);
     }
-    CANDELA_INLINE void store(float *to, Floats16 x) { *reinterpret_cast<Floats16 *>(to) = x; }
+    CANDELA_INLINE WideFloats load(const float *from) {
+        return *reinterpret_cast<const WideFloats *>(from);
+    }
+    CANDELA_INLINE void store(float *to, WideFloats x) { *reinterpret_cast<WideFloats *>(to) = x; }
 };
 
 } // namespace

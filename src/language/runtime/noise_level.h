@@ -10,6 +10,9 @@
 #include "language/runtime/noise_lanes.h"
 #include "language/runtime/runtime_functions.h"
 
+#include <cstddef>
+#include <type_traits>
+
 namespace {
 
 /// Lattice coordinates beyond this have no fractions left in single precision by far; NaN goes
@@ -151,78 +154,86 @@ CANDELA_INLINE Floats blend(const Axis<Floats> *axes, Floats *offset, Bits first
 }
 
 template <typename Floats, int dimensions, int component>
-CANDELA_INLINE void gradientComponent(const Axis<Floats> *axes, float *output) {
+CANDELA_INLINE Floats gradientComponent(const Axis<Floats> *axes) {
     using Bits = typename Lanes<Floats>::Bits;
-    constexpr int width = sizeof(Floats) / sizeof(float);
     Floats offset[4];
     const Floats sum = blend<Floats, dimensions, 8 * component, 0>(axes, offset, Bits{}, Bits{});
-    Lanes<Floats>::store(output + component * width,
-                         sum * (0.4999f / largestSum[dimensions]) + 0.5f);
+    return sum * (0.4999f / largestSum[dimensions]) + 0.5f;
 }
 
-template <typename Floats, int dimensions, int outputs, bool periodic>
+/// What a block of `width` lanes is worked through with.
+template <int width> using FloatsOf = std::conditional_t<width == 1, Floats1, WideFloats>;
+
+template <int width, int dimensions, int outputs, bool periodic>
 void gradientNoise(const float *inputs, float *output) {
-    constexpr int width = sizeof(Floats) / sizeof(float);
-    Axis<Floats> axes[4];
-    for (int k = 0; k < dimensions; ++k) {
-        const Floats period =
-            periodic ? Lanes<Floats>::load(inputs + (dimensions + k) * width) : Floats{};
-        axes[k] = makeAxis<Floats, periodic>(Lanes<Floats>::load(inputs + k * width), period,
-                                             axisSeeds[k]);
-    }
-    gradientComponent<Floats, dimensions, 0>(axes, output);
-    if constexpr (outputs == 3) {
-        gradientComponent<Floats, dimensions, 1>(axes, output);
-        gradientComponent<Floats, dimensions, 2>(axes, output);
+    using Floats = FloatsOf<width>;
+    using L = Lanes<Floats>;
+    for (int lane = 0; lane < width; lane += int(sizeof(Floats) / sizeof(float))) {
+        Axis<Floats> axes[dimensions];
+        for (int k = 0; k < dimensions; ++k) {
+            const Floats period =
+                periodic ? L::load(inputs + (dimensions + k) * width + lane) : Floats{};
+            axes[k] = makeAxis<Floats, periodic>(L::load(inputs + k * width + lane), period,
+                                                 axisSeeds[k]);
+        }
+        L::store(output + lane, gradientComponent<Floats, dimensions, 0>(axes));
+        if constexpr (outputs == 3) {
+            L::store(output + width + lane, gradientComponent<Floats, dimensions, 1>(axes));
+            L::store(output + 2 * width + lane, gradientComponent<Floats, dimensions, 2>(axes));
+        }
     }
 }
 
-template <typename Floats, int dimensions, int outputs>
+template <int width, int dimensions, int outputs>
 void cellNoise(const float *inputs, float *output) {
+    using Floats = FloatsOf<width>;
     using L = Lanes<Floats>;
-    constexpr int width = sizeof(Floats) / sizeof(float);
-    typename L::Bits hash{};
-    for (int k = 0; k < dimensions; ++k) {
-        const Floats cell = floorOf<Floats>(tame<Floats>(L::load(inputs + k * width)));
-        hash = mixTwice((hash ^ L::integerBits(cell)) + axisSeeds[k]);
-    }
-    for (int component = 0; component < outputs; ++component) {
-        L::store(output + component * width, L::fromSmallInteger(hash >> 8) * (1.0f / 16777216.0f));
-        hash = mixTwice(hash + 0x9e3779b9u);
+    for (int lane = 0; lane < width; lane += int(sizeof(Floats) / sizeof(float))) {
+        typename L::Bits hash{};
+        for (int k = 0; k < dimensions; ++k) {
+            const Floats x = L::load(inputs + k * width + lane);
+            const Floats cell = floorOf<Floats>(tame<Floats>(x));
+            hash = mixTwice((hash ^ L::integerBits(cell)) + axisSeeds[k]);
+        }
+        for (int component = 0; component < outputs; ++component) {
+            L::store(output + component * width + lane,
+                     L::fromSmallInteger(hash >> 8) * (1.0f / 16777216.0f));
+            hash = mixTwice(hash + 0x9e3779b9u);
+        }
     }
 }
 
 /// Code by RuntimeFunction, in the order of functions.def: families of four dimensions each.
-template <typename Floats> struct NoiseTable {
+template <int width> struct NoiseTable {
     static constexpr candela::runtime::RuntimeCode code[] = {
-        gradientNoise<Floats, 1, 1, false>,
-        gradientNoise<Floats, 2, 1, false>,
-        gradientNoise<Floats, 3, 1, false>,
-        gradientNoise<Floats, 4, 1, false>,
-        gradientNoise<Floats, 1, 3, false>,
-        gradientNoise<Floats, 2, 3, false>,
-        gradientNoise<Floats, 3, 3, false>,
-        gradientNoise<Floats, 4, 3, false>,
-        gradientNoise<Floats, 1, 1, true>,
-        gradientNoise<Floats, 2, 1, true>,
-        gradientNoise<Floats, 3, 1, true>,
-        gradientNoise<Floats, 4, 1, true>,
-        gradientNoise<Floats, 1, 3, true>,
-        gradientNoise<Floats, 2, 3, true>,
-        gradientNoise<Floats, 3, 3, true>,
-        gradientNoise<Floats, 4, 3, true>,
-        cellNoise<Floats, 1, 1>,
-        cellNoise<Floats, 2, 1>,
-        cellNoise<Floats, 3, 1>,
-        cellNoise<Floats, 4, 1>,
-        cellNoise<Floats, 1, 3>,
-        cellNoise<Floats, 2, 3>,
-        cellNoise<Floats, 3, 3>,
-        cellNoise<Floats, 4, 3>,
+        gradientNoise<width, 1, 1, false>,
+        gradientNoise<width, 2, 1, false>,
+        gradientNoise<width, 3, 1, false>,
+        gradientNoise<width, 4, 1, false>,
+        gradientNoise<width, 1, 3, false>,
+        gradientNoise<width, 2, 3, false>,
+        gradientNoise<width, 3, 3, false>,
+        gradientNoise<width, 4, 3, false>,
+        gradientNoise<width, 1, 1, true>,
+        gradientNoise<width, 2, 1, true>,
+        gradientNoise<width, 3, 1, true>,
+        gradientNoise<width, 4, 1, true>,
+        gradientNoise<width, 1, 3, true>,
+        gradientNoise<width, 2, 3, true>,
+        gradientNoise<width, 3, 3, true>,
+        gradientNoise<width, 4, 3, true>,
+        cellNoise<width, 1, 1>,
+        cellNoise<width, 2, 1>,
+        cellNoise<width, 3, 1>,
+        cellNoise<width, 4, 1>,
+        cellNoise<width, 1, 3>,
+        cellNoise<width, 2, 3>,
+        cellNoise<width, 3, 3>,
+        cellNoise<width, 4, 3>,
     };
 };
 
-static_assert(sizeof(NoiseTable<Floats1>::code) / sizeof(candela::runtime::RuntimeCode) ==
+static_assert(sizeof(NoiseTable<1>::code) / sizeof(candela::runtime::RuntimeCode) ==
               std::size_t(candela::runtime::RuntimeFunction::Count));
 
 } // namespace

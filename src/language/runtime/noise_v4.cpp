@@ -6,7 +6,7 @@ namespace candela::runtime {
 
 RuntimeCode noiseV4(RuntimeFunction function, int width) {
     const int index = int(function);
-    return width == 1 ? NoiseTable<Floats1>::code[index] : NoiseTable<Floats16>::code[index];
+    return width == 1 ? NoiseTable<1>::code[index] : NoiseTable<16>::code[index];
 }
 
 } // namespace candela::runtime
