@@ -34,6 +34,7 @@ struct Symbol {
     Place where;
     /// Parameter: handed back to the caller (AOVs). Formal: assignments reach the argument.
     bool output = false;
+    bool detailStated = false; ///< "uniform" or "varying" stands in its declaration.
     const PredefinedVariable *predefined = nullptr; ///< For Kind::Predefined.
     /// A local of a function instance or a formal: the instance it belongs to, else null.
     const Function *owner = nullptr;
@@ -182,7 +183,8 @@ struct TypedShader {
     std::vector<StmtPtr> body;
 
     std::vector<std::unique_ptr<Symbol>> symbols; ///< All symbols of the shader, owned.
-    /// All instances that the shader's code calls, directly or not; callees come first.
+    /// All instances that the shader's code calls, directly or not, and perhaps some that it does
+    /// not call; callees come first.
     std::vector<std::unique_ptr<Function>> functions;
     std::shared_ptr<const SourceSet> sources; ///< Keeps the places alive.
 };
