@@ -6,6 +6,7 @@
 #include "language/ir/lower_internal.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace candela::ir {
 
@@ -30,7 +31,7 @@ bool isPlaceholder(const Instruction &i) { return i.op == Op::Call && i.immediat
 class Flow {
 public:
     explicit Flow(const Function &function)
-          stored_(function.arrays.size()) {
+        : sources_(function.values.size()), stored_(function.arrays.size()) {
         read(function.body);
     }
 

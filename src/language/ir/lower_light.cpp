@@ -4,6 +4,7 @@
 #include "language/ir/lower_internal.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace candela::ir {
