@@ -55,6 +55,9 @@ struct LoweredShader {
     LightClass lightClass = LightClass::Ambient;
     /// Light shaders: Cl falls off as 1/(L.L) for Local (or is constant for Distant), provably.
     bool inverseSquare = false;
+    /// Light shaders: Cl depends on the direction of L alone, not on its length, provably: the
+    /// emitted radiance of an area light.
+    bool directionOnly = false;
 };
 
 /// Lowers a checked shader. Output slots: surface "Ci", "Oi" and its output parameters; light

@@ -42,7 +42,7 @@ int Lowering::newCells(const Components &values) {
 
 Components Lowering::zero(sl::BaseType base, int length) {
     const int count = componentCount(base) * std::max(1, length);
-    return Components(count, base == sl::BaseType::String ? text("") : b.number(0));
+    return Components(count, base == sl::BaseType::String ? b.text("") : b.number(0));
 }
 
 Storage Lowering::declare(const sl::Symbol &symbol, const Components &initial) {

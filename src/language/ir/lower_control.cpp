@@ -9,24 +9,23 @@ namespace {
 
 /// One of two bools by a third, without a branch where constants allow it.
 ValueId chooseBool(Builder &b, ValueId condition, ValueId then, ValueId otherwise) {
-    if (const bool *known = b.constantBool(then))
+    if (const auto known = b.constantBool(then))
         return *known ? b.either(condition, otherwise)
                       : b.both(b.negate(condition), otherwise);
-    if (const bool *known = b.constantBool(otherwise))
+    if (const auto known = b.constantBool(otherwise))
         return *known ? b.either(b.negate(condition), then) : b.both(condition, then);
     return b.select(condition, then, otherwise);
 }
 
 bool isKnownFalse(Builder &b, ValueId flag) {
-    const bool *known = b.constantBool(flag);
-    return known && !*known;
+    return b.constantBool(flag) == false;
 }
 
 } // namespace
 
 void Lowering::branch(ValueId condition, const std::function<void()> &then,
                       const std::function<void()> &otherwise, const std::vector<int> &clear) {
-    if (const bool *known = b.constantBool(condition)) {
+    if (const auto known = b.constantBool(condition)) {
         (*known ? then : otherwise)();
         return;
     }

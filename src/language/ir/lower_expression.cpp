@@ -47,7 +47,7 @@ ValueId shortCircuit(Lowering &lowering, const sl::Expr &expr) {
     Builder &b = lowering.b;
     const bool isAnd = expr.op == sl::BinaryOp::And;
     const ValueId left = lowering.condition(*expr.operands[0]);
-    if (const bool *known = b.constantBool(left))
+    if (const auto known = b.constantBool(left))
         return *known == isAnd ? lowering.condition(*expr.operands[1]) : left;
     if (isCheapAndPure(*expr.operands[1])) {
         const ValueId right = lowering.condition(*expr.operands[1]);
@@ -65,7 +65,7 @@ ValueId shortCircuit(Lowering &lowering, const sl::Expr &expr) {
 Components conditional(Lowering &lowering, const sl::Expr &expr) {
     Builder &b = lowering.b;
     const ValueId decision = lowering.condition(*expr.operands[0]);
-    if (const bool *known = b.constantBool(decision))
+    if (const auto known = b.constantBool(decision))
         return lowering.evaluate(*expr.operands[*known ? 1 : 2]);
     if (isCheapAndPure(*expr.operands[1]) && isCheapAndPure(*expr.operands[2])) {
         const Components x = lowering.evaluate(*expr.operands[1]);
@@ -219,7 +219,7 @@ Components Lowering::evaluate(const sl::Expr &expr) {
     case sl::ExprKind::Number:
         return {b.number(float(expr.number))};
     case sl::ExprKind::Text:
-        return {text(expr.text)};
+        return {b.text(expr.text)};
     case sl::ExprKind::Tuple: {
         Components result;
         for (const sl::ExprPtr &operand : expr.operands)

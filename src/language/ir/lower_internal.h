@@ -126,15 +126,10 @@ public:
     // lower_builtins.cpp
     Components builtin(const sl::Expr &);
 
-    // Strings are constants.
-    ValueId text(const std::string &);
-    /// Null if the value isn't known when the shader is compiled.
-    const std::string *constantText(ValueId) const;
-    /// As above, but reports what has to be constant.
+    /// A string that has to be known when the shader is compiled; reports that it is not.
     std::string requiredText(ValueId, const sl::Place &, const std::string &what);
 
     void error(const sl::Place &, const std::string &message);
-    void warning(const sl::Place &, const std::string &message);
     bool failed() const { return failed_; }
 
     /// The cells of a predefined variable, as Components; declarePredefined() must have run.
@@ -158,7 +153,6 @@ private:
     std::map<const sl::Symbol *, Storage> storage_;
     std::map<sl::PredefinedId, Storage> predefined_;
     std::set<const sl::Symbol *> inMemory_;
-    std::map<ValueId, std::string> texts_;
     std::vector<Components> targetValues_;
     int shaderSpaceSlot_ = -1;
 };

@@ -4,6 +4,7 @@
 #include "language/ir/lower_internal.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace candela::ir {
@@ -184,14 +185,13 @@ std::pair<Triple, Triple> frameAbout(Builder &b, const Triple &n) {
     return {x, y};
 }
 
-/// A direction of unit length, uniform within `angle` (radians) of the axis, by the input
-/// lightSample.
-Triple directionInCone(Builder &b, const Triple &axis, ValueId angle) {
+/// A direction of unit length, uniform within `angle` (radians) of the axis, by `xi` in [0,1) and
+/// the second number of the input lightSample.
+Triple directionInCone(Builder &b, const Triple &axis, ValueId angle, ValueId xi) {
     const Triple centre = b.normalize(axis);
     if (const float *known = b.constantFloat(angle); known && *known <= 0)
         return centre;
     const ValueId one = b.number(1);
-    const ValueId xi = b.input(ShaderInput::lightSample, 0);
     const ValueId turn = b.mul(b.number(2 * std::numbers::pi_v<float>),
                                b.input(ShaderInput::lightSample, 1));
     const ValueId cosine =
@@ -203,7 +203,6 @@ Triple directionInCone(Builder &b, const Triple &axis, ValueId angle) {
                        b.scale(y, b.mul(sine, b.unary(Op::Sin, turn)))));
 }
 
-/// Ol is 1 where a light statement begins.
 void openLight(Lowering &lowering, const Triple &L) {
     if (!lowering.lightDirection)
         lowering.lightDirection = L;
@@ -245,6 +244,7 @@ void Lowering::lowerSolar(const sl::Stmt &statement) {
     const sl::LightArguments &light = *statement.light;
     Triple axis = b.triple(0, 0, 1);
     ValueId angle = b.number(std::numbers::pi_v<float>);
+    ValueId xi = b.input(ShaderInput::lightSample, 0);
     if (light.form == sl::ConeForm::Classic) {
         axis = tripleOf(evaluate(*light.axis));
         angle = evaluateFloat(*light.angle);
@@ -254,16 +254,17 @@ void Lowering::lowerSolar(const sl::Stmt &statement) {
         ValueId total = b.number(0);
         for (const ConeValues &cone : cones)
             total = b.add(total, cone.importance);
-        const ValueId wanted = b.mul(b.random(), total);
+        const ValueId wanted = b.mul(xi, total);
         ValueId sum = b.number(0);
         for (size_t i = 0; i < cones.size(); ++i) {
-            const ValueId taken = i == 0 ? b.boolean(true) : b.less(sum, wanted);
+            const ValueId taken = i == 0 ? b.boolean(true) : b.lessEqual(sum, wanted);
             axis = b.select(taken, cones[i].axis, axis);
             angle = b.select(taken, b.mul(cones[i].angle, halfDegree), angle);
+            xi = b.select(taken, b.div(b.sub(wanted, sum), cones[i].importance), xi);
             sum = b.add(sum, cones[i].importance);
         }
     }
-    openLight(*this, directionInCone(b, axis, angle));
+    openLight(*this, directionInCone(b, axis, angle, xi));
     lowerBodyOf(*this, statement);
 }
 
