@@ -128,6 +128,7 @@ void LightBuilder::finishArea(int index) {
         light.kind = LightKind::None;
         return;
     }
+    light.area = total;
     const ShaderCode *code = light.shader.code.get();
     auto &areaCodes = state_.areaLightCodes;
     if (light.kind == LightKind::Area &&
