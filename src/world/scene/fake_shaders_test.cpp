@@ -84,6 +84,8 @@ ir::LoweredShader lowered(const std::string &name, const std::set<std::string> &
     shader.name = name;
     bool all = name == "probe" || name == "glass";
     shader.whole.inputsRead.assign(int(ShaderInput::Count), all);
+    for (int c = 0; c < 3; ++c)
+        shader.whole.inputsRead[int(ShaderInput::Os) + c] = true;
     shader.whole.categories = {"", "a,-b", "!diffuse"};
     if (name == "probe" && variables.count("Kd"))
         shader.whole.variables.push_back({"Kd", 0});
