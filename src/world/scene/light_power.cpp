@@ -45,6 +45,7 @@ void prepare(LightBatch &batch, const SceneLight &light) {
     for (int i = 0; i < samples; ++i) {
         placePointLight(batch, i, light);
         batch.parameterOffset[i] = light.shader.parameterOffset;
+        batch.objectIndex[i] = 0;
         for (int c = 0; c < 2; ++c)
             batch.input(ShaderInput::lightSample, c)[i] = quasiRandom(i, 2 + c);
     }
@@ -94,7 +95,20 @@ void placeSamples(const SceneState &state, const SceneLight &light, std::uint32_
                            primitive[i], triangle[i], u[i], v[i]);
 }
 
-/// Radiant exitance on both sides times area, from points and cosine-distributed directions.
+/// Points and cosine-distributed directions on both sides; I is set.
+void placeViewers(ShadingPoints &points) {
+    for (int i = 0; i < points.count; ++i) {
+        Vec3 Ng{points.input(int(ShaderInput::Ng))[i], points.input(int(ShaderInput::Ng) + 1)[i],
+                points.input(int(ShaderInput::Ng) + 2)[i]};
+        // A unit vector added to the normal has the cosine distribution about it.
+        Vec3 direction = normalize(Ng) + onSphere(quasiRandom(i, 2), quasiRandom(i, 3));
+        direction = normalize(i % 2 ? -direction : direction);
+        for (int c = 0; c < 3; ++c)
+            points.input(int(ShaderInput::I) + c)[i] = -direction[c];
+    }
+}
+
+/// Radiant exitance of both sides times area.
 double finitePower(const SceneState &state, const SceneLight &light) {
     std::uint32_t primitive[samples], triangle[samples];
     float u[samples], v[samples];
@@ -102,27 +116,65 @@ double finitePower(const SceneState &state, const SceneLight &light) {
     ShadingPoints points(samples);
     Planes<float> planes(colorSamples, samples);
     double sum = 0;
-    // A light may spread over primitives with several codes: one batch a code.
-    for (int code = 0; code < int(state.codes.size()); ++code) {
-        int count = 0;
-        for (int i = 0; i < samples; ++i)
-            if (state.summaries[primitive[i]].code == code) {
-                primitive[count] = primitive[i], triangle[count] = triangle[i];
-                u[count] = u[i], v[count++] = v[i];
-            } 
-        (void)count;
+    // The triangles come in the order of their primitives, so runs of one code are found in place.
+    for (int first = 0, last; first < samples; first = last) {
+        int code = state.summaries[primitive[first]].code;
+        for (last = first; last < samples && state.summaries[primitive[last]].code == code;)
+            ++last;
+        int count = last - first;
+        state.evaluate({count, primitive + first, triangle + first, u + first, v + first},
+                       state.codes[code], points);
+        placeViewers(points);
+        float *radiance[colorSamples];
+        for (int c = 0; c < colorSamples; ++c) {
+            radiance[c] = planes[c];
+            std::fill_n(radiance[c], count, 0.0f);
+        }
+        state.emission(code, points, radiance);
+        for (int c = 0; c < colorSamples; ++c)
+            for (int i = 0; i < count; ++i)
+                sum += std::max(0.0f, radiance[c][i]);
     }
-    (void)planes;
-    (void)points;
-    return sum;
+    return sum / samples * 2 * pi * light.area;
+}
+
+/// Classic area lights are told by their shader how to fall off: what arrives at the rim of the
+/// scene counts.
+void placeClassicArea(const SceneState &state, const SceneLight &light, LightBatch &batch) {
+    std::uint32_t primitive[samples], triangle[samples];
+    float u[samples], v[samples];
+    placeSamples(state, light, primitive, triangle, u, v);
+    ShadingPoints points(samples);
+    state.evaluate({samples, primitive, triangle, u, v}, SceneCode{}, points);
+    float *const *from = points.inputTable.data();
+    for (ShaderInput input : {ShaderInput::P, ShaderInput::N, ShaderInput::Ng})
+        for (int c = 0; c < 3; ++c)
+            std::copy_n(from[int(input) + c], samples, batch.input(input, c));
 }
 
 } // namespace
 
 double estimatePower(const SceneState &state, const SceneLight &light) {
-    (void)state, (void)light;
-    (void)distantPower, (void)pointPower, (void)finitePower;
-    return 0;
+    double power = 0;
+    switch (light.kind) {
+    case LightKind::None:
+    case LightKind::Ambient: return 0;
+    case LightKind::Area:
+    case LightKind::Emitter: power = finitePower(state, light); break;
+    case LightKind::Distant: power = distantPower(state, light); break;
+    case LightKind::Point:
+    case LightKind::ClassicArea: {
+        LightBatch batch(samples);
+        prepare(batch, light);
+        if (light.kind == LightKind::ClassicArea)
+            placeClassicArea(state, light, batch);
+        power = pointPower(state, light, batch);
+    }
+    }
+    bool delta = !light.finite();
+    if (delta && !light.si)
+        power *= pi;
+    return std::isfinite(power) && power > 0 ? power : 0;
 }
 
 } // namespace candela

@@ -27,9 +27,9 @@ void fillFromRays(const RayBatch &rays, const int *order, const WantedInputs &wa
         if (wanted.E)
             std::fill_n(points.input(int(ShaderInput::E) + c), points.count, 0.0f);
     }
-    if (wanted.time)
-        for (int i = 0; i < points.count; ++i)
-            points.input(int(ShaderInput::time))[i] = rays.time[order[i]];
+    // Shadow rays want the time even where the shader does not.
+    for (int i = 0; i < points.count; ++i)
+        points.input(int(ShaderInput::time))[i] = rays.time[order[i]];
 }
 
 } // namespace

@@ -79,6 +79,12 @@ void SceneCompiler::worldEnd() {
     for (const DeclaredPrimitive &declared : state_->primitives)
         primitives.add(declared);
     std::vector<RayMesh> meshes = primitives.dice();
+    // Lights without geometry have some "object" space too.
+    const Matrix4 identity;
+    if (state->objectMatrices.empty())
+        for (int copy = 0; copy < 2; ++copy)
+            state->objectMatrices.insert(state->objectMatrices.end(), identity.m.begin(),
+                                         identity.m.end());
     state->statistics.secondsDicing = secondsSince(start);
 
     start = std::chrono::steady_clock::now();

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rays against brute force, ties, and what comes through transparent surfaces.
+#include "world/scene/test_world.h"
+
+#include "world/scene/ray_world.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <random>
+
+namespace candela {
+namespace {
+
+RayMesh soup(std::mt19937 &random, int triangles) {
+    std::uniform_real_distribution<float> place(-1, 1), edge(-0.3f, 0.3f);
+    RayMesh mesh;
+    for (int i = 0; i < triangles; ++i) {
+        Vec3 a{place(random), place(random), place(random)};
+        std::uint32_t first = std::uint32_t(mesh.positions.size());
+        mesh.positions.push_back(a);
+        for (int k = 0; k < 2; ++k)
+            mesh.positions.push_back(a + Vec3{edge(random), edge(random), edge(random)});
+        mesh.triangles.push_back({first, first + 1, first + 2});
+    }
+    return mesh;
+}
+
+/// Distance in double, infinity = none.
+double distanceTo(const RayMesh &mesh, int triangle, Vec3 o, Vec3 d) {
+    auto corner = [&](int k, int axis) {
+        return double(mesh.positions[mesh.triangles[triangle][k]][axis]);
+    };
+    double e1[3], e2[3], s[3];
+    for (int axis = 0; axis < 3; ++axis) {
+        e1[axis] = corner(1, axis) - corner(0, axis), e2[axis] = corner(2, axis) - corner(0, axis);
+        s[axis] = o[axis] - corner(0, axis);
+    }
+    auto determinant = [](const double *a, const double *b, const double *c) {
+        return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
+               a[2] * (b[0] * c[1] - b[1] * c[0]);
+    };
+    double minusD[3] = {-d.x, -d.y, -d.z};
+    double whole = determinant(e1, e2, minusD);
+    double u = determinant(s, e2, minusD) / whole, v = determinant(e1, s, minusD) / whole;
+    double t = determinant(e1, e2, s) / whole;
+    return u >= 0 && v >= 0 && u + v <= 1 && t > 0 ? t : INFINITY;
+}
+
+void setRay(RayBatch &rays, int i, Vec3 o, Vec3 d, float tMax = INFINITY) {
+    rays.originX[i] = o.x, rays.originY[i] = o.y, rays.originZ[i] = o.z;
+    rays.directionX[i] = d.x, rays.directionY[i] = d.y, rays.directionZ[i] = d.z;
+    rays.tMax[i] = tMax;
+}
+
+TEST(Rays, NearestHitsAreThoseOfBruteForce) {
+    std::mt19937 random(7);
+    std::vector<RayMesh> meshes{soup(random, 60), soup(random, 40)};
+    RayWorld world(meshes);
+    constexpr int count = 1003;
+    RayBatch rays(count);
+    HitBatch hits(count);
+    std::uniform_real_distribution<float> place(-2, 2);
+    rays.count = count;
+    for (int i = 0; i < count; ++i)
+        setRay(rays, i, {place(random), place(random), place(random)},
+               {place(random), place(random), place(random)});
+    for (bool coherent : {false, true}) {
+        world.intersect(rays, hits, RayWorld::Which::All, coherent);
+        int found = 0;
+        for (int i = 0; i < count; ++i) {
+            Vec3 o{rays.originX[i], rays.originY[i], rays.originZ[i]};
+            Vec3 d{rays.directionX[i], rays.directionY[i], rays.directionZ[i]};
+            double nearest = INFINITY;
+            for (const RayMesh &mesh : meshes)
+                for (int k = 0; k < int(mesh.triangles.size()); ++k)
+                    nearest = std::min(nearest, distanceTo(mesh, k, o, d));
+            if (hits.primitive[i] == noHit) {
+                EXPECT_EQ(nearest, INFINITY);
+                continue;
+            }
+            ++found;
+            EXPECT_NEAR(hits.t[i], nearest, 1e-4 * nearest);
+        }
+        EXPECT_GT(found, 50);
+    }
+}
+
+TEST(Rays, EquallyNearHitsFallToTheLowestPrimitiveAndTriangle) {
+    RayMesh twice;
+    twice.positions = {{-1, -1, 1}, {1, -1, 1}, {0, 1, 1}};
+    twice.triangles = {{0, 1, 2}, {0, 1, 2}};
+    std::vector<RayMesh> meshes(5, twice);
+    meshes[0].positions = {{-1, -1, 2}, {1, -1, 2}, {0, 1, 2}};
+    RayWorld world(meshes);
+    RayBatch rays(64);
+    HitBatch hits(64);
+    rays.count = 64;
+    for (int i = 0; i < 64; ++i)
+        setRay(rays, i, {0, 0, 0}, {0.004f * i - 0.1f, 0.002f * i, 1});
+    for (bool coherent : {false, true}) {
+        world.intersect(rays, hits, RayWorld::Which::All, coherent);
+        for (int i = 0; i < 64; ++i) {
+            EXPECT_EQ(hits.primitive[i], 1u) << i;
+            EXPECT_EQ(hits.triangle[i], 0u);
+        }
+    }
+}
+
+TEST(Rays, BadRaysAreNotTraced) {
+    RayMesh mesh;
+    mesh.positions = {{-9, -9, 1}, {9, -9, 1}, {0, 9, 1}};
+    mesh.triangles = {{0, 1, 2}};
+    RayWorld world({mesh});
+    RayBatch rays(5);
+    HitBatch hits(5);
+    rays.count = 5;
+    setRay(rays, 0, {NAN, 0, 0}, {0, 0, 1});
+    setRay(rays, 1, {0, 0, 0}, {0, INFINITY, 1});
+    setRay(rays, 2, {0, 0, 0}, {0, 0, 1}, 0);
+    setRay(rays, 3, {0, 0, 0}, {0, 0, 0});
+    setRay(rays, 4, {0, 0, 0}, {0, 0, 1});
+    world.intersect(rays, hits, RayWorld::Which::All, true);
+    std::uint8_t blocked[16];
+    world.occluded(rays, blocked);
+    for (int i = 0; i < 4; ++i) {
+        EXPECT_EQ(hits.primitive[i], noHit);
+        EXPECT_EQ(blocked[i], 2);
+    }
+    EXPECT_EQ(hits.primitive[4], 0u);
+    EXPECT_EQ(blocked[4], 1);
+}
+
+const std::vector<Vec3> wall{{-1, -1, 5}, {1, -1, 5}, {1, 1, 5}, {-1, 1, 5}};
+
+TEST(Rays, OneSidedPrimitivesAreSeenFromTheFrontOnly) {
+    for (bool flip : {false, true}) {
+        TestWorld world;
+        world.attributes.sides = 1;
+        world.attributes.flipNormal = flip;
+        world.addPolygon(wall);
+        world.render([&](const Scene &scene) {
+            RayBatch rays(2);
+            HitBatch hits(2);
+            rays.count = 2;
+            setRay(rays, 0, {0, 0, 0}, {0, 0, 1});
+            setRay(rays, 1, {0, 0, 9}, {0, 0, -1});
+            scene.intersect(rays, hits, Coherence::Secondary);
+            ASSERT_NE(hits.primitive[0] == noHit, hits.primitive[1] == noHit);
+            int seen = hits.primitive[0] == noHit ? 1 : 0;
+            ShadingPoints points(2);
+            scene.shadingPoints(rays, hits, &seen, 1, points);
+            float Nz = points.input(int(ShaderInput::N) + 2)[0];
+            EXPECT_LT(Nz * rays.directionZ[seen], 0) << "the normal looks at the viewer";
+        });
+    }
+}
+
+TEST(Rays, TransmittanceIsTheProductOfWhatComesThrough) {
+    TestWorld world;
+    auto at = [](float z) {
+        return std::vector<Vec3>{{-1, -1, z}, {1, -1, z}, {1, 1, z}, {-1, 1, z}};
+    };
+    world.attributes.opacity = Color(0.25f, 0.5f, 1.0f);
+    world.addPolygon(at(2));
+    world.attributes.opacity = Color(0.5f, 0.0f, 0.5f);
+    world.addPolygon(at(3));
+    world.attributes.opacity = Color(1.0f);
+    world.addPolygon(at(6));
+    world.render([](const Scene &scene) {
+        RayBatch rays(5);
+        rays.count = 5;
+        setRay(rays, 0, {0.3f, 0, 0}, {0, 0, 1}, 5);
+        setRay(rays, 1, {0.3f, 0, 0}, {0, 0, 1}, INFINITY);
+        setRay(rays, 2, {0.3f, 0, 0}, {0, 0, 1}, 2.5f);
+        setRay(rays, 3, {5, 0, 0}, {0, 0, 1}, 5);
+        setRay(rays, 4, {0.2f, 0, 0}, {0, 0, 2}, 1.2f);
+        Planes<float> planes(colorSamples, 5);
+        float *through[colorSamples] = {planes[0], planes[1], planes[2]};
+        scene.transmittance(rays, through);
+        const float expected[5][3] = {
+            {0.375f, 0.5f, 0}, {0, 0, 0}, {0.75f, 0.5f, 0}, {1, 1, 1}, {0.75f, 0.5f, 0}};
+        for (int i = 0; i < 5; ++i)
+            for (int c = 0; c < 3; ++c)
+                EXPECT_FLOAT_EQ(through[c][i], expected[i][c]) << i << " " << c;
+    });
+}
+
+} // namespace
+} // namespace candela

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shading points against direct evaluation of the surfaces.
+#include "world/scene/test_world.h"
+
+#include "world/geometry/surface.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace candela {
+namespace {
+
+/// Rays from the origin through a grid, and their hits.
+struct Grid {
+    static constexpr int side = 32, count = side * side;
+    RayBatch rays{count};
+    HitBatch hits{count};
+    ShadingPoints points{count};
+
+    explicit Grid(const Scene &scene) {
+        rays.count = count;
+        for (int i = 0; i < count; ++i) {
+            rays.directionX[i] = (i % side + 0.5f) * 2 / side - 1;
+            rays.directionY[i] = (i / side + 0.5f) * 2 / side - 1;
+            rays.directionZ[i] = 1, rays.tMax[i] = INFINITY, rays.time[i] = 0.5f;
+        }
+        scene.intersect(rays, hits, Coherence::Primary);
+    }
+    std::vector<int> ofCode(const Scene &scene, int code) const {
+        std::vector<int> order;
+        for (int i = count - 1; i >= 0; --i)
+            if (hits.primitive[i] != noHit && scene.codeOf(hits.primitive[i]) == code)
+                order.push_back(i);
+        return order;
+    }
+    Vec3 vec3(ShaderInput input, int k) {
+        return {points.input(int(input))[k], points.input(int(input) + 1)[k],
+                points.input(int(input) + 2)[k]};
+    }
+};
+
+TEST(ShadingPoints, LieOnTheTrueSphereWhateverTheOrder) {
+    TestWorld world;
+    world.attributes.surface = TestWorld::shader("probe");
+    world.attributes.color = Color(0.1f, 0.2f, 0.3f);
+    const Vec3 centres[3] = {{-1, 0, 4}, {1, 0.5f, 4}, {0, -1.5f, 5}};
+    for (Vec3 centre : centres) {
+        world.transform = scaling(0.5f, 0.5f, 0.5f) * translation(centre.x, centre.y, centre.z);
+        world.attributes.color = Color(centre.x, centre.y, centre.z);
+        world.add(SphereRecord{2, -2, 2, 360});
+    }
+    world.render([&](const Scene &scene) {
+        Grid grid(scene);
+        ASSERT_EQ(scene.codeCount(), 1);
+        auto order = grid.ofCode(scene, 0);
+        ASSERT_GT(order.size(), 100u);
+        scene.shadingPoints(grid.rays, grid.hits, order.data(), int(order.size()), grid.points);
+        for (int k = 0; k < grid.points.count; ++k) {
+            int primitive = grid.points.primitive[k];
+            ASSERT_EQ(primitive, int(grid.hits.primitive[order[k]]));
+            Vec3 P = grid.vec3(ShaderInput::P, k), outward = P - centres[primitive];
+            EXPECT_NEAR(length(outward), 1, 1e-5);
+            EXPECT_NEAR(dot(normalize(grid.vec3(ShaderInput::N, k)), outward), 1, 1e-5);
+            EXPECT_EQ(grid.vec3(ShaderInput::I, k), P);
+            Vec3 color = grid.vec3(ShaderInput::Cs, k);
+            EXPECT_EQ(color, centres[primitive]);
+            float t = grid.hits.t[order[k]];
+            EXPECT_LT(length(P - t * Vec3{grid.rays.directionX[order[k]],
+                                          grid.rays.directionY[order[k]], 1}),
+                      0.2f)
+                << "near where the ray met the dicing";
+            EXPECT_NEAR(dot(grid.vec3(ShaderInput::dPdu, k), outward), 0, 1e-4);
+            EXPECT_EQ(grid.points.input(int(ShaderInput::time))[k], 0.5f);
+            EXPECT_GT(grid.points.offset[k], 0);
+        }
+    });
+}
+
+TEST(ShadingPoints, VariablesOverrideAttributesAndParameters) {
+    TestWorld world;
+    world.attributes.surface = TestWorld::shader("probe");
+    using enum StorageClass;
+    world.addPolygon({{-1, -1, 2}, {1, -1, 2}, {1, 1, 2}, {-1, 1, 2}},
+                     {TestWorld::variable("Cs", Vertex, ValueType::Color,
+                                          {0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1}),
+                      TestWorld::variable("Kd", Vertex, ValueType::Float, {0, 2, 4, 2})});
+    world.render([&](const Scene &scene) {
+        Grid grid(scene);
+        auto order = grid.ofCode(scene, 0);
+        scene.shadingPoints(grid.rays, grid.hits, order.data(), int(order.size()), grid.points);
+        ASSERT_EQ(scene.code(0).variables().size(), 1u);
+        ASSERT_GT(order.size(), 200u);
+        for (int k = 0; k < grid.points.count; ++k) {
+            Vec3 P = grid.vec3(ShaderInput::P, k), Cs = grid.vec3(ShaderInput::Cs, k);
+            EXPECT_NEAR(P.z, 2, 1e-6);
+            EXPECT_NEAR(Cs.x, (P.x + 1) / 2, 1e-5);
+            EXPECT_NEAR(Cs.y, (P.y + 1) / 2, 1e-5);
+            EXPECT_EQ(Cs.z, 1);
+            EXPECT_NEAR(grid.points.variableTable[0][k], P.x + P.y + 2, 1e-5);
+            EXPECT_NEAR(grid.points.input(int(ShaderInput::s))[k], P.x, 1e-5);
+        }
+    });
+}
+
+TEST(ShadingPoints, OffsetRaysLeaveTheSurfaceTheyStartFrom) {
+    TestWorld world;
+    world.transform = translation(0, 0, 3);
+    world.add(SphereRecord{1, -1, 1, 360});
+    world.transform = translation(100, 50, 0);
+    world.addPolygon({{-200, -200, 9}, {200, -200, 9}, {200, 200, 9}, {-200, 200, 9}});
+    world.render([&](const Scene &scene) {
+        Grid grid(scene);
+        auto order = grid.ofCode(scene, 0);
+        ASSERT_EQ(int(order.size()), Grid::count);
+        scene.shadingPoints(grid.rays, grid.hits, order.data(), int(order.size()), grid.points);
+        RayBatch away(Grid::count);
+        HitBatch hits(Grid::count);
+        away.count = Grid::count;
+        for (int k = 0; k < Grid::count; ++k) {
+            // Back towards the viewer, rather flat over the surface.
+            Vec3 Ng = normalize(grid.vec3(ShaderInput::Ng, k)), s, t;
+            if (dot(Ng, grid.vec3(ShaderInput::I, k)) > 0)
+                Ng = -Ng;
+            orthonormalBasis(Ng, s, t);
+            Vec3 direction = normalize(s + Ng * 0.1f);
+            Vec3 origin = Scene::offsetOrigin(grid.vec3(ShaderInput::P, k), Ng, direction,
+                                              grid.points.offset[k]);
+            away.originX[k] = origin.x, away.originY[k] = origin.y, away.originZ[k] = origin.z;
+            away.directionX[k] = direction.x, away.directionY[k] = direction.y;
+            away.directionZ[k] = direction.z, away.tMax[k] = INFINITY;
+        }
+        scene.intersect(away, hits, Coherence::Secondary);
+        for (int k = 0; k < Grid::count; ++k)
+            EXPECT_NE(hits.primitive[k], std::uint32_t(grid.points.primitive[k])) << k;
+    });
+}
+
+TEST(ShadingPoints, SingularTransformationsAreReportedAndLeftOut) {
+    TestWorld world;
+    world.transform = scaling(1, 0, 1);
+    world.add(SphereRecord{1, -1, 1, 360});
+    world.render([](const Scene &scene) { EXPECT_EQ(scene.statistics().primitives, 0u); });
+    EXPECT_EQ(world.diagnostics.count(Severity::Warning), 1);
+}
+
+} // namespace
+} // namespace candela
