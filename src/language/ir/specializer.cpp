@@ -54,10 +54,13 @@ Triple Specializer::triple(int hypothesis, const Triple &old) {
     return {value(hypothesis, old[0]), value(hypothesis, old[1]), value(hypothesis, old[2])};
 }
 
-/// A value of an earlier stage: recomputed where that is cheap, else from the frame.
+/// A value of an earlier stage: recomputed where that is cheap, else from the frame. Slots hold
+/// floats; integers and strings are always recomputed (see DependenceSweep::canBeSaved).
 ValueId Specializer::fetch(int hypothesis, ValueId old) {
     auto definition = dependence_.definition[old];
-    if (cost(old) <= telling_.recomputeCost) {
+    Type type = text_.values[old].type;
+    bool slotless = type == Type::Integer || type == Type::String;
+    if (slotless || cost(old) <= telling_.recomputeCost) {
         const Instruction &i = *definition.instruction;
         return b_.emit(i.op, valuesOf(hypothesis, i.operands), i.immediate,
                        i.number)[definition.result];
@@ -67,7 +70,7 @@ ValueId Specializer::fetch(int hypothesis, ValueId old) {
         if (auto it = telling_.slots->find(old); it != telling_.slots->end())
             slot = it->second;
     ValueId loaded = b_.emit(Op::FrameLoad, {}, slot)[0];
-    return text_.values[old].type == Type::Bool ? b_.notEqual(loaded, b_.number(0)) : loaded;
+    return type == Type::Bool ? b_.notEqual(loaded, b_.number(0)) : loaded;
 }
 
 /// Operations to compute the value from sources alone.
@@ -79,7 +82,7 @@ int Specializer::cost(ValueId v) const {
         return 0;
     if (i->op >= Op::Sin && i->op <= Op::Pow)
         return tooDear;
-    int sum = text_.values[v].type == Type::Float || text_.values[v].type == Type::Bool ? 1 : 0;
+    int sum = 1;
     for (ValueId operand : i->operands) {
         sum += cost(operand);
         if (sum > telling_.recomputeCost)
@@ -95,7 +98,7 @@ void Specializer::assignShared(ValueId old, ValueId now) {
 }
 
 void Specializer::save(ValueId old, ValueId now) {
-    if (!telling_.slots || loopDepth_ > 0 || responds(old))
+    if (!telling_.slots || loopDepth_ > 0 || retelling_ > 0 || responds(old))
         return;
     if (auto slot = telling_.slots->find(old); slot != telling_.slots->end())
         b_.emit(Op::FrameStore, {now}, slot->second);
@@ -188,15 +191,21 @@ void Specializer::walkIf(const Instruction &i, Range range) {
         hoist(Stage(int(condition) - 1));
         range.first = condition;
     }
+    // What a hoisted branch holds is not visible here: it is told again, but not saved again.
+    // (No stores to memory are among it, since those stay behind all their conditions.)
+    bool again = condition < range.first && range.first > telling_.first;
+    Range content{again ? telling_.first : range.first, range.last};
+    retelling_ += again;
     auto all = active_;
     for (auto &group : groupsBy(i.operands[0])) {
         active_ = group;
-        emitIf(i, range);
+        emitIf(i, range, content);
     }
     active_ = all;
+    retelling_ -= again;
 }
 
-void Specializer::emitIf(const Instruction &i, Range range) {
+void Specializer::emitIf(const Instruction &i, Range range, Range content) {
     auto group = active_;
     std::vector<std::pair<int, int>> kept; // Hypothesis, result.
     for (int k = 0; k < int(i.results.size()); ++k)
@@ -207,7 +216,7 @@ void Specializer::emitIf(const Instruction &i, Range range) {
                     break;
             }
     auto branch = [&](const Region &region) {
-        walk(region, range);
+        walk(region, content);
         Values yields;
         for (auto [h, k] : kept)
             yields.push_back(value(h, region.yields[k]));
