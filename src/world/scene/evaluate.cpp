@@ -132,14 +132,17 @@ void evaluateColors(const Run &run, const WantedInputs &wanted, const PrimitiveS
 void evaluateDensity(const Run &run, const PlaneSet &planes, float *scratchLengths, float *pdf) {
     const ScenePrimitive &primitive = run.primitive;
     int n = run.query.count;
-    for (int i = 0; i < n; ++i)
-        pdf[i] = primitive.density[run.triangle[i]];
-    if (primitive.vertexUv.empty())
+    if (!primitive.uvDensity) {
+        for (int i = 0; i < n; ++i)
+            pdf[i] = primitive.density[run.triangle[i]];
         return;
+    }
     crossLengths(n, planes.vec3(ShaderInput::dPdu, run.first),
                  planes.vec3(ShaderInput::dPdv, run.first), scratchLengths);
-    for (int i = 0; i < n; ++i)
-        pdf[i] = scratchLengths[i] > 0 ? pdf[i] / scratchLengths[i] : 0;
+    for (int i = 0; i < n; ++i) {
+        float density = primitive.uvDensity->at(run.query.u[i], run.query.v[i]);
+        pdf[i] = scratchLengths[i] > 0 ? density / scratchLengths[i] : 0;
+    }
 }
 
 void transformVariable(const Declaration &declaration, const ScenePrimitive &primitive, int count,
@@ -281,7 +284,7 @@ void SceneState::evaluate(const TrianglePoints &points, const SceneCode &code,
             evaluateTexture(run, primitive.s, ShaderInput::s, planes);
             evaluateTexture(run, primitive.t, ShaderInput::t, planes);
         }
-        if (!primitive.density.empty()) {
+        if (summaries[index].light != 0) {
             float *pdf = baryU + first; // The triangle's own coordinates have had their use.
             evaluateDensity(run, planes, baryV + first, pdf);
             for (int i = 0; i < n; ++i)

@@ -263,6 +263,8 @@ void SceneState::placeOnLight(const SceneLight &light, double choice, float x, f
                               float &v) const {
     const auto &place = light.triangles[chooseByCumulative(light.cumulative, choice)];
     primitive = place.primitive, triangle = place.triangle;
+    if (triangle == wholeSurface)
+        return primitives[primitive].uvDensity->sample(x, y, u, v);
     // The square folded onto the triangle: uniform, and neighbours stay neighbours.
     if (x > y)
         u = x - y / 2, v = y / 2;

@@ -12,6 +12,10 @@ void interpolateUv(int count, const std::uint32_t *triangle, const float *baryU,
                    const float *baryV, const std::array<std::uint32_t, 3> *triangles,
                    const std::array<float, 2> *vertexUv, float *u, float *v) {
     for (int i = 0; i < count; ++i) {
+        if (triangle[i] == noTriangle) {
+            u[i] = baryU[i], v[i] = baryV[i];
+            continue;
+        }
         const auto &corners = triangles[triangle[i]];
         const auto &a = vertexUv[corners[0]], &b = vertexUv[corners[1]], &c = vertexUv[corners[2]];
         u[i] = a[0] + baryU[i] * (b[0] - a[0]) + baryV[i] * (c[0] - a[0]);
