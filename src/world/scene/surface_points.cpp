@@ -8,8 +8,8 @@
 
 namespace candela {
 
-void interpolateUv(int count, const std::uint32_t *triangle, const float *baryU,
-                   const float *baryV, const std::array<std::uint32_t, 3> *triangles,
+void interpolateUv(int count, const std::uint32_t *triangle, const float *baryU, const float *baryV,
+                   const std::array<std::uint32_t, 3> *triangles,
                    const std::array<float, 2> *vertexUv, float *u, float *v) {
     for (int i = 0; i < count; ++i) {
         if (triangle[i] == noTriangle) {
@@ -59,8 +59,7 @@ CANDELA_HOT void crossPlanes(int count, const float *__restrict ax, const float 
 }
 
 CANDELA_HOT void roundingPlanes(int count, const float *__restrict x, const float *__restrict y,
-                                const float *__restrict z, float share,
-                                float *__restrict offset) {
+                                const float *__restrict z, float share, float *__restrict offset) {
     for (int i = 0; i < count; ++i) {
         float ax = std::abs(x[i]), ay = std::abs(y[i]), az = std::abs(z[i]);
         float most = ax > ay ? ax : ay;
