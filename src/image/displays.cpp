@@ -12,6 +12,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 
 namespace candela {
 
@@ -110,17 +111,22 @@ struct Format {
 };
 constexpr std::array<Format, 2> formats{{{"openexr", ".exr", exrBytes}, {"png", ".png", pngBytes}}};
 
-const Format *findFormat(const DisplayRecord &display) {
+/// The format by the display's type; type "file" goes by the name's extension, else it is OpenEXR.
+/// Null for an unknown type.
+const Format *findFormat(const DisplayRecord &display, std::string &warning) {
     const auto byType = std::ranges::find(formats, display.type, &Format::type);
     if (byType != formats.end())
         return &*byType;
     if (display.type != "file")
         return nullptr;
-    std::string name = display.name;
-    std::ranges::transform(name, name.begin(), [](unsigned char c) { return std::tolower(c); });
-    for (const Format &format : formats)
-        if (name.ends_with(format.extension))
-            return &format;
+    std::string extension = std::filesystem::path(display.name).extension().string();
+    std::ranges::transform(extension, extension.begin(),
+                           [](unsigned char c) { return char(std::tolower(c)); });
+    const auto byName = std::ranges::find(formats, extension, &Format::extension);
+    if (byName != formats.end())
+        return &*byName;
+    if (!extension.empty())
+        warning = "files are not written as \"" + extension + "\": it will be an OpenEXR file";
     return &formats[0];
 }
 
@@ -133,7 +139,7 @@ std::string knownTypes() {
 
 /// The path that was written; else nothing, and the job's problem says why.
 std::optional<std::string> write(Job &job, const OutputPolicy &policy) {
-    const Format *format = findFormat(job.display);
+    const Format *format = findFormat(job.display, job.warning);
     if (!format) {
         job.problem =
             "unknown display type \"" + job.display.type + "\"; known are " + knownTypes();

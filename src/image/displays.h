@@ -16,7 +16,8 @@ namespace candela {
 
 /// What the files say about the frame beside what film and options know.
 struct FrameDescription {
-    /// Free text: "renderer", "integrator", "spp", "seed" and whatever else a reader may ask.
+    /// Free text: "renderer" (name and version), "integrator", "spp", "seed" and whatever else a
+    /// reader may ask. Units, exposure, filter and quantisation are added to it.
     std::map<std::string, std::string> metadata;
     std::optional<Matrix4> worldToCamera, worldToNdc;
 };

@@ -207,6 +207,19 @@ TEST_F(DisplaysTest, OneBadDisplayDoesNotStopTheOthers) {
     EXPECT_EQ(fileCount(), 1);
 }
 
+TEST_F(DisplaysTest, FileGoesByItsExtension) {
+    display("a.PNG", "file", "rgb");
+    display("b.exr", "file", "rgb");
+    display("c", "file", "rgb");
+    display("d.tif", "file", "rgb");
+    fill();
+    EXPECT_EQ(writeAll().size(), 4u) << list_.text();
+    EXPECT_EQ(list_.count(Severity::Warning), 1) << list_.text();
+    readPng("a.PNG");
+    for (const char *name : {"b.exr", "c", "d.tif"})
+        EXPECT_EQ(readExr(name).channels.size(), 3u);
+}
+
 TEST_F(DisplaysTest, FloatPngIsWarnedAbout) {
     display("a.png", "png", "rgb");
     options_.colorQuantize = QuantizeRecord{0, 0, 0, 0};

@@ -88,6 +88,18 @@ Imf::Slice sliceOf(const FrameWindow &w, const float *values) {
                             sizeof(float), row);
 }
 
+/// The library makes room for scan lines as soon as it knows their width: it must refuse absurd
+/// ones itself. Its limit is for the whole process, and this is its only door.
+void limitSizes() {
+    constexpr int largestExtent = 1 << 16;
+    static const bool limited = [] {
+        Imf::Header::setMaxImageSize(largestExtent, largestExtent);
+        Imf::Header::setMaxTileSize(largestExtent, largestExtent);
+        return true;
+    }();
+    (void)limited;
+}
+
 /// ZIP packs at most 1032 to 1 and the other methods less, so a header that promises more lies
 /// and its memory need not be asked for.
 void checkPlausible(const Imath::Box2i &data, std::size_t channels, std::size_t fileSize) {
@@ -163,6 +175,7 @@ std::optional<std::string> encodeExr(const Picture &picture, std::string &proble
 
 std::optional<Picture> decodeExr(std::string_view bytes, std::string &problem) {
     try {
+        limitSizes();
         MemoryInput input(bytes);
         Imf::InputFile file(input, 0);
         if (!file.isComplete())

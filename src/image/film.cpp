@@ -11,20 +11,11 @@ namespace candela {
 
 namespace {
 
-/// More would be a mistake of the caller; keeps a sample's values off the heap.
-constexpr int largestComponentCount = 512;
-
 std::vector<ChannelInfo> withColorAndOpacity(const std::vector<ChannelInfo> &wanted) {
     std::vector<ChannelInfo> channels{{"Ci", colorSamples}, {"Oi", colorSamples}};
-    int components = 2 * colorSamples;
-    for (const ChannelInfo &channel : wanted) {
-        const bool known =
-            std::ranges::find(channels, channel.name, &ChannelInfo::name) != channels.end();
-        if (!known && components + channel.components <= largestComponentCount) {
+    for (const ChannelInfo &channel : wanted)
+        if (std::ranges::find(channels, channel.name, &ChannelInfo::name) == channels.end())
             channels.push_back(channel);
-            components += channel.components;
-        }
-    }
     return channels;
 }
 
@@ -54,47 +45,94 @@ int Film::channelIndex(std::string_view name) const {
 
 void Film::add(const SampleBatch &batch) {
     const FrameWindow &w = settings_.window;
-    for (int i = 0; i < batch.count; ++i) {
-        const int x = batch.x[i], y = batch.y[i];
+    for (int first = 0, last = 0; first < batch.count; first = last) {
+        const int x = batch.x[first], y = batch.y[first];
+        while (last < batch.count && batch.x[last] == x && batch.y[last] == y)
+            ++last;
         if (x < w.x0 || x >= w.x1 || y < w.y0 || y >= w.y1)
             continue;
         const std::size_t pixel = std::size_t(y - w.y0) * w.columns() + (x - w.x0);
-        addSample(&sums_[pixel * stride_], batch, i);
+        addRun(&sums_[pixel * stride_], {batch, first, last});
     }
 }
 
-void Film::addSample(double *pixel, const SampleBatch &batch, int sample) {
-    double values[largestComponentCount];
-    for (int c = 0; c < components_; ++c) {
-        values[c] = batch.values[c][sample];
-        if (!std::isfinite(values[c])) {
-            values[c] = c == depthComponent_ ? std::numeric_limits<float>::max() : 0;
-            if (c != depthComponent_)
-                nonFinite_.fetch_add(1, std::memory_order_relaxed);
+void Film::addRun(double *pixel, const Run &run) {
+    addToBlock(pixel, run, false);
+    if (settings_.keepHalves)
+        addToBlock(pixel + blockSize_, run, true);
+    addSquares(pixel + squares_, run);
+}
+
+void Film::addToBlock(double *block, const Run &run, bool evenOnly) {
+    double count = block[0], weights = block[1];
+    for (int i = run.first; i < run.last; ++i)
+        if (!evenOnly || run.batch.sampleIndex[i] % 2 == 0) {
+            count += 1;
+            weights += run.batch.weight[i];
         }
+    block[0] = count;
+    block[1] = weights;
+    double *weighted = block + 2, *plain = weighted + components_;
+    for (int c = 0; c < components_; ++c) {
+        if (c == depthComponent_) {
+            weighted[c] = nearest(weighted[c], run, c);
+            continue;
+        }
+        weighted[c] = addComponent(weighted[c], run, c, evenOnly, true);
+        if (settings_.signedWeights)
+            plain[c] = addComponent(plain[c], run, c, evenOnly, false);
     }
-    const double weight = batch.weight[sample];
-    addToBlock(pixel, weight, values);
-    if (settings_.keepHalves && batch.sampleIndex[sample] % 2 == 0)
-        addToBlock(pixel + blockSize_, weight, values);
-    double *squares = pixel + squares_;
-    squares[0] += weight * weight;
-    for (int c = 0; c < colorSamples; ++c)
-        squares[1 + c] += weight * weight * values[c] * values[c];
 }
 
-void Film::addToBlock(double *block, double weight, const double *values) const {
-    block[0] += 1;
-    block[1] += weight;
-    double *weighted = block + 2;
-    for (int c = 0; c < components_; ++c)
-        if (c == depthComponent_)
-            weighted[c] = std::min(weighted[c], values[c]);
-        else
-            weighted[c] += weight * values[c];
-    if (settings_.signedWeights)
-        for (int c = 0; c < components_; ++c)
-            weighted[components_ + c] += values[c];
+double Film::nearest(double depth, const Run &run, int component) {
+    const float *values = run.batch.values[component];
+    for (int i = run.first; i < run.last; ++i)
+        depth = values[i] < depth ? values[i] : depth; // NaN is not nearer.
+    return depth;
+}
+
+/// The sum with a run's values added one after the other. No sum of floats overflows a double, so
+/// a sum that is not finite tells that some value was not, and only then is each one looked at.
+double Film::addComponent(double sum, const Run &run, int component, bool evenOnly, bool weighted) {
+    const float *values = run.batch.values[component], *weights = run.batch.weight;
+    const int *index = run.batch.sampleIndex;
+    const double before = sum;
+    if (!evenOnly && weighted)
+        for (int i = run.first; i < run.last; ++i)
+            sum += double(weights[i]) * values[i];
+    else
+        for (int i = run.first; i < run.last; ++i)
+            if (!evenOnly || index[i] % 2 == 0)
+                sum += weighted ? double(weights[i]) * values[i] : double(values[i]);
+    if (std::isfinite(sum))
+        return sum;
+    sum = before;
+    for (int i = run.first; i < run.last; ++i) {
+        if (evenOnly && index[i] % 2 != 0)
+            continue;
+        if (std::isfinite(values[i]))
+            sum += weighted ? double(weights[i]) * values[i] : double(values[i]);
+        else if (weighted && !evenOnly)
+            nonFinite_.fetch_add(1, std::memory_order_relaxed);
+    }
+    return sum;
+}
+
+void Film::addSquares(double *squares, const Run &run) {
+    const float *weights = run.batch.weight;
+    double sum = squares[0];
+    for (int i = run.first; i < run.last; ++i)
+        sum += double(weights[i]) * weights[i];
+    squares[0] = sum;
+    for (int c = 0; c < colorSamples; ++c) {
+        const float *values = run.batch.values[c];
+        sum = squares[1 + c];
+        for (int i = run.first; i < run.last; ++i) {
+            const double value = double(weights[i]) * values[i];
+            sum += std::isfinite(value) ? value * value : 0;
+        }
+        squares[1 + c] = sum;
+    }
 }
 
 Film::Moments Film::moments(const double *pixel, int component, FilmHalf half) const {
@@ -115,17 +153,18 @@ Film::Moments Film::moments(const double *pixel, int component, FilmHalf half) c
 }
 
 /// With weights of mean 1 the mean of w v is an unbiased estimate, but where w changes its sign it
-/// makes noise even of a constant. The mean of w, known to be 1, serves as a control variate: its
-/// coefficient is the mean of v, which makes constants exact, and the last term takes away the
-/// bias that estimating this coefficient from the same samples brings.
+/// makes noise even of a constant. E[w v] = E[v] + cov(w, v), and the unbiased estimates of both
+/// leave constants alone.
 double Film::estimate(const Moments &m) {
     if (m.count == 0)
         return 0;
     const double plain = m.plain / m.count;
-    if (m.count < 2)
-        return plain;
-    const double weighted = m.weighted / m.count, weight = m.weights / m.count;
-    return weighted + plain * (1 - weight) + (weighted - plain * weight) / (m.count - 1);
+    return m.count < 2 ? plain : plain + covariance(m);
+}
+
+/// Of weight and value, unbiased, from two samples on.
+double Film::covariance(const Moments &m) {
+    return (m.weighted - m.plain / m.count * m.weights) / (m.count - 1);
 }
 
 std::vector<float> Film::mean(int channel, int component, FilmHalf half) const {
@@ -145,6 +184,23 @@ std::vector<float> Film::mean(int channel, int component, FilmHalf half) const {
     return plane;
 }
 
+/// The leading term is the spread of the residuals r = w (v - mean of v); since |w| is constant,
+/// the sum of w^2 v is the mean of w^2 times the sum of v. What the covariance adds with few
+/// samples is its textbook variance under independence.
+double Film::varianceOfEstimate(const Moments &m, double squaredWeights, double squares) const {
+    const double n = m.count, mean = m.plain / n;
+    const double residual = m.weighted - mean * m.weights;
+    const double spread = squares - mean * mean * squaredWeights - residual * residual / n;
+    double variance = spread / (n * (n - 1));
+    if (settings_.signedWeights && squaredWeights > 0) {
+        const double meanSquaredWeight = squaredWeights / n;
+        const double valueVariance = (squares / meanSquaredWeight - n * mean * mean) / (n - 1);
+        variance += ((meanSquaredWeight - 1) * valueVariance + covariance(m) * covariance(m)) /
+                    (n * (n - 1));
+    }
+    return std::max(0.0, variance);
+}
+
 std::vector<float> Film::varianceOfMean(int component) const {
     std::vector<float> plane(settings_.window.pixels());
     for (std::size_t i = 0; i < plane.size(); ++i) {
@@ -154,13 +210,7 @@ std::vector<float> Film::varianceOfMean(int component) const {
             plane[i] = std::numeric_limits<float>::infinity();
             continue;
         }
-        // The residuals are r = w (v - mean of v); |w| is constant, so that the sum of w^2 v is
-        // the mean of w^2 times the sum of v.
-        const double mean = m.plain / m.count;
-        const double squared = squares[1 + component] - mean * mean * squares[0];
-        const double sum = m.weighted - mean * m.weights;
-        const double variance = (squared - sum * sum / m.count) / (m.count * (m.count - 1));
-        plane[i] = float(std::max(0.0, variance));
+        plane[i] = float(varianceOfEstimate(m, squares[0], squares[1 + component]));
     }
     return plane;
 }

@@ -51,10 +51,21 @@ private:
     struct Moments {
         double count, weights, weighted, plain; ///< n, sum of w, of w v, of v.
     };
-    void addSample(double *pixel, const SampleBatch &, int sample);
-    void addToBlock(double *block, double weight, const double *values) const;
+    /// Samples [first, last) of a batch, all of one pixel.
+    struct Run {
+        const SampleBatch &batch;
+        int first, last;
+    };
+    void addRun(double *pixel, const Run &);
+    void addToBlock(double *block, const Run &, bool evenOnly);
+    /// Non-finite values are left out and counted.
+    double addComponent(double sum, const Run &, int component, bool evenOnly, bool weighted);
+    static double nearest(double depth, const Run &, int component);
+    static void addSquares(double *squares, const Run &);
     Moments moments(const double *pixel, int slot, FilmHalf) const;
     static double estimate(const Moments &);
+    static double covariance(const Moments &);
+    double varianceOfEstimate(const Moments &, double squaredWeights, double squares) const;
 
     Settings settings_;
     std::vector<ChannelInfo> channels_;

@@ -2,6 +2,7 @@
 #include "image/whole_file.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -10,9 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
-#include <sys/stat.h>
 #include <unistd.h>
-#include <vector>
 
 namespace candela {
 
@@ -56,16 +55,26 @@ bool writeAll(int file, std::string_view bytes) {
     return true;
 }
 
-/// The permissions an ordinary new file gets; mkstemp() makes private ones.
-mode_t newFileMode() {
-    const mode_t mask = ::umask(0);
-    ::umask(mask);
-    return 0666 & ~mask;
+/// Makes a new file beside `target` with the permissions an ordinary new file gets; -1 and errno
+/// if it cannot. The name is unique to the process and the call.
+int openTemporary(const fs::path &target, std::string &name) {
+    static std::atomic<unsigned> counter{0};
+    constexpr int attempts = 100;
+    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+    const std::string stem =
+        "." + target.filename().string().substr(0, 100) + "." + std::to_string(::getpid()) + ".";
+    for (int i = 0; i < attempts; ++i) {
+        name = (folder / (stem + std::to_string(counter++) + ".tmp")).string();
+        const int file = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (file >= 0 || errno != EEXIST)
+            return file;
+    }
+    return -1;
 }
 
-bool writeTemporary(int file, std::string_view bytes) {
+bool writeAndClose(int file, std::string_view bytes) {
     const FileSizeSignalHeld held;
-    const bool written = writeAll(file, bytes) && ::fchmod(file, newFileMode()) == 0;
+    const bool written = writeAll(file, bytes);
     const int reason = errno;
     const bool closed = ::close(file) == 0;
     if (!written)
@@ -92,16 +101,13 @@ bool writeWholeFile(const std::string &path, std::string_view bytes, std::string
         target = fs::weakly_canonical(target, error); // Not the link, but what it leads to.
     if (fs::exists(target, error) && !fs::is_regular_file(target, error))
         return fail("it is there and not a regular file");
-    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
-    const std::string pattern = (folder / ("." + target.filename().string() + ".XXXXXX")).string();
-    std::vector<char> temporary(pattern.begin(), pattern.end());
-    temporary.push_back(0);
-    const int file = ::mkstemp(temporary.data());
+    std::string temporary;
+    const int file = openTemporary(target, temporary);
     if (file < 0)
         return fail(std::strerror(errno));
-    if (!writeTemporary(file, bytes) || std::rename(temporary.data(), target.c_str()) != 0) {
+    if (!writeAndClose(file, bytes) || std::rename(temporary.c_str(), target.c_str()) != 0) {
         const std::string reason = std::strerror(errno);
-        ::unlink(temporary.data());
+        ::unlink(temporary.c_str());
         return fail(reason);
     }
     return true;

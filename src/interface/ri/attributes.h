@@ -64,8 +64,10 @@ struct Attributes {
     bool smoothInterpolation = false;
     bool matte = false;
     int sides = 2;
-    /// True: the surface normal is the primitive's natural dPdu x dPdv turned round. Orientation,
-    /// ReverseOrientation and the handedness of the CTM are already folded in.
+    /// True: the surface normal is the primitive's natural dPdu x dPdv, both taken in current
+    /// (camera) space, turned round. Orientation, ReverseOrientation and the handedness of the CTM
+    /// are already folded in. (A normal that is made in object space and then transformed as a
+    /// normal keeps its side in a mirror, so there the handedness must be taken out again.)
     bool flipNormal = false;
     BasisRecord uBasis, vBasis;
     std::string name; ///< Attribute "identifier" "name".

@@ -18,12 +18,13 @@ bool needsPosition(const ShapeRecord &shape) {
            std::holds_alternative<PatchMeshRecord>(shape);
 }
 
+/// Patches may give their vertices as "Pw" or, over the unit square, "Pz".
 const Parameter *positionOf(const ShapeRecord &shape, const ParameterList &variables) {
-    for (const char *name : {"P", "Pw", "Pz"})
-        if (const Parameter *found = variables.find(name))
-            if (*name == 'P' && (name[1] == 0 || std::holds_alternative<PatchMeshRecord>(shape)))
-                return found;
-    return nullptr;
+    const Parameter *found = variables.find("P");
+    if (found || !std::holds_alternative<PatchMeshRecord>(shape))
+        return found;
+    found = variables.find("Pw");
+    return found ? found : variables.find("Pz");
 }
 
 int valuesIn(const Parameter &p) {
@@ -85,18 +86,16 @@ void StateHandlers::emit(const SourceLocation &where, const char *request, Shape
     auto leaveOut = [&](const std::string &why) {
         error(where, request, why + "; the primitive is left out");
     };
+    ParameterList variables = primitiveVariables(where, request, tokens);
+    const Parameter *position = positionOf(shape, variables);
+    if (needsPosition(shape) && !position)
+        return leaveOut("it has no \"P\"");
     if (std::string defect = defectOf(shape, attributes); !defect.empty())
         return leaveOut(defect);
-    ParameterList variables = primitiveVariables(where, request, tokens);
     int vertices = verticesNeeded(shape, attributes);
-    if (needsPosition(shape)) {
-        const Parameter *position = positionOf(shape, variables);
-        if (!position)
-            return leaveOut("it has no \"P\"");
-        // Vertices that no polygon uses do no harm.
-        if (std::holds_alternative<PolygonsRecord>(shape))
-            vertices = std::max(vertices, valuesIn(*position));
-    }
+    // Vertices that no polygon uses do no harm.
+    if (std::holds_alternative<PolygonsRecord>(shape))
+        vertices = std::max(vertices, valuesIn(*position));
     VariableCounts counts = countsOf(shape, attributes, vertices);
     ParameterList kept{where, {}};
     for (Parameter &variable : variables.all) {

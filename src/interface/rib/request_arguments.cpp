@@ -60,9 +60,14 @@ bool RequestReader::argumentsEnd() {
     }
     if (atRequestOrEnd())
         return true;
+    // A request that takes none, such as WorldBegin, is clear in spite of them.
+    bool clear = argumentNames_.empty();
     error(token_.where, "expected the next request after " + std::to_string(argumentNames_.size()) +
-                            " arguments, found " + describe(token_) + "; the request is left out");
-    return false;
+                            " arguments, found " + describe(token_) +
+                            (clear ? "" : "; the request is left out"));
+    if (clear)
+        skipToRequest();
+    return clear;
 }
 
 bool RequestReader::numbers(std::span<float> values) {

@@ -31,4 +31,109 @@ TEST_F(Reading, bringsASceneToTheBuilder) {
     EXPECT_EQ(world.primitives[1].record->variables.find("P")->floats.size(), 9u);
 }
 
+TEST_F(Reading, allSpellingsOfASphereAreOne) {
+    auto scene = world("Sphere 1 -1 1 360\nSphere [1 -1 1 360]\nSphere[1.0 -1e0 +1 3.6E2]\n"
+                       "Sphere 1 # radius\n -1 # zmin\n 1 [360]");
+    EXPECT_EQ(found.text(), "");
+    ASSERT_EQ(scene.primitives.size(), 4u);
+    for (const auto &primitive : scene.primitives) {
+        const auto &sphere = std::get<SphereRecord>(primitive.record->shape);
+        EXPECT_EQ(sphere.radius, 1);
+        EXPECT_EQ(sphere.zMin, -1);
+        EXPECT_EQ(sphere.thetaMax, 360);
+    }
+}
+
+TEST_F(Reading, bracketsAreOptionalWhereTheNumberIsFixed) {
+    auto scene = world("Color 1 0 0 Sphere 1 -1 1 360 Color [0 1 0] Sphere 1 -1 1 360\n"
+                       "Transform 1 0 0 0 0 1 0 0 0 0 1 0 3 0 0 1 Sphere 1 -1 1 360\n"
+                       "Transform [1 0 0 0 0 1 0 0 0 0 1 0 4 0 0 1] Sphere 1 -1 1 360\n"
+                       "Translate [1 0 0] Sphere 1 -1 1 360\n"
+                       "Basis \"b-spline\" 1 [1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1] [4]\n"
+                       "Disk 0 1 360\n");
+    EXPECT_EQ(found.text(), "");
+    ASSERT_EQ(scene.primitives.size(), 6u);
+    EXPECT_EQ(scene.primitives[0].attributes->color, Color(1, 0, 0));
+    EXPECT_EQ(scene.primitives[1].attributes->color, Color(0, 1, 0));
+    EXPECT_EQ(scene.primitives[2].place(0, 0, 0).x, 3);
+    EXPECT_EQ(scene.primitives[3].place(0, 0, 0).x, 4);
+    EXPECT_EQ(scene.primitives[4].place(0, 0, 0).x, 5);
+    EXPECT_EQ(scene.primitives[5].attributes->uBasis.step, 1);
+    EXPECT_EQ(scene.primitives[5].attributes->vBasis.step, 4);
+}
+
+TEST_F(Reading, parametersHaveManySpellings) {
+    auto scene =
+        world("Declare \"heat\" \"constant float\"\n"
+              "Sphere 1 -1 1 360 \"heat\" 3\n"
+              "Sphere 1 -1 1 360 \"heat\" [3]\n"
+              "Sphere 1 -1 1 360 \"uniform float heat\" 3 \"constant string label\" \"x\"\n"
+              "Sphere 1 -1 1 360 \"uniform float[2] dims\" [1 2.5] # a pair\n"
+              "Disk 0 1 360 \"heat\" # later\n [ 3 # three\n ]");
+    EXPECT_EQ(found.text(), "");
+    ASSERT_EQ(scene.primitives.size(), 5u);
+    for (int i : {0, 1, 2, 4})
+        EXPECT_EQ(scene.primitives[i].record->variables.number("heat", 0), 3);
+    EXPECT_EQ(scene.primitives[2].record->variables.string("label", ""), "x");
+    EXPECT_EQ(scene.primitives[3].record->variables.find("dims")->floats, (Floats{1, 2.5f}));
+}
+
+TEST_F(Reading, handlesAreNumbersOrStrings) {
+    auto scene = world("LightSource \"pointlight\" 7 Illuminate 7 0\n"
+                       "LightSource \"pointlight\" \"key light\" Sphere 1 -1 1 360\n"
+                       "ObjectBegin \"ball\" Sphere 1 -1 1 360 ObjectEnd\n"
+                       "ObjectInstance \"ball\"\nObjectBegin 3 Disk 0 1 360 ObjectEnd\n"
+                       "ObjectInstance 3");
+    EXPECT_EQ(found.text(), "");
+    EXPECT_EQ(scene.lights[1]->handle, "key light");
+    ASSERT_EQ(scene.primitives.size(), 3u);
+    EXPECT_EQ(scene.primitives[0].attributes->lightsOn, (std::vector{1}));
+}
+
+TEST_F(Reading, optionalArgumentsMayBeAbsent) {
+    read("DepthOfField 2.8 0.05 3 WorldBegin WorldEnd DepthOfField WorldBegin\n"
+         "SubdivisionMesh \"catmull-clark\" [3] [0 1 2] \"P\" [0 0 0 1 0 0 1 1 0]\n"
+         "SubdivisionMesh \"catmull-clark\" [3] [0 1 2] [\"crease\"] [2 1] [0 1] [3] \"P\" [0]\n"
+         "SubdivisionMesh \"catmull-clark\" [3] [0 1 2] [\"crease\"] [2 1] [0 1] [3] [] \"P\" [0]\n"
+         "WorldEnd");
+    EXPECT_EQ(errors(), 0) << found.text();
+    EXPECT_EQ(warnings(), 1); // Once a name.
+    EXPECT_EQ(builder.worlds[0].options.camera.fStop, 2.8f);
+    EXPECT_EQ(builder.worlds[1].options.camera.fStop, 0);
+}
+
+TEST_F(Reading, requestsOfLaterVersionsAreReadToTheirEnd) {
+    auto scene = world(
+        "NuPatch 4 4 [0 0 0 0 1 1 1 1] 0 1 2 2 [0 0 1 1] 0 1 \"Pw\" [0 0 0 1]\n"
+        "TrimCurve [1] [2] [0 0 1 1] [0] [1] [2] [0 1] [0 1] [1 1]\n"
+        "Points \"P\" [0 0 0]\nCurves \"cubic\" [4] \"nonperiodic\" \"P\" [0 0 0]\n"
+        "Blobby 1 [1001 0] [1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1] [\"\"]\n"
+        "Procedural \"DelayedReadArchive\" [\"x.rib\"] [-1 1 -1 1 -1 1]\n"
+        "Geometry \"teapot\"\nDetail [-1 1 -1 1 -1 1]\nDetailRange 0 0 1 1\n"
+        "MotionBegin [0 1] Translate 0 0 0 Translate 1 0 0 MotionEnd\n"
+        "SolidBegin \"primitive\" Sphere 1 -1 1 360 SolidEnd\nAtmosphere \"fog\" \"distance\" 3\n");
+    EXPECT_EQ(errors(), 0) << found.text();
+    EXPECT_EQ(warnings(), 12);
+    EXPECT_EQ(scene.primitives.size(), 1u);
+    read("Imager \"background\" MakeTexture \"a\" \"b\" \"clamp\" \"black\" \"box\" 1 1\n"
+         "MakeShadow \"a\" \"b\" MakeLatLongEnvironment \"a\" \"b\" \"box\" 1 1\n"
+         "MakeBump \"a\" \"b\" \"clamp\" \"black\" \"box\" 1 1 ColorSamples [1 1 1] [1 1 1]\n"
+         "MakeCubeFaceEnvironment \"a\" \"b\" \"c\" \"d\" \"e\" \"f\" \"g\" 90 \"box\" 1 1\n");
+    EXPECT_EQ(errors(), 0) << found.text();
+}
+
+TEST_F(Reading, lineEndsAndAMissingLastOneDoNotMatter) {
+    std::string text = "# caf\xe9\nWorldBegin\n\tSphere 1 -1 1 360 # x\n\tColor 1 0\n 0\nWorldEnd";
+    for (const char *lineEnd : {"\n", "\r\n", "\r"}) {
+        std::string other;
+        for (char c : text)
+            other += c == '\n' ? std::string(lineEnd) : std::string(1, c);
+        read(other);
+        EXPECT_EQ(found.text(), "");
+        EXPECT_TRUE(builder.worlds.back().ended);
+        EXPECT_EQ(builder.worlds.back().primitives.size(), 1u);
+        EXPECT_EQ(builder.worlds.back().primitives[0].record->where.line, 3);
+    }
+}
+
 } // namespace candela::testing

@@ -12,7 +12,9 @@
 
 namespace candela {
 
+namespace sl {
 struct TypedShader; // language/semantics
+}
 
 namespace ir {
 
@@ -53,6 +55,9 @@ struct LoweredShader {
     LightClass lightClass = LightClass::Ambient;
     /// Light shaders: Cl falls off as 1/(L.L) for Local (or is constant for Distant), provably.
     bool inverseSquare = false;
+    /// Light shaders: Cl depends on the direction of L alone, not on its length, provably: the
+    /// emitted radiance of an area light.
+    bool directionOnly = false;
 };
 
 /// Lowers a checked shader. Output slots: surface "Ci", "Oi" and its output parameters; light
@@ -60,7 +65,7 @@ struct LoweredShader {
 /// currentFromShader, shaderFromCurrent) if the text uses that space. Things semantics could not
 /// refuse (a space name that is not constant, an array index surely outside) are reported;
 /// nothing is returned then. `variables` names the parameters that primitive variables override.
-std::optional<LoweredShader> lower(const TypedShader &, const std::vector<StringValue> &strings,
+std::optional<LoweredShader> lower(const sl::TypedShader &, const std::vector<StringValue> &strings,
                                    const std::vector<std::string> &variables, DiagnosticSink &);
 
 } // namespace ir

@@ -38,7 +38,12 @@ std::optional<Source> sourceOf(const ChannelInfo &channel) {
 
 } // namespace
 
-bool isFirstHitChannel(const ChannelInfo &channel) { return sourceOf(channel).has_value(); }
+std::vector<ChannelInfo> firstHitChannels() {
+    std::vector<ChannelInfo> channels;
+    for (const Source &source : sources)
+        channels.push_back({source.name, source.components});
+    return channels;
+}
 
 std::vector<FirstHitPlane> firstHitPlanes(std::span<const ChannelInfo> channels) {
     std::vector<FirstHitPlane> planes;

@@ -19,7 +19,7 @@ struct FirstHitPlane {
 
 /// The planes of all channels after Ci and Oi, in their order. Channels of unknown name stay 0.
 std::vector<FirstHitPlane> firstHitPlanes(std::span<const ChannelInfo>);
-/// True if the channel can be had from a first hit.
-bool isFirstHitChannel(const ChannelInfo &);
+/// All channels that a first hit has to give.
+std::vector<ChannelInfo> firstHitChannels();
 
 } // namespace candela

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "world/geometry/make_patch_mesh.h"
 #include "world/geometry/make_quadric.h"
 #include "world/geometry/polygon_surface.h"
 
@@ -10,12 +11,6 @@ static SurfaceList makePolygons(const PolygonsRecord &polygons, const PrimitiveR
     if (!mesh)
         return {};
     return {std::make_shared<PolygonSurface>(std::move(*mesh), record, diagnostics)};
-}
-
-static SurfaceList makePatchMesh(const PatchMeshRecord &, const PrimitiveRecord &record,
-                                 const Attributes &, DiagnosticSink &diagnostics) {
-    diagnostics.error(record.where, "patch meshes are not made into surfaces yet");
-    return {};
 }
 
 std::vector<std::shared_ptr<const Surface>>

@@ -127,38 +127,25 @@ std::optional<PolygonMesh> triangulateFaces(const PolygonsRecord &polygons,
     return mesh;
 }
 
-static std::vector<std::uint32_t>
-flattened(const std::vector<std::array<std::uint32_t, 3>> &triangles) {
-    std::vector<std::uint32_t> flat;
-    flat.reserve(triangles.size() * 3);
-    for (const auto &corners : triangles)
-        flat.insert(flat.end(), corners.begin(), corners.end());
-    return flat;
-}
-
 std::optional<PolygonVariable> onPolygons(const NumericVariable &variable, const PolygonMesh &mesh,
                                           const SourceLocation &where,
                                           DiagnosticSink &diagnostics) {
-    using enum PolygonVariable::Rate;
-    PolygonVariable result{Mesh, variable.components, {}, variable.values};
+    PolygonVariable result{PolygonVariable::Rate::Mesh, variable.components, variable.values};
     long expected = 1;
     switch (variable.declaration.storage) {
     case StorageClass::Constant: break;
     case StorageClass::Uniform:
-        result.rate = Face;
-        result.places = mesh.face;
+        result.rate = PolygonVariable::Rate::Face;
         expected = mesh.faceCount;
         break;
     case StorageClass::Varying:
     case StorageClass::Vertex:
-        result.rate = Corner;
-        result.places = flattened(mesh.triangles);
+        result.rate = PolygonVariable::Rate::Point;
         expected = long(mesh.points.size());
         break;
     case StorageClass::FaceVarying:
     case StorageClass::FaceVertex:
-        result.rate = Corner;
-        result.places = flattened(mesh.faceVertices);
+        result.rate = PolygonVariable::Rate::Corner;
         expected = long(mesh.vertexCount);
         break;
     }

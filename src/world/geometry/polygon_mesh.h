@@ -27,25 +27,27 @@ struct PolygonMesh {
 std::optional<PolygonMesh> triangulateFaces(const PolygonsRecord &, const PrimitiveRecord &,
                                             DiagnosticSink &);
 
-/// A primitive variable on the triangles of a mesh: one value for all, one a triangle, or one a
-/// corner to interpolate.
+/// A primitive variable on the triangles of a mesh.
 struct PolygonVariable {
-    enum class Rate { Mesh, Face, Corner };
+    /// What there is a value for; those of points and corners are interpolated.
+    enum class Rate { Mesh, Face, Point, Corner };
     Rate rate = Rate::Mesh;
     int components = 1;
-    /// Places of values: by triangle for Face, by corner (three a triangle) for Corner.
-    std::vector<std::uint32_t> places;
     std::vector<float> values;
 
     /// The component's value at each corner of the triangle.
-    std::array<float, 3> corners(std::uint32_t triangle, int component) const {
+    std::array<float, 3> corners(const PolygonMesh &mesh, std::uint32_t triangle,
+                                 int component) const {
         auto at = [&](std::size_t place) { return values[place * components + component]; };
-        if (rate == Rate::Mesh)
-            return {at(0), at(0), at(0)};
-        if (rate == Rate::Face)
-            return {at(places[triangle]), at(places[triangle]), at(places[triangle])};
-        const std::uint32_t *p = &places[std::size_t(triangle) * 3];
-        return {at(p[0]), at(p[1]), at(p[2])};
+        auto all = [](float value) { return std::array<float, 3>{value, value, value}; };
+        switch (rate) {
+        case Rate::Mesh: return all(at(0));
+        case Rate::Face: return all(at(mesh.face[triangle]));
+        default: break;
+        }
+        const auto &places =
+            rate == Rate::Point ? mesh.triangles[triangle] : mesh.faceVertices[triangle];
+        return {at(places[0]), at(places[1]), at(places[2])};
     }
 };
 

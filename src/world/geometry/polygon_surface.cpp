@@ -33,9 +33,7 @@ void PolygonSurface::takeVariables(const PrimitiveRecord &record, DiagnosticSink
 void PolygonSurface::addDefault(const char *name, int axis) {
     if (std::ranges::find(infos_, name, &VariableInfo::name) != infos_.end())
         return;
-    PolygonVariable variable{PolygonVariable::Rate::Corner, 1, {}, {}};
-    for (const auto &corners : mesh_.triangles)
-        variable.places.insert(variable.places.end(), corners.begin(), corners.end());
+    PolygonVariable variable{PolygonVariable::Rate::Point, 1, {}};
     for (Vec3 p : mesh_.points)
         variable.values.push_back(p[axis]);
     infos_.push_back({name, {StorageClass::Vertex, ValueType::Float, 1}});
@@ -52,7 +50,8 @@ void PolygonSurface::addPieces() {
     for (std::uint32_t k = 0; k < mesh_.triangles.size(); ++k) {
         auto [i0, i1, i2] = mesh_.triangles[k];
         Vec3 p0 = mesh_.points[i0], p1 = mesh_.points[i1], p2 = mesh_.points[i2];
-        Piece piece{p0, p1 - p0, p2 - p0, s.corners(k, 0), t.corners(k, 0), 0, 0, 0, 0};
+        Piece piece{p0, p1 - p0, p2 - p0, s.corners(mesh_, k, 0), t.corners(mesh_, k, 0), 0,
+                    0,  0,       0};
         setFrame(piece);
         pieces_.push_back(piece);
         bound_.add(p0), bound_.add(p1), bound_.add(p2);
@@ -125,7 +124,7 @@ void PolygonSurface::overrideNormals(const SurfaceQuery &query, Vec3Planes N) co
     for (int k = 0; k < query.count; ++k) {
         Vec3 normal;
         for (int axis = 0; axis < 3; ++axis) {
-            auto c = normal_->corners(query.piece[k], axis);
+            auto c = normal_->corners(mesh_, query.piece[k], axis);
             normal[axis] = c[0] + query.u[k] * (c[1] - c[0]) + query.v[k] * (c[2] - c[0]);
         }
         if (dot(normal, normal) > 0)
@@ -139,7 +138,7 @@ void PolygonSurface::evaluateVariable(int index, const SurfaceQuery &query, floa
     for (int component = 0; component < variable.components; ++component)
         for (int k = 0; k < query.count; ++k) {
             const Piece &piece = pieces_[query.piece[k]];
-            auto c = variable.corners(query.piece[k], component);
+            auto c = variable.corners(mesh_, query.piece[k], component);
             float alongA = c[1] - c[0], alongB = c[2] - c[0];
             if (value)
                 value[component][k] = c[0] + query.u[k] * alongA + query.v[k] * alongB;

@@ -1,27 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/geometry/primitive_variables.h"
 
-#include "foundation/units/color.h"
-
 #include <algorithm>
 #include <cmath>
 
 namespace candela {
 
-int floatsPerValue(const Declaration &declaration) {
-    int size = 0;
-    switch (declaration.type) {
-    case ValueType::Float:
-    case ValueType::Integer: size = 1; break;
-    case ValueType::String: size = 0; break;
-    case ValueType::Color: size = colorSamples; break;
-    case ValueType::Point:
-    case ValueType::Vector:
-    case ValueType::Normal: size = 3; break;
-    case ValueType::HPoint: size = 4; break;
-    case ValueType::Matrix: size = 16; break;
-    }
-    return size * std::max(1, declaration.arraySize);
+static int floatsPerValue(const Declaration &declaration) {
+    return declaration.type == ValueType::String ? 0 : std::max(0, declaration.components());
 }
 
 static bool allFinite(const std::vector<float> &values) {

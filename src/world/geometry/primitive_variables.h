@@ -20,9 +20,6 @@ struct NumericVariable {
     int count() const { return int(values.size()) / components; }
 };
 
-/// Floats in one value of the declaration; 0 for strings.
-int floatsPerValue(const Declaration &);
-
 /// All numeric variables but the positions P, Pw and Pz; the normals "N" and "Np" are among them.
 /// Drops, with a warning, what is not finite or no whole number of values. Of several of one name
 /// the first stays.

@@ -173,7 +173,10 @@ PixelFilterSampler::PixelFilterSampler(const PixelFilterRecord &asked, Diagnosti
                                        SourceLocation where)
     : record_(checked(asked, sink, where)) {
     const Kernel &kernel = *findKernel(record_.name);
+    uniform_ = kernel.name == "box";
     radial_ = kernel.radial;
+    if (uniform_)
+        return;
     if (radial_) {
         const double radius = meanRadius(record_);
         x_ = tabulate(0, 1, true, [&](double t) { return kernel.value(t, t * radius) * t; });
@@ -187,6 +190,8 @@ PixelFilterSampler::PixelFilterSampler(const PixelFilterRecord &asked, Diagnosti
 }
 
 FilterSample PixelFilterSampler::sample(float u, float v) const {
+    if (uniform_)
+        return {(u - 0.5f) * record_.xWidth, (v - 0.5f) * record_.yWidth, 1};
     if (!radial_)
         return {x_.at(u), y_.at(v), x_.signAt(u) * y_.signAt(v) * x_.scale * y_.scale};
     // The square is folded onto the disc ring by ring (Shirley and Chiu 1997), so that strips of

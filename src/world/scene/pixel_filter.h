@@ -65,6 +65,7 @@ private:
     static Axis tabulate(double from, double to, bool radial, const Density &);
 
     PixelFilterRecord record_;
+    bool uniform_ = false; ///< The box needs no table.
     bool radial_ = false;
     Axis x_, y_; ///< Radial filters: x_ is the fraction of the radius, y_ stays unused.
 };

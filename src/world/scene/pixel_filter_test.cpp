@@ -28,7 +28,7 @@ PixelFilterSampler make(const PixelFilterRecord &record) {
 /// Integral of kernel times g over the kernel's support. Polar where the support is an ellipse,
 /// so that the rule meets no edge.
 double kernelIntegral(const PixelFilterRecord &f, const std::function<double(double, double)> &g) {
-    constexpr int n = 500;
+    constexpr int n = 300;
     const bool radial = f.name == "disk" || f.name == "catmull-rom" || f.name == "bessel";
     const double a = f.xWidth / 2.0, b = f.yWidth / 2.0;
     double sum = 0;

@@ -39,6 +39,7 @@ Scene::~Scene() = default;
 
 const Options &Scene::options() const { return state_->options; }
 const Camera &Scene::camera() const { return state_->camera; }
+bool Scene::isClassic() const { return state_->classic; }
 Scene::Statistics Scene::statistics() const { return state_->statistics; }
 
 void Scene::intersect(const RayBatch &rays, HitBatch &hits, Coherence coherence) const {

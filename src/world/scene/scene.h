@@ -25,6 +25,8 @@ public:
 
     const Options &options() const;
     const Camera &camera() const;
+    /// The integrator is "classic" (DESIGN section 6): ambient() is the ambient lights alone.
+    bool isClassic() const;
 
     // ---- Rays ----
     /// Nearest hits. Equal distances fall to the lower primitive, then the lower triangle. Sets

@@ -15,8 +15,6 @@
 
 namespace candela {
 
-struct TypedShader;
-
 struct ShaderLibrarySettings {
     /// Folders in which .sl files are looked for after the RIB's own search path: --shader-path,
     /// the RIB's folder, the current folder, $CANDELA_SHADERS, the shipped library.

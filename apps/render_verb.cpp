@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "apps/verbs.h"
+
+#include "render/render.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+
+namespace candela {
+
+namespace {
+
+/// "640x480"
+std::optional<std::array<int, 2>> parseFormat(const std::string &text) {
+    int width = 0, height = 0, used = 0;
+    if (std::sscanf(text.c_str(), "%dx%d%n", &width, &height, &used) != 2 ||
+        used != int(text.size()) || width < 1 || height < 1 || width > 65536 || height > 65536)
+        return std::nullopt;
+    return std::array<int, 2>{width, height};
+}
+
+/// "0,0.5,0,1"
+std::optional<std::array<float, 4>> parseCrop(const std::string &text) {
+    std::array<float, 4> c{};
+    int used = 0;
+    if (std::sscanf(text.c_str(), "%f,%f,%f,%f%n", &c[0], &c[1], &c[2], &c[3], &used) != 4 ||
+        used != int(text.size()))
+        return std::nullopt;
+    bool good = c[0] >= 0 && c[0] < c[1] && c[1] <= 1 && c[2] >= 0 && c[2] < c[3] && c[3] <= 1;
+    return good ? std::optional(c) : std::nullopt;
+}
+
+template <class Parse> auto checked(Parse parse, const char *expected) {
+    return [parse, expected](const std::string &text) {
+        return parse(text) ? std::string() : "expected " + std::string(expected);
+    };
+}
+
+struct Arguments {
+    RenderSettings settings;
+    std::string file, format, crop, integrator, sampling = "cones";
+    int samples = 0, lanes = laneBlock;
+};
+
+} // namespace
+
+void addRender(CLI::App &app, int &status) {
+    auto arguments = std::make_shared<Arguments>();
+    Arguments &a = *arguments;
+    RenderSettings &s = a.settings;
+
+    app.add_option("scene", a.file, "RIB file to render; - reads standard input");
+    app.add_option("--spp", a.samples, "Samples a pixel, in place of PixelSamples")
+        ->check(CLI::Range(1, 1 << 24));
+    app.add_option("--threads", s.threads, "Threads; default: all cores")
+        ->check(CLI::Range(1, 1024));
+    app.add_option("--seed", s.seed, "Seed of all random choices; default 0");
+    app.add_option("--integrator", a.integrator, "path or classic; default: as the RIB has it")
+        ->check(CLI::IsMember({"path", "classic"}));
+    app.add_option("--crop", a.crop, "X0,X1,Y0,Y1: part of the frame, 0 to 1 from the top left")
+        ->check(CLI::Validator(checked(parseCrop, "X0,X1,Y0,Y1 within 0 and 1"), ""));
+    app.add_option("--format", a.format, "WxH: resolution in pixels")
+        ->check(CLI::Validator(checked(parseFormat, "WIDTHxHEIGHT"), ""));
+    app.add_option("--output-dir", s.outputDirectory, "Folder for pictures; default: this one");
+    app.add_option("--shader-path", s.shaderPath, "Folders to look for shaders in")
+        ->delimiter(':');
+    app.add_option("--archive-path", s.archivePath, "Folders to look for archives in")
+        ->delimiter(':');
+    app.add_option("--texture-path", s.texturePath, "Folders to look for textures in")
+        ->delimiter(':');
+    app.add_flag("--allow-programs", s.allowPrograms,
+                 "Trust the RIB: let it write outside the output folder");
+    app.add_flag("--quiet", s.quiet, "No progress, only messages");
+    auto *testing = app.add_option_group("For tests and benchmarks");
+    testing->add_option("--lanes", a.lanes, "Lane width of compiled shaders; default 16")
+        ->check(CLI::IsMember({1, 16}));
+    testing->add_option("--cpu", s.jit.cpu, "Compile shaders for this CPU (LLVM's name)");
+    testing->add_option("--sampling", a.sampling, "cones, or hemisphere: ignore importance cones")
+        ->check(CLI::IsMember({"cones", "hemisphere"}));
+    testing->add_option("--stats", s.statisticsFile, "Write figures of the run to this JSON file");
+
+    app.callback([arguments, &app, &status] {
+        Arguments &a = *arguments;
+        if (!app.get_subcommands().empty())
+            return;
+        if (a.file.empty())
+            throw CLI::CallForHelp();
+        RenderSettings &s = a.settings;
+        if (a.samples > 0)
+            s.samplesPerPixel = a.samples;
+        if (!a.integrator.empty())
+            s.integrator = a.integrator;
+        s.resolution = parseFormat(a.format);
+        s.crop = parseCrop(a.crop);
+        s.jit.width = a.lanes;
+        s.hemisphereOnly = a.sampling == "hemisphere";
+        if (!s.jit.cpu.empty() && !Jit::hostRuns(s.jit.cpu)) {
+            std::fprintf(stderr, "candela: this machine cannot run code for %s\n",
+                         s.jit.cpu.c_str());
+            status = 2;
+            return;
+        }
+        status = renderFile(a.file, s);
+    });
+}
+
+} // namespace candela

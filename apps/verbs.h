@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the program can do; each verb adds its options to the command line and leaves its exit
+// status behind.
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace candela {
+
+/// `candela scene.rib`
+void addRender(CLI::App &, int &status);
+/// `candela diff a b`
+void addDiff(CLI::App &, int &status);
+
+} // namespace candela

@@ -1,0 +1,7 @@
+/* SPDX-License-Identifier: Apache-2.0
+   The surface's own colour, lit or not. */
+surface constant()
+{
+    Oi = Os;
+    Ci = Os * Cs;
+}

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: Apache-2.0
+// Orientation, lights, shaders, named options and attributes, and what of them is refused.
+#include "interface/ri/graphics_state_fixture.h"
+
+#include <cmath>
+
+namespace candela::testing {
+
+TEST_F(State, outsideStaysOutsideWhereSpaceIsMirrored) {
+    // The flag turns the cross product of camera-space derivatives: a mirror turns that product,
+    // so it must be turned back.
+    state.worldBegin(at);
+    sphere();
+    EXPECT_FALSE(last().flipNormal);
+    state.scale(at, -1, 1, 1);
+    sphere();
+    EXPECT_TRUE(last().flipNormal);
+    state.scale(at, 1, 1, -1);
+    sphere();
+    EXPECT_FALSE(last().flipNormal);
+}
+
+TEST_F(State, aMirroringCameraMirrorsToo) {
+    state.scale(at, 1, 1, -1); // The usual way to a right-handed world.
+    state.worldBegin(at);
+    sphere();
+    EXPECT_TRUE(last().flipNormal);
+}
+
+TEST_F(State, orientationIsFolded) {
+    struct {
+        bool mirrored;
+        const char *name;
+        bool flip;
+    } cases[] = {{false, "outside", false}, {false, "inside", true}, {false, "lh", false},
+                 {false, "rh", true},       {true, "outside", true}, {true, "inside", false},
+                 {true, "lh", false},       {true, "rh", true}};
+    state.worldBegin(at);
+    for (const auto &each : cases) {
+        state.attributeBegin(at);
+        if (each.mirrored)
+            state.scale(at, -1, 1, 1);
+        state.orientation(at, each.name);
+        sphere();
+        EXPECT_EQ(last().flipNormal, each.flip) << each.mirrored << each.name;
+        state.reverseOrientation(at);
+        sphere();
+        EXPECT_EQ(last().flipNormal, !each.flip) << each.mirrored << each.name;
+        state.attributeEnd(at);
+    }
+    state.orientation(at, "sideways");
+    EXPECT_EQ(errors(), 1);
+}
+
+TEST_F(State, lightsAreSwitchedByBlocks) {
+    light("outer");
+    state.worldBegin(at);
+    state.attributeBegin(at);
+    light("inner");
+    sphere();
+    EXPECT_EQ(last().lightsOn, (std::vector{0, 1}));
+    state.attributeEnd(at);
+    sphere();
+    EXPECT_EQ(last().lightsOn, (std::vector{0}));
+    state.illuminate(at, {"inner"}, true);
+    state.illuminate(at, {"outer"}, false);
+    sphere();
+    EXPECT_EQ(last().lightsOn, (std::vector{1}));
+    state.illuminate(at, {"outer"}, true);
+    state.illuminate(at, {"outer"}, true);
+    sphere();
+    EXPECT_EQ(last().lightsOn, (std::vector{0, 1}));
+    state.illuminate(at, {"none"}, true);
+    EXPECT_EQ(errors(), 1);
+    ASSERT_EQ(builder.worlds[0].lights.size(), 2u);
+    EXPECT_EQ(builder.worlds[0].lights[1]->index, 1);
+    EXPECT_EQ(builder.worlds[0].lights[1]->handle, "inner");
+}
+
+TEST_F(State, lightsOfAWorldDieWithIt) {
+    light("outer");
+    for (int world = 0; world < 2; ++world) {
+        state.worldBegin(at);
+        light("inner");
+        sphere();
+        state.worldEnd(at);
+        EXPECT_EQ(builder.worlds[world].lights.size(), 2u);
+        EXPECT_EQ(last().lightsOn, (std::vector{0, 1}));
+    }
+    state.worldBegin(at);
+    state.illuminate(at, {"inner"}, true);
+    EXPECT_EQ(errors(), 1);
+}
+
+TEST_F(State, aHandleMayBeUsedAgain) {
+    state.worldBegin(at);
+    light("x");
+    light("x");
+    state.illuminate(at, {"x"}, false);
+    sphere();
+    EXPECT_EQ(last().lightsOn, (std::vector{0}));
+}
+
+TEST_F(State, areaLightsBelongToTheirBlock) {
+    state.worldBegin(at);
+    state.attributeBegin(at);
+    state.areaLightSource(at, "arealight", {"a"}, {});
+    sphere();
+    ASSERT_TRUE(last().areaLight);
+    EXPECT_EQ(last().areaLight, builder.worlds[0].lights[0]);
+    EXPECT_TRUE(last().areaLight->area);
+    state.areaLightSource(at, "null", {"b"}, {});
+    sphere();
+    EXPECT_FALSE(last().areaLight);
+    state.attributeEnd(at);
+    sphere();
+    EXPECT_FALSE(last().areaLight);
+    EXPECT_EQ(builder.worlds[0].lights.size(), 1u);
+}
+
+TEST_F(State, unitsOfLightsComeFromTheAttributeThenTheOption) {
+    light("a");
+    state.option(at, "radiometry", text("string units", "si"));
+    light("b");
+    state.worldBegin(at);
+    state.attributeBegin(at);
+    state.attribute(at, "light", text("units", "classic"));
+    state.attribute(at, "light", text("shadows", "on"));
+    light("c");
+    state.attributeEnd(at);
+    light("d");
+    state.attribute(at, "light", text("units", "imperial"));
+    light("e");
+    const auto &lights = builder.worlds[0].lights;
+    EXPECT_EQ(lights[0]->units, LightUnits::Classic);
+    EXPECT_EQ(lights[1]->units, LightUnits::Si);
+    EXPECT_EQ(lights[2]->units, LightUnits::Classic);
+    EXPECT_TRUE(lights[2]->shadows);
+    EXPECT_EQ(lights[3]->units, LightUnits::Si);
+    EXPECT_FALSE(lights[3]->shadows);
+    EXPECT_EQ(lights[4]->units, LightUnits::Classic);
+    EXPECT_EQ(warnings(), 1);
+}
+
+TEST_F(State, shadersCarryTheirSpaceAndTypedParameters) {
+    state.worldBegin(at);
+    state.translate(at, 1, 0, 0);
+    TokenList tokens{{{"vein", {}, {1, 0, 0}, {}},
+                      {"grain", {}, {}, {"fine"}},
+                      {"color extra", {}, {1, 2, 3}, {}}}};
+    state.surface(at, "marble", tokens);
+    state.translate(at, 5, 0, 0);
+    sphere();
+    const ShaderRecord &shader = *last().surface;
+    EXPECT_EQ(shader.name, "marble");
+    EXPECT_EQ(shader.currentFromShader.atOpen(), translation(1, 0, 0));
+    EXPECT_EQ(shader.parameters.find("vein")->declaration.type, ValueType::Color);
+    EXPECT_EQ(shader.parameters.string("grain", ""), "fine");
+    EXPECT_EQ(shader.parameters.find("extra")->declaration.type, ValueType::Color);
+    EXPECT_EQ(errors() + warnings(), 0);
+}
+
+TEST_F(State, typesComeFromInlineThenDeclareThenShaderThenStandard) {
+    state.worldBegin(at);
+    state.declare(at, "vein", "point");
+    state.surface(at, "marble", numbers("vein", {1, 2, 3}));
+    sphere();
+    EXPECT_EQ(last().surface->parameters.find("vein")->declaration.type, ValueType::Point);
+    state.surface(at, "marble", numbers("vector vein", {1, 2, 3}));
+    sphere();
+    EXPECT_EQ(last().surface->parameters.find("vein")->declaration.type, ValueType::Vector);
+    state.surface(at, "marble", numbers("color scale", {1, 2, 3})); // Not in the dictionary.
+    state.surface(at, "marble", numbers("scale", {4}));
+    sphere();
+    EXPECT_EQ(last().surface->parameters.number("scale", 0), 4);
+    state.surface(at, "elsewhere", numbers("specularcolor", {1, 2, 3}));
+    sphere();
+    EXPECT_EQ(last().surface->parameters.all[0].declaration.type, ValueType::Color);
+    EXPECT_EQ(errors() + warnings(), 0);
+}
+
+TEST_F(State, badShaderParametersAreLeftOut) {
+    state.worldBegin(at);
+    state.surface(at, "marble", numbers("vein", {1, 2}));
+    state.surface(at, "marble", text("scale", "big"));
+    state.surface(at, "marble", numbers("scale", {NAN}));
+    state.surface(at, "marble", numbers("uniform nonsense scale", {1}));
+    EXPECT_EQ(errors(), 4);
+    state.surface(at, "marble", numbers("Kd", {1}));
+    EXPECT_TRUE(says("shader 'marble' has no parameter 'Kd'"));
+    EXPECT_EQ(warnings(), 1);
+    sphere();
+    EXPECT_TRUE(last().surface->parameters.all.empty());
+    state.declare(at, "x", "many floats");
+    EXPECT_EQ(errors(), 5);
+}
+
+TEST_F(State, namedOptionsAndAttributesAreKept) {
+    state.option(at, "render", text("string integrator", "path"));
+    state.option(at, "mine", numbers("float[2] pair", {1, 2}));
+    state.worldBegin(at);
+    state.attribute(at, "identifier", text("name", "ball"));
+    state.attribute(at, "user", numbers("uniform float x", {3}));
+    sphere();
+    EXPECT_EQ(builder.worlds[0].options.string("render:integrator", ""), "path");
+    EXPECT_EQ(builder.worlds[0].options.named.at("mine:pair").floats, (Floats{1, 2}));
+    EXPECT_EQ(last().name, "ball");
+    EXPECT_EQ(last().number("user:x", 0), 3);
+    EXPECT_EQ(warnings(), 0);
+    state.attribute(at, "user", numbers("undeclared", {3, 4}));
+    state.attribute(at, "user", numbers("undeclared", {5, 6}));
+    EXPECT_EQ(warnings(), 1);
+    sphere();
+    EXPECT_EQ(last().named.at("user:undeclared").floats, (Floats{5, 6}));
+}
+
+TEST_F(State, searchPathsAreExpanded) {
+    GraphicsState other(builder, shaders, found, {{"lib:more", "", ""}, {}});
+    other.option(at, "searchpath", text("shader", "mine:@"));
+    other.option(at, "searchpath", text("string shader", "first:&"));
+    other.worldBegin(at);
+    EXPECT_EQ(builder.worlds[0].options.string("searchpath:shader", ""), "first:mine:lib:more");
+}
+
+TEST_F(State, displaysReplaceOrAdd) {
+    state.display(at, "a", "file", "rgb", {});
+    state.display(at, "b", "file", "rgb", {});
+    state.display(at, "+c.png", "png", "rgba", numbers("float[4] quantize", {0, 255, 0, 255}));
+    state.quantize(at, "rgba", 255, 0, 255, 0.5f);
+    state.worldBegin(at);
+    const Options &options = builder.worlds[0].options;
+    ASSERT_EQ(options.displays.size(), 2u);
+    EXPECT_EQ(options.displays[0].name, "b");
+    EXPECT_FALSE(options.displays[0].quantize);
+    EXPECT_EQ(options.displays[1].name, "c.png");
+    EXPECT_EQ(options.displays[1].quantize->one, 255);
+    EXPECT_EQ(options.colorQuantize->ditherAmplitude, 0.5f);
+}
+
+TEST_F(State, nonsenseInOptionsIsReportedAndHasNoEffect) {
+    state.format(at, 0, 10, 1);
+    state.frameAspectRatio(at, -1);
+    state.screenWindow(at, 0, 0, 0, 1);
+    state.cropWindow(at, 0.5f, 0.25f, 0, 1);
+    state.cropWindow(at, NAN, 1, 0, 1);
+    state.projection(at, "fisheye", {});
+    state.projection(at, "perspective", numbers("fov", {180}));
+    state.clipping(at, 2, 1);
+    state.depthOfField(at, {{1, 2}});
+    state.shutter(at, 1, 0);
+    state.pixelSamples(at, 0, 1);
+    state.pixelFilter(at, "box", 0, 1);
+    state.exposure(at, 1, 0);
+    state.quantize(at, "cmyk", 1, 2, 3, 0);
+    EXPECT_EQ(errors(), 14);
+    state.worldBegin(at);
+    const Options &options = builder.worlds[0].options, standard;
+    EXPECT_EQ(options.xResolution, standard.xResolution);
+    EXPECT_FALSE(options.frameAspectRatio || options.screenWindow);
+    EXPECT_EQ(options.cropWindow, standard.cropWindow);
+    EXPECT_EQ(options.camera.fieldOfView, 90);
+    EXPECT_EQ(options.camera.near, standard.camera.near);
+    EXPECT_EQ(options.xSamples, 2);
+}
+
+TEST_F(State, singularTransformationsAreReportedAndIgnored) {
+    state.worldBegin(at);
+    state.translate(at, 1, 2, 3);
+    state.scale(at, 0, 1, 1);
+    state.transform(at, Matrix4{{}});
+    state.concatTransform(at, Matrix4{{1, 1, 0, 0, 1, 1}});
+    state.translate(at, NAN, 0, 0);
+    state.rotate(at, 30, 0, 0, 0);
+    state.rotate(at, INFINITY, 0, 0, 1);
+    state.perspective(at, 0);
+    state.skew(at, 30, 1, 0, 0, 2, 0, 0);
+    state.skew(at, 95, 0, 1, 0, 1, 0, 0);
+    EXPECT_EQ(errors(), 9);
+    sphere();
+    EXPECT_EQ(primitives()[0].currentFromObject.atOpen(), translation(1, 2, 3));
+}
+
+} // namespace candela::testing

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shapes and the counts of their variables (RI 3.2, section 5).
+#include "interface/ri/graphics_state_fixture.h"
+#include "interface/ri/variable_counts.h"
+
+#include <cmath>
+
+namespace candela::testing {
+
+static VariableCounts meshCounts(bool bicubic, int u, int v, bool uPeriodic, bool vPeriodic,
+                                 int uStep = 3, int vStep = 3) {
+    Attributes attributes;
+    attributes.uBasis.step = uStep;
+    attributes.vBasis.step = vStep;
+    ShapeRecord shape = PatchMeshRecord{bicubic, u, v, uPeriodic, vPeriodic};
+    EXPECT_EQ(defectOf(shape, attributes), "");
+    return countsOf(shape, attributes, 0);
+}
+
+TEST(VariableCounts, ofMeshesFollowTheTable) {
+    struct {
+        VariableCounts counts;
+        int uniform, varying, vertex;
+    } cases[] = {
+        {meshCounts(false, 2, 2, false, false), 1, 4, 4},
+        {meshCounts(false, 5, 4, false, false), 12, 20, 20},
+        {meshCounts(false, 5, 4, true, false), 15, 20, 20},
+        {meshCounts(false, 5, 4, true, true), 20, 20, 20},
+        {meshCounts(true, 4, 4, false, false), 1, 4, 16},
+        {meshCounts(true, 7, 4, false, false), 2, 6, 28},
+        {meshCounts(true, 7, 5, false, false, 3, 1), 4, 9, 35},
+        {meshCounts(true, 12, 4, true, false), 4, 8, 48},
+        {meshCounts(true, 5, 5, true, true, 1, 1), 25, 25, 25},
+    };
+    for (const auto &each : cases) {
+        EXPECT_EQ(each.counts.uniform, each.uniform);
+        EXPECT_EQ(each.counts.varying, each.varying);
+        EXPECT_EQ(each.counts.vertex, each.vertex);
+    }
+}
+
+TEST(VariableCounts, ofPolygonsFollowTheirIndices) {
+    ShapeRecord shape = PolygonsRecord{{1, 2}, {3, 4, 3}, {0, 1, 2, 0, 1, 2, 3, 4, 5, 6}};
+    EXPECT_EQ(defectOf(shape, {}), "");
+    EXPECT_EQ(verticesNeeded(shape, {}), 7);
+    VariableCounts counts = countsOf(shape, {}, 7);
+    EXPECT_EQ(counts.uniform, 2);
+    EXPECT_EQ(counts.vertex, 7);
+    EXPECT_EQ(counts.faceVarying, 10);
+}
+
+TEST(VariableCounts, defectsOfShapesAreFound) {
+    const float infinite = INFINITY;
+    ShapeRecord bad[] = {
+        SphereRecord{0, -1, 1, 360},
+        SphereRecord{1, 1, 2, 360},
+        SphereRecord{1, -1, 1, 0},
+        SphereRecord{infinite, -1, 1, 360},
+        ConeRecord{1, 0, 360},
+        CylinderRecord{1, 1, 1, 360},
+        HyperboloidRecord{{1, 0, 0}, {1, 0, 0}, 360},
+        HyperboloidRecord{{0, 0, 0}, {0, 0, 1}, 360},
+        ParaboloidRecord{1, -1, 1, 360},
+        ParaboloidRecord{1, 1, 1, 360},
+        DiskRecord{0, 0, 360},
+        TorusRecord{1, 0, 0, 360, 360},
+        PolygonsRecord{{1}, {2}, {0, 1}},
+        PolygonsRecord{{0}, {}, {}},
+        PolygonsRecord{{}, {}, {}},
+        PolygonsRecord{{2}, {3}, {0, 1, 2}},
+        PolygonsRecord{{1}, {3}, {0, 1}},
+        PolygonsRecord{{1}, {3}, {0, 1, -2}},
+        PolygonsRecord{{1, 1}, {2147483647, 2147483647}, {0, 1, 2}},
+        PatchMeshRecord{false, 1, 2, false, false},
+        PatchMeshRecord{true, 5, 4, false, false},
+        PatchMeshRecord{true, 4, 4, true, false},
+        PatchMeshRecord{true, 3, 3, true, true},
+        PatchMeshRecord{false, 1000000, 1000000, false, false},
+    };
+    for (const ShapeRecord &shape : bad)
+        EXPECT_NE(defectOf(shape, {}), "") << &shape - bad;
+    ShapeRecord good[] = {SphereRecord{1, -1, 1, -90}, SphereRecord{1, -9, 9, 360},
+                          ConeRecord{0, 1, 360},       ParaboloidRecord{1, 0, 1, 360},
+                          DiskRecord{-1, 2, 90},       TorusRecord{0, 1, 0, 180, 360}};
+    for (const ShapeRecord &shape : good)
+        EXPECT_EQ(defectOf(shape, {}), "");
+}
+
+TEST_F(State, allShapesArrive) {
+    state.worldBegin(at);
+    state.sphere(at, 1, -1, 1, 360, {});
+    state.cone(at, 1, 2, 360, {});
+    state.cylinder(at, 1, 0, 1, 360, {});
+    state.hyperboloid(at, 1, 0, 0, 1, 1, 1, 360, {});
+    state.paraboloid(at, 1, 0, 1, 360, {});
+    state.disk(at, 0, 1, 360, {});
+    state.torus(at, 2, 1, 0, 360, 360, {});
+    triangle();
+    state.patchMesh(at, "bilinear", 2, "nowrap", 3, "periodic", numbers("P", Floats(18)));
+    ASSERT_EQ(primitives().size(), 9u);
+    for (std::size_t i = 0; i < 9; ++i)
+        EXPECT_EQ(primitives()[i].record->shape.index(), i);
+    EXPECT_EQ(errors(), 0);
+    state.patch(at, "bicubic", numbers("P", Floats(48)));
+    state.patch(at, "bilinear", numbers("Pw", Floats(16)));
+    state.patch(at, "bilinear", numbers("Pz", Floats(4)));
+    EXPECT_EQ(errors(), 0);
+    EXPECT_EQ(primitives().size(), 12u);
+    state.patch(at, "linear", numbers("P", Floats(48)));
+    state.patchMesh(at, "bilinear", 2, "round", 3, "periodic", numbers("P", Floats(18)));
+    EXPECT_EQ(errors(), 2);
+}
+
+TEST_F(State, polygonsAreOneRecord) {
+    state.worldBegin(at);
+    auto shape = [&]() -> const PolygonsRecord & {
+        return std::get<PolygonsRecord>(primitives().back().record->shape);
+    };
+    triangle();
+    EXPECT_EQ(shape().vertices, (Integers{0, 1, 2}));
+    state.generalPolygon(at, {4, 3}, numbers("P", Floats(21)));
+    EXPECT_EQ(shape().loopCounts, (Integers{2}));
+    EXPECT_EQ(shape().vertices.size(), 7u);
+    state.pointsPolygons(at, {3, 3}, {0, 1, 2, 2, 1, 3}, numbers("P", Floats(12)));
+    EXPECT_EQ(shape().loopCounts, (Integers{1, 1}));
+    state.pointsGeneralPolygons(at, {2}, {3, 3}, {0, 1, 2, 2, 1, 3}, numbers("P", Floats(15)));
+    EXPECT_EQ(shape().loopCounts, (Integers{2}));
+    EXPECT_EQ(errors(), 0); // Also where P has points that no polygon uses.
+    EXPECT_EQ(primitives().size(), 4u);
+}
+
+TEST_F(State, primitivesWithoutGoodPointsAreLeftOut) {
+    state.worldBegin(at);
+    state.polygon(at, {});
+    triangle({0, 0, 0, 1, 0, 0});
+    triangle({0, 0, 0, 1, 0, 0, 0, 1});
+    triangle({0, 0, 0, 1, 0, 0, 0, NAN, 0});
+    triangle({0, 0, 0, 1, 0, 0, 0, INFINITY, 0});
+    state.pointsPolygons(at, {3}, {0, 1, 3}, numbers("P", Floats(9)));
+    state.patch(at, "bilinear", numbers("P", Floats(15)));
+    state.patch(at, "bilinear", numbers("N", Floats(12)));
+    state.polygon(at, text("P", "here"));
+    EXPECT_EQ(errors(), 10); // The last says twice what is wrong with it.
+    EXPECT_TRUE(primitives().empty());
+    triangle();
+    EXPECT_EQ(primitives().size(), 1u);
+}
+
+TEST_F(State, badVariablesAreLeftOutAndThePrimitiveStays) {
+    state.worldBegin(at);
+    sphere(numbers("Cs", {1, 0, 0, 1}));
+    sphere(numbers("constant color Cs", {1, 0, NAN}));
+    sphere(text("Cs", "red"));
+    EXPECT_EQ(errors(), 3);
+    sphere(numbers("mystery", {1}));
+    EXPECT_EQ(errors(), 3);
+    EXPECT_EQ(warnings(), 1);
+    ASSERT_EQ(primitives().size(), 4u);
+    for (const auto &primitive : primitives())
+        EXPECT_TRUE(primitive.record->variables.all.empty());
+    EXPECT_TRUE(says("'Cs' (varying color) needs 12 numbers here, found 4"));
+    sphere(numbers("Cs", Floats(12)));
+    sphere(numbers("constant color Cs", {1, 0, 0}));
+    sphere(numbers("facevarying float[2] st", Floats(8)));
+    sphere(numbers("uniform normal Np", Floats(3)));
+    EXPECT_EQ(errors(), 3);
+    EXPECT_EQ(primitives()[7].record->variables.all.size(), 1u);
+}
+
+TEST_F(State, degenerateQuadricsAreReported) {
+    state.worldBegin(at);
+    state.sphere(at, 0, 0, 0, 360, {});
+    EXPECT_TRUE(says("Sphere: it is degenerate"));
+    EXPECT_TRUE(primitives().empty());
+}
+
+TEST_F(State, basesAreKnownByNameOrMatrix) {
+    state.worldBegin(at);
+    for (const char *name : {"bezier", "b-spline", "catmull-rom", "hermite", "power"}) {
+        state.basis(at, std::string(name), 1, std::string("bezier"), 3);
+        sphere();
+        // Whatever the basis, a curve through equal points stays there: except for the bases
+        // that take tangents or coefficients, the weights at each parameter sum to one.
+        const auto &m = last().uBasis.matrix;
+        bool points = std::string(name) != "hermite" && std::string(name) != "power";
+        for (int row = 0; row < 4 && points; ++row)
+            EXPECT_NEAR(m[row * 4] + m[row * 4 + 1] + m[row * 4 + 2] + m[row * 4 + 3],
+                        row == 3 ? 1 : 0, 1e-6)
+                << name;
+        EXPECT_EQ(last().uBasis.step, 1);
+        EXPECT_EQ(last().vBasis.step, 3);
+    }
+    std::array<float, 16> own{};
+    own[5] = 2;
+    state.basis(at, own, 2, own, 2);
+    sphere();
+    EXPECT_EQ(last().vBasis.matrix[5], 2);
+    state.basis(at, std::string("nurbs"), 1, std::string("bezier"), 3);
+    state.basis(at, std::string("bezier"), 0, std::string("bezier"), 3);
+    EXPECT_EQ(errors(), 2);
+}
+
+} // namespace candela::testing

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "language/ir/lower_defaults.h"
+
+#include "language/ir/interpreter.h"
+#include "language/ir/lower_internal.h"
+#include "language/semantics/typed_ast.h"
+
+#include <algorithm>
+
+namespace candela::ir {
+namespace {
+
+/// A default with the space named around it set apart.
+struct SpacedDefault {
+    const sl::Expr *value;
+    const sl::Expr *space = nullptr;
+};
+
+SpacedDefault splitSpace(const sl::Expr &expr) {
+    const sl::Expr *inner = &expr;
+    while (inner->kind == sl::ExprKind::Convert &&
+           componentCount(inner->type.base) == componentCount(inner->operands[0]->type.base))
+        inner = inner->operands[0].get();
+    if (inner->kind == sl::ExprKind::FromSpace && inner->type.base != sl::BaseType::Color)
+        return {inner->operands[0].get(), inner->operands[1].get()};
+    return {&expr};
+}
+
+bool needsRenderer(const Region &region) {
+    return std::any_of(region.body.begin(), region.body.end(), [](const Instruction &i) {
+        switch (i.op) {
+        case Op::Input:
+        case Op::Parameter:
+        case Op::Variable:
+        case Op::Space:
+        case Op::SpaceInverse:
+        case Op::Object:
+        case Op::ObjectInverse:
+        case Op::Random:
+        case Op::LightLoop:
+        case Op::Answer:
+        case Op::Ambient:
+        case Op::Irradiance:
+            return true;
+        default:
+            return std::any_of(i.regions.begin(), i.regions.end(), needsRenderer);
+        }
+    });
+}
+
+/// Runs a function without inputs; one float an output slot.
+std::vector<float> runConstant(const Function &function) {
+    std::vector<std::vector<float>> planes(function.outputs.size(),
+                                           std::vector<float>(laneBlock));
+    std::vector<float *> outputs;
+    for (auto &plane : planes)
+        outputs.push_back(plane.data());
+    ShaderArgs args;
+    args.count = 1;
+    args.outputs = outputs.data();
+    interpret(function, args);
+    std::vector<float> result;
+    for (const auto &plane : planes)
+        result.push_back(plane[0]);
+    return result;
+}
+
+class Defaults {
+public:
+    Defaults(const sl::TypedShader &shader, const std::vector<StringValue> &strings,
+             DiagnosticSink &sink)
+        : shader_(shader), strings_(strings), sink_(sink) {}
+
+    bool add(const sl::Parameter &parameter) {
+        const sl::Symbol &symbol = *parameter.symbol;
+        ShaderParameter result;
+        result.name = symbol.name;
+        result.type = sl::nameOf(symbol.type.base);
+        result.arraySize = std::max(1, symbol.type.length);
+        result.output = symbol.output;
+        result.varying = symbol.type.isVarying();
+        const bool good = evaluate(parameter, result);
+        parameters.push_back(std::move(result));
+        return good;
+    }
+
+    std::vector<ShaderParameter> parameters;
+
+private:
+    /// The space around all elements of a default; "shader" if there is none.
+    std::optional<std::string> spaceOf(const sl::Parameter &parameter, Lowering &lowering) {
+        std::optional<std::string> space;
+        for (const sl::ExprPtr &element : parameter.defaults) {
+            const SpacedDefault split = splitSpace(*element);
+            const std::string name =
+                split.space ? lowering.requiredText(lowering.evaluate(*split.space)[0],
+                                                    split.space->where, "the name of a space")
+                            : "shader";
+            if (space && *space != name)
+                lowering.error(element->where, "the elements of a default must be in one space; "
+                                               "these are in \"" +
+                                                   *space + "\" and \"" + name + "\"");
+            space = name;
+        }
+        return space;
+    }
+
+    void declareEarlier(Lowering &lowering) {
+        for (size_t i = 0; i < parameters.size(); ++i) {
+            const ShaderParameter &earlier = parameters[i];
+            Components values;
+            for (float value : earlier.defaults)
+                values.push_back(lowering.b.number(value));
+            std::vector<std::string> texts = earlier.stringDefaults;
+            for (const StringValue &given : strings_)
+                if (given.name == earlier.name && earlier.type == "string")
+                    texts = given.value;
+            if (earlier.type == "string")
+                texts.resize(size_t(earlier.arraySize));
+            for (const std::string &text : texts)
+                values.push_back(lowering.b.text(text));
+            lowering.declare(*shader_.parameters[i].symbol, values);
+        }
+    }
+
+    bool evaluate(const sl::Parameter &parameter, ShaderParameter &result) {
+        const sl::Symbol &symbol = *parameter.symbol;
+        Function function;
+        function.name = shader_.name;
+        Lowering lowering(shader_, function, sink_);
+        lowering.onlyShaderSpace = true;
+        lowering.declarePredefined();
+        declareEarlier(lowering);
+        lowering.frames.emplace_back();
+        lowering.frames.back().returned = lowering.newCells({lowering.b.boolean(false)});
+
+        if (const auto space = spaceOf(parameter, lowering))
+            result.defaultSpace = *space;
+        Components values = lowering.zero(symbol.type.base, symbol.type.length);
+        size_t next = 0;
+        for (const sl::ExprPtr &element : parameter.defaults)
+            for (ValueId value : lowering.evaluate(*splitSpace(*element).value))
+                if (next < values.size())
+                    values[next++] = value;
+        if (symbol.type.base == sl::BaseType::String) {
+            for (ValueId value : values)
+                result.stringDefaults.push_back(
+                    lowering.requiredText(value, symbol.where, "the default of a string"));
+            return !lowering.failed();
+        }
+        for (int i = 0; i < int(values.size()); ++i)
+            lowering.b.output("default", i, values[i]);
+        lowering.b.finish();
+        std::vector<ShaderParameter> none;
+        removeUnused(function, none);
+        if (!lowering.failed() && needsRenderer(function.body))
+            lowering.error(symbol.where, "the default of \"" + symbol.name +
+                                             "\" must be a constant; it depends on the point "
+                                             "that is shaded");
+        if (lowering.failed())
+            return false;
+        result.defaults = runConstant(function);
+        return true;
+    }
+
+    const sl::TypedShader &shader_;
+    const std::vector<StringValue> &strings_;
+    DiagnosticSink &sink_;
+};
+
+} // namespace
+
+std::optional<std::vector<ShaderParameter>>
+parametersOf(const sl::TypedShader &shader, const std::vector<StringValue> &strings,
+             DiagnosticSink &sink) {
+    Defaults defaults(shader, strings, sink);
+    bool good = true;
+    for (const sl::Parameter &parameter : shader.parameters)
+        good = defaults.add(parameter) && good;
+    if (!good)
+        return std::nullopt;
+    return std::move(defaults.parameters);
+}
+
+} // namespace candela::ir

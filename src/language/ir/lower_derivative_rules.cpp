@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "language/ir/lower_derivative_rules.h"
+
+#include "language/runtime/runtime_functions.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace candela::ir {
+namespace {
+
+using runtime::RuntimeFunction;
+using MaybeValue = std::optional<ValueId>;
+
+/// A lattice function: how many of its inputs are coordinates; 0 if it is piecewise constant.
+int coordinatesOf(int function) {
+    const auto f = RuntimeFunction(function);
+    if (f >= RuntimeFunction::cellnoise1)
+        return 0;
+    const int inputs = runtime::info(f).inputs;
+    return f >= RuntimeFunction::pnoise1 ? inputs / 2 : inputs;
+}
+
+struct InputSlope {
+    ShaderInput of, byU, byV;
+};
+
+// I runs from the eye, which stands still while u and v move P.
+const InputSlope inputSlopes[] = {
+    {ShaderInput::P, ShaderInput::dPdu, ShaderInput::dPdv},
+    {ShaderInput::I, ShaderInput::dPdu, ShaderInput::dPdv},
+    {ShaderInput::N, ShaderInput::dNdu, ShaderInput::dNdv},
+    {ShaderInput::s, ShaderInput::dsdu, ShaderInput::dsdv},
+    {ShaderInput::t, ShaderInput::dtdu, ShaderInput::dtdv},
+};
+
+/// The rules for one direction.
+class Rule {
+public:
+    Rule(Builder &b, const Instruction &i, Slopes &slopes, int direction)
+        : b(b), i(i), slopes(slopes), direction(direction) {}
+
+    void apply() {
+        if (i.op == Op::Call)
+            return lattice();
+        if (const MaybeValue slope = i.op == Op::Input ? input() : arithmetic())
+            slopes[i.results[0]][direction] = slope;
+    }
+
+private:
+    MaybeValue slope(int operand) const {
+        const auto found = slopes.find(i.operands[size_t(operand)]);
+        return found == slopes.end() ? std::nullopt : found->second[direction];
+    }
+    ValueId x() const { return i.operands[0]; }
+    ValueId y() const { return i.operands[1]; }
+    ValueId result() const { return i.results[0]; }
+    ValueId number(float value) { return b.number(value); }
+
+    MaybeValue plus(MaybeValue p, MaybeValue q) {
+        return p && q ? b.add(*p, *q) : p ? p : q;
+    }
+    MaybeValue minus(MaybeValue p, MaybeValue q) {
+        return p && q ? b.sub(*p, *q) : q ? MaybeValue(b.neg(*q)) : p;
+    }
+    MaybeValue times(MaybeValue p, ValueId factor) {
+        return p ? MaybeValue(b.mul(*p, factor)) : p;
+    }
+    MaybeValue over(MaybeValue p, ValueId divisor) {
+        return p ? MaybeValue(b.div(*p, divisor)) : p;
+    }
+    MaybeValue choose(ValueId condition, MaybeValue p, MaybeValue q) {
+        if (!p && !q)
+            return std::nullopt;
+        return b.select(condition, p ? *p : number(0), q ? *q : number(0));
+    }
+
+    MaybeValue input() {
+        const int plane = i.immediate;
+        if (plane == int(ShaderInput::u) || plane == int(ShaderInput::v))
+            return (plane == int(ShaderInput::u)) == (direction == 0) ? MaybeValue(number(1))
+                                                                       : std::nullopt;
+        for (const InputSlope &row : inputSlopes) {
+            const bool isScalar = row.of == ShaderInput::s || row.of == ShaderInput::t;
+            const int component = plane - int(row.of);
+            if (component >= 0 && component < (isScalar ? 1 : 3))
+                return b.input(direction == 0 ? row.byU : row.byV, component);
+        }
+        return std::nullopt;
+    }
+
+    MaybeValue arithmetic() {
+        switch (i.op) {
+        case Op::Add:
+            return plus(slope(0), slope(1));
+        case Op::Sub:
+            return minus(slope(0), slope(1));
+        case Op::Mul:
+            return plus(times(slope(0), y()), times(slope(1), x()));
+        case Op::Div:
+            return over(minus(slope(0), times(slope(1), result())), y());
+        case Op::Neg:
+            return minus(std::nullopt, slope(0));
+        case Op::Abs:
+            return choose(b.less(x(), number(0)), minus(std::nullopt, slope(0)), slope(0));
+        case Op::Min:
+            return choose(b.less(x(), y()), slope(0), slope(1));
+        case Op::Max:
+            return choose(b.less(y(), x()), slope(0), slope(1));
+        case Op::Select:
+            return choose(i.operands[0], slope(1), slope(2));
+        case Op::Atan2:
+            return atan2();
+        case Op::Pow:
+            return power();
+        default:
+            return slope(0) ? elementary(*slope(0)) : std::nullopt;
+        }
+    }
+
+    /// Of one operand, whose derivative is `dx`.
+    MaybeValue elementary(ValueId dx) {
+        const ValueId one = number(1);
+        switch (i.op) {
+        case Op::Sqrt:
+            return choose(b.less(number(0), x()), b.div(dx, b.mul(number(2), result())), {});
+        case Op::Sin:
+            return b.mul(dx, b.unary(Op::Cos, x()));
+        case Op::Cos:
+            return b.neg(b.mul(dx, b.unary(Op::Sin, x())));
+        case Op::Tan:
+            return b.mul(dx, b.add(one, b.mul(result(), result())));
+        case Op::Asin:
+            return b.div(dx, complement());
+        case Op::Acos:
+            return b.neg(b.div(dx, complement()));
+        case Op::Atan:
+            return b.div(dx, b.add(one, b.mul(x(), x())));
+        case Op::Exp:
+            return b.mul(dx, result());
+        case Op::Log:
+            return b.div(dx, x());
+        default:
+            return std::nullopt; // Steps: floor and its like.
+        }
+    }
+
+    /// sqrt(1 - x^2), kept from 0 so that the ends of asin and acos give something finite.
+    ValueId complement() {
+        const ValueId squared = b.sub(number(1), b.mul(x(), x()));
+        return b.max(b.sqrt(squared), number(1e-6f));
+    }
+
+    MaybeValue atan2() { // The angle of (y(), x()).
+        const ValueId squared = b.add(b.mul(x(), x()), b.mul(y(), y()));
+        return over(minus(times(slope(0), y()), times(slope(1), x())), squared);
+    }
+
+    MaybeValue power() {
+        const MaybeValue ofBase =
+            slope(0) ? times(slope(0), b.mul(y(), b.pow(x(), b.sub(y(), number(1)))))
+                     : std::nullopt;
+        MaybeValue ofExponent;
+        if (slope(1))
+            ofExponent = choose(b.less(number(0), x()),
+                                b.mul(*slope(1), b.mul(result(), b.unary(Op::Log, x()))), {});
+        return plus(ofBase, ofExponent);
+    }
+
+    /// Noise: a central difference along the coordinates' derivative, over 1/128 of a cell.
+    void lattice() {
+        const int coordinates = coordinatesOf(i.immediate);
+        MaybeValue size;
+        for (int k = 0; k < coordinates; ++k)
+            if (const MaybeValue dx = slope(k)) {
+                const ValueId length = b.unary(Op::Abs, *dx);
+                size = size ? b.max(*size, length) : length;
+            }
+        if (!size)
+            return;
+        const ValueId step = b.div(number(0x1p-8f), b.max(*size, number(1e-20f)));
+        std::vector<ValueId> before = i.operands, after = i.operands;
+        for (int k = 0; k < coordinates; ++k)
+            if (const MaybeValue dx = slope(k)) {
+                const ValueId offset = b.mul(*dx, step);
+                before[size_t(k)] = b.sub(before[size_t(k)], offset);
+                after[size_t(k)] = b.add(after[size_t(k)], offset);
+            }
+        const auto low = b.call(i.immediate, before), high = b.call(i.immediate, after);
+        const ValueId width = b.mul(number(2), step);
+        for (size_t k = 0; k < i.results.size(); ++k)
+            slopes[i.results[k]][direction] = b.div(b.sub(high[k], low[k]), width);
+    }
+
+    Builder &b;
+    const Instruction &i;
+    Slopes &slopes;
+    int direction;
+};
+
+} // namespace
+
+std::vector<ValueId> differentiableOperands(const Instruction &i) {
+    switch (i.op) {
+    case Op::Add:
+    case Op::Sub:
+    case Op::Mul:
+    case Op::Div:
+    case Op::Neg:
+    case Op::Abs:
+    case Op::Min:
+    case Op::Max:
+    case Op::Sqrt:
+    case Op::Sin:
+    case Op::Cos:
+    case Op::Tan:
+    case Op::Asin:
+    case Op::Acos:
+    case Op::Atan:
+    case Op::Atan2:
+    case Op::Exp:
+    case Op::Log:
+    case Op::Pow:
+        return i.operands;
+    case Op::Select:
+        return {i.operands[1], i.operands[2]};
+    case Op::Call:
+        if (i.immediate < 0)
+            return {};
+        return {i.operands.begin(), i.operands.begin() + coordinatesOf(i.immediate)};
+    default:
+        return {};
+    }
+}
+
+void differentiate(Builder &b, const Instruction &i, Slopes &slopes) {
+    if (i.results.empty() || b.type(i.results[0]) != Type::Float)
+        return;
+    const bool isKnown = i.op == Op::Input || !differentiableOperands(i).empty();
+    for (int direction = 0; direction < 2 && isKnown; ++direction)
+        Rule(b, i, slopes, direction).apply();
+}
+
+} // namespace candela::ir

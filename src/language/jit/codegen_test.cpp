@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: Apache-2.0
+// Compiled code against the interpreter, all lanes, bit by bit, on several CPU names.
+#include "language/ir/interpreter.h"
+#include "language/ir/test_batch.h"
+#include "language/jit/jit.h"
+#include "language/jit/random_program.h"
+#include "language/runtime/scalar_math.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace candela {
+namespace {
+
+using ir::Op;
+using ir::TestBatch;
+
+/// NaNs are equal whatever their bits, which IEEE leaves open.
+bool sameBits(float a, float b) {
+    return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b) ||
+           (std::isnan(a) && std::isnan(b));
+}
+
+/// How many floats lie between two; 0 for two NaNs.
+double ulpsApart(float a, float b) {
+    if (sameBits(a, b) || a == b)
+        return 0;
+    if (!std::isfinite(a) || !std::isfinite(b))
+        return std::numeric_limits<double>::infinity();
+    const auto rank = [](float x) {
+        const auto bits = std::bit_cast<std::int32_t>(x);
+        return double(bits < 0 ? std::numeric_limits<std::int32_t>::min() - std::int64_t(bits)
+                               : std::int64_t(bits));
+    };
+    return std::abs(rank(a) - rank(b));
+}
+
+struct Result {
+    std::vector<TestBatch::Plane> outputs;
+    TestBatch::Plane frame;
+    std::vector<std::string> printed; ///< Sorted: widths print in different orders.
+};
+
+void collectPrint(void *context, const char *text) {
+    std::string line = text;
+    // The sign of NaN is not defined.
+    for (std::size_t at; (at = line.find("-nan")) != std::string::npos;)
+        line.erase(at, 1);
+    static_cast<std::vector<std::string> *>(context)->push_back(line);
+}
+
+template <typename Runner>
+Result run(TestBatch &batch, const ir::Function &function, Runner &&runner) {
+    Result result;
+    batch.frame.assign(std::size_t(function.frameSlots) * batch.padded(), 0.25f);
+    batch.callbacks = {&result.printed, collectPrint};
+    result.outputs = batch.run(function, runner, -123.0f);
+    result.frame = batch.frame;
+    std::sort(result.printed.begin(), result.printed.end());
+    return result;
+}
+
+void expectSame(const Result &expected, const Result &found, const std::string &what) {
+    const auto same = [&](const TestBatch::Plane &a, const TestBatch::Plane &b) {
+        return std::equal(a.begin(), a.end(), b.begin(), b.end(), sameBits);
+    };
+    for (std::size_t k = 0; k < expected.outputs.size(); ++k)
+        for (std::size_t i = 0; i < expected.outputs[k].size(); ++i)
+            ASSERT_TRUE(sameBits(expected.outputs[k][i], found.outputs[k][i]))
+                << what << ": output " << k << " lane " << i << ": " << expected.outputs[k][i]
+                << " expected, " << found.outputs[k][i] << " found";
+    EXPECT_TRUE(same(expected.frame, found.frame)) << what << ": frames differ";
+    EXPECT_EQ(expected.printed, found.printed) << what;
+}
+
+/// Masks, counts, light samples, instances and nulls as the seed says.
+TestBatch randomBatch(const ir::Function &function, unsigned seed) {
+    std::mt19937 bits(seed);
+    TestBatch batch(function, 1 + int(bits() % 50), seed);
+    const int rows = int(bits() % 4);
+    batch.setSamples(rows, seed);
+    for (std::size_t i = 0; i < batch.sampleCl[0].size(); ++i)
+        if (bits() % 4 == 0)
+            for (auto &plane : batch.sampleCl)
+                plane[i] = 0;
+    for (int word = 0; word < batch.padded() / 16 && seed % 3; ++word)
+        batch.active.push_back(std::uint16_t(bits() % 4 ? bits() : 0));
+    if (seed % 2)
+        batch.parameterOffset.assign(batch.padded(), 0);
+    batch.objects.insert(batch.objects.end(), batch.objects.rbegin(), batch.objects.rend());
+    for (int &index : batch.objectIndex)
+        index = seed % 4 < 2 ? int(bits() % 2) : 1;
+    for (int &request : batch.answered)
+        request = int(bits() % 3) - 1;
+    batch.useAnswers = bits() % 2;
+    batch.useAmbient = bits() % 2;
+    batch.lightCount = 2;
+    if (bits() % 3)
+        batch.categoryAccepts = {1, 0, 1, 0, 1, 0};
+    if (bits() % 3) {
+        batch.sampleLight.resize(std::size_t(rows) * batch.padded());
+        for (int &light : batch.sampleLight)
+            light = int(bits() % 3);
+    }
+    return batch;
+}
+
+JitOptions optionsFor(const std::string &cpu, int width) {
+    JitOptions options;
+    options.cpu = cpu;
+    options.width = width;
+    options.useCache = false;
+    return options;
+}
+
+class Codegen : public testing::TestWithParam<const char *> {
+protected:
+    std::string cpu() const { return GetParam(); }
+    /// Only there transcendentals agree with the host's.
+    bool hasFma() const { return cpu() != "x86-64-v2"; }
+    void countFinite(const Result &result) {
+        for (const auto &plane : result.outputs)
+            for (float x : plane) {
+                ++numbers_;
+                finite_ += std::isfinite(x) && x != 0 && x != -123.0f;
+            }
+    }
+    DiagnosticList diagnostics_;
+    int numbers_ = 0, finite_ = 0;
+};
+
+TEST_P(Codegen, RandomProgramsEqualTheInterpreterInAllLanes) {
+    Jit wide(optionsFor(cpu(), 16), diagnostics_), narrow(optionsFor(cpu(), 1), diagnostics_);
+    const bool runs = Jit::hostRuns(cpu());
+    for (unsigned seed = 1; seed <= (runs ? 60u : 5u) && !HasFailure(); ++seed) {
+        ir::Function function;
+        RandomProgram(function, seed, hasFma());
+        ASSERT_EQ(ir::verify(function), "") << "seed " << seed;
+        const ShaderFunction wideCode = wide.compile(function);
+        const ShaderFunction narrowCode = narrow.compile(function);
+        ASSERT_TRUE(wideCode && narrowCode) << diagnostics_.text();
+        for (unsigned variant = 0; variant < 4 && runs; ++variant) {
+            const std::string name =
+                "seed " + std::to_string(seed) + " variant " + std::to_string(variant);
+            TestBatch batch = randomBatch(function, seed * 4 + variant);
+            const Result expected = run(batch, function, ir::interpret);
+            countFinite(expected);
+            const auto call = [](ShaderFunction code) {
+                return [code](const ir::Function &, const ShaderArgs &args) { code(&args); };
+            };
+            expectSame(expected, run(batch, function, call(wideCode)), name + " W=16");
+            expectSame(expected, run(batch, function, call(narrowCode)), name + " W=1");
+        }
+    }
+    // Programs that give nothing but NaN or nothing at all would prove little.
+    EXPECT_GE(finite_, numbers_ / 5);
+    if (!runs)
+        GTEST_SKIP() << "compiled for " << cpu() << ", which this machine can't execute";
+}
+
+/// One operation on many numbers: ordinary ones, huge, tiny, and the special ones.
+TEST_P(Codegen, TranscendentalsAgreeAtBothWidthsAndWithTheInterpreter) {
+    if (!Jit::hostRuns(cpu()))
+        GTEST_SKIP() << "this machine can't execute code for " << cpu();
+    Jit wide(optionsFor(cpu(), 16), diagnostics_), narrow(optionsFor(cpu(), 1), diagnostics_);
+    for (int op = int(Op::Sin); op <= int(Op::Pow); ++op) {
+        ir::Function function;
+        ir::Builder b(function);
+        const ir::ValueId x = b.input(ShaderInput::P), y = b.input(ShaderInput::N);
+        const bool two = Op(op) == Op::Atan2 || Op(op) == Op::Pow;
+        b.output("y", 0, two ? b.binary(Op(op), x, y) : b.unary(Op(op), x));
+        b.finish();
+        TestBatch batch(function, 20000, 5);
+        std::mt19937 bits(op);
+        const auto fill = [&](TestBatch::Plane &plane) {
+            for (float &v : plane)
+                v = bits() % 4 ? v * 20 : v * std::exp2(float(int(bits() % 60) - 30));
+            const float special[] = {0, -0.0f, INFINITY, -INFINITY, NAN, 1, -1, 1e-40f, 3e38f};
+            for (int k = 0; k < 81; ++k)
+                plane[k] = special[&plane == &batch.inputs[int(ShaderInput::P)] ? k % 9 : k / 9];
+        };
+        fill(batch.inputs[int(ShaderInput::P)]);
+        fill(batch.inputs[int(ShaderInput::N)]);
+        const auto expected = batch.run(function, ir::interpret)[0];
+        const auto outputOf = [&](Jit &jit) {
+            const ShaderFunction code = jit.compile(function);
+            return batch.run(function,
+                             [&](const ir::Function &, const ShaderArgs &args) { code(&args); })[0];
+        };
+        const auto fromWide = outputOf(wide), fromNarrow = outputOf(narrow);
+        for (int i = 0; i < batch.count; ++i) {
+            ASSERT_TRUE(sameBits(fromWide[i], fromNarrow[i])) << "op " << op << " lane " << i;
+            ASSERT_LE(ulpsApart(expected[i], fromWide[i]), hasFma() ? 0 : 4)
+                << "op " << op << " of " << batch.inputs[int(ShaderInput::P)][i] << ", "
+                << batch.inputs[int(ShaderInput::N)][i];
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Cpus, Codegen,
+                         testing::Values("x86-64-v2", "x86-64-v3", "x86-64-v4", "znver4", ""),
+                         [](const auto &info) {
+                             std::string name = *info.param ? info.param : "host";
+                             std::replace(name.begin(), name.end(), '-', '_');
+                             return name;
+                         });
+
+TEST(Jit, SaysThatACpuIsUnknown) {
+    DiagnosticList diagnostics;
+    Jit jit(optionsFor("no-such-cpu", 16), diagnostics);
+    EXPECT_EQ(jit.compile(ir::Function()), nullptr);
+    EXPECT_EQ(diagnostics.count(Severity::Error), 1);
+    EXPECT_FALSE(Jit::hostRuns("no-such-cpu"));
+}
+
+TEST(Jit, EmitsTextThatNamesTheOperations) {
+    DiagnosticList diagnostics;
+    Jit jit(optionsFor("x86-64-v4", 16), diagnostics);
+    ir::Function function;
+    ir::Builder b(function);
+    b.output("y", 0, b.unary(Op::Sin, b.input(ShaderInput::P)));
+    b.finish();
+    EXPECT_NE(jit.emit(function, false).find("<16 x float> @Sleef_finz_sinf16"), std::string::npos);
+    EXPECT_NE(jit.emit(function, true).find("zmm"), std::string::npos);
+}
+
+} // namespace
+} // namespace candela

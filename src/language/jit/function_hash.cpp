@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "language/jit/function_hash.h"
+
+#include <bit>
+
+namespace candela {
+
+static void addIds(ContentHash &hash, const std::vector<ir::ValueId> &ids) {
+    hash.add(ids.size());
+    for (ir::ValueId id : ids)
+        hash.add(std::uint64_t(id));
+}
+
+static void addRegion(ContentHash &hash, const ir::Region &region) {
+    addIds(hash, region.arguments);
+    addIds(hash, region.yields);
+    hash.add(region.body.size());
+    for (const ir::Instruction &i : region.body) {
+        hash.add(std::uint64_t(i.op));
+        hash.add(std::uint64_t(std::uint32_t(i.immediate)));
+        hash.add(std::uint64_t(std::bit_cast<std::uint32_t>(i.number)));
+        addIds(hash, i.operands);
+        addIds(hash, i.results);
+        hash.add(i.regions.size());
+        for (const ir::Region &inner : i.regions)
+            addRegion(hash, inner);
+    }
+}
+
+void addFunction(ContentHash &hash, const ir::Function &function) {
+    hash.add(function.values.size());
+    for (const ir::Value &value : function.values)
+        hash.add(std::uint64_t(value.type) << 8 | std::uint64_t(value.rate));
+    hash.add(function.arrays.size());
+    for (const ir::Array &array : function.arrays) {
+        hash.add(std::uint64_t(array.type) << 8 | std::uint64_t(array.rate));
+        hash.add(std::uint64_t(array.size));
+    }
+    hash.add(function.requests.size());
+    for (const ir::LightRequest &request : function.requests) {
+        hash.add(std::uint64_t(request.kind) << 8 | std::uint64_t(request.form));
+        hash.add(std::uint64_t(std::uint32_t(request.coneCount)));
+        hash.add(std::uint64_t(std::uint32_t(request.category)));
+    }
+    hash.add(function.strings.size());
+    for (const std::string &text : function.strings) {
+        hash.add(text.size());
+        hash.add(text);
+    }
+    hash.add(std::uint64_t(function.frameSlots));
+    addRegion(hash, function.body);
+}
+
+} // namespace candela

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a function is, for cache keys.
+#pragma once
+
+#include "foundation/base/hash.h"
+#include "language/ir/ir.h"
+
+namespace candela {
+
+/// Adds everything that generated code depends on, floats bit by bit. Names and lines, which it
+/// doesn't depend on, are left out.
+void addFunction(ContentHash &, const ir::Function &);
+
+} // namespace candela

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+// The cache by itself, and as Jit uses it.
+#include "language/jit/object_cache.h"
+
+#include "language/ir/builder.h"
+#include "language/ir/test_batch.h"
+#include "language/jit/jit.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <fstream>
+#include <thread>
+
+namespace candela {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ObjectCacheTest : public testing::Test {
+protected:
+    ObjectCacheTest()
+        : folder_(fs::path(CANDELA_BINARY_DIR) / "cache-test" /
+                  testing::UnitTest::GetInstance()->current_test_info()->name()) {
+        fs::remove_all(folder_);
+    }
+    ~ObjectCacheTest() override { fs::remove_all(folder_); }
+
+    JitOptions options() const {
+        JitOptions options;
+        options.cacheFolder = folder_.string();
+        return options;
+    }
+    std::vector<fs::path> files() const {
+        std::vector<fs::path> found;
+        for (const auto &entry : fs::directory_iterator(folder_))
+            found.push_back(entry.path());
+        return found;
+    }
+    static ir::Function adding(float number) {
+        ir::Function function;
+        ir::Builder b(function);
+        b.output("y", 0, b.add(b.input(ShaderInput::P), b.number(number)));
+        b.finish();
+        return function;
+    }
+    static void expectAdds(ShaderFunction code, float number) {
+        ASSERT_NE(code, nullptr);
+        const ir::Function function = adding(number);
+        ir::TestBatch batch(function, 19, 1);
+        const auto out =
+            batch.run(function, [&](const ir::Function &, const ShaderArgs &args) { code(&args); });
+        for (int i = 0; i < batch.count; ++i)
+            EXPECT_EQ(out[0][i], batch.inputs[int(ShaderInput::P)][i] + number);
+    }
+
+    fs::path folder_;
+    DiagnosticList diagnostics_;
+};
+
+TEST_F(ObjectCacheTest, GivesBackWhatWasStored) {
+    ObjectCache cache(folder_);
+    EXPECT_FALSE(cache.load("key"));
+    cache.store("key", std::string("a\0b\n", 4));
+    EXPECT_EQ(cache.load("key"), std::string("a\0b\n", 4));
+    EXPECT_FALSE(cache.load("other"));
+}
+
+TEST_F(ObjectCacheTest, RemovesTheOldestBeyondItsLimit) {
+    ObjectCache cache(folder_, 1000);
+    for (int k = 0; k < 10; ++k) {
+        cache.store(std::to_string(k), std::string(300, 'x'));
+        fs::last_write_time(folder_ / (std::to_string(k) + ".object"),
+                            fs::file_time_type::clock::now() - std::chrono::hours(20 - k));
+    }
+    EXPECT_LE(files().size(), 3u);
+    EXPECT_TRUE(cache.load("8"));
+    EXPECT_FALSE(cache.load("0"));
+}
+
+TEST_F(ObjectCacheTest, ServesASecondJit) {
+    for (int round = 0; round < 2; ++round) {
+        Jit jit(options(), diagnostics_);
+        expectAdds(jit.compile(adding(2)), 2);
+        expectAdds(jit.compile(adding(2)), 2);
+        expectAdds(jit.compile(adding(3)), 3);
+        EXPECT_EQ(jit.statistics().compiled, round == 0 ? 2 : 0);
+        EXPECT_EQ(jit.statistics().fromCache, round == 0 ? 0 : 2);
+    }
+    EXPECT_EQ(files().size(), 2u);
+}
+
+TEST_F(ObjectCacheTest, TellsWidthsAndCpusApart) {
+    JitOptions narrow = options(), old = options();
+    narrow.width = 1;
+    old.cpu = "x86-64-v2";
+    for (const JitOptions &each : {options(), narrow, old}) {
+        Jit jit(each, diagnostics_);
+        expectAdds(jit.compile(adding(1)), 1);
+        EXPECT_EQ(jit.statistics().compiled, 1);
+    }
+}
+
+TEST_F(ObjectCacheTest, CompilesAnewWhatIsDamaged) {
+    const auto damage = [&](int kind) {
+        const fs::path file = files().at(0);
+        if (kind == 0)
+            return fs::resize_file(file, fs::file_size(file) / 2);
+        if (kind == 1)
+            return fs::resize_file(file, 0);
+        std::fstream stream(file, std::ios::in | std::ios::out | std::ios::binary);
+        stream.seekp(400);
+        stream.put('\x5a').put('\xa5');
+    };
+    for (int kind = -1; kind < 3; ++kind) {
+        if (kind >= 0)
+            damage(kind);
+        Jit jit(options(), diagnostics_);
+        expectAdds(jit.compile(adding(4)), 4);
+        EXPECT_EQ(jit.statistics().compiled, 1);
+    }
+    Jit jit(options(), diagnostics_);
+    expectAdds(jit.compile(adding(4)), 4);
+    EXPECT_EQ(jit.statistics().fromCache, 1);
+}
+
+TEST_F(ObjectCacheTest, IsDoneWithoutWhereTheFolderCannotBe) {
+    fs::create_directories(folder_);
+    std::ofstream(folder_ / "file") << "no folder";
+    JitOptions impossible = options();
+    impossible.cacheFolder = (folder_ / "file" / "cache").string();
+    Jit jit(impossible, diagnostics_);
+    expectAdds(jit.compile(adding(5)), 5);
+    EXPECT_EQ(diagnostics_.count(Severity::Error), 0);
+}
+
+TEST_F(ObjectCacheTest, ServesThreadsAndJitsAtOnce) {
+    Jit first(options(), diagnostics_), second(options(), diagnostics_);
+    std::vector<std::thread> threads;
+    for (int t = 0; t < 8; ++t)
+        threads.emplace_back([&, t] {
+            for (int k = 0; k < 6; ++k) {
+                const float number = float((t + k) % 6);
+                expectAdds((t % 2 ? first : second).compile(adding(number)), number);
+            }
+        });
+    for (std::thread &thread : threads)
+        thread.join();
+    for (Jit *jit : {&first, &second})
+        EXPECT_EQ(jit->statistics().compiled + jit->statistics().fromCache, 6);
+    EXPECT_EQ(files().size(), 6u);
+    EXPECT_EQ(diagnostics_.text(), "");
+}
+
+} // namespace
+} // namespace candela

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// The runtime functions of functions.def: what they are called, how many floats they take and
+// give, and where their code is.
+#pragma once
+
+#include "language/runtime/isa_level.h"
+
+namespace candela::runtime {
+
+enum class RuntimeFunction {
+#define RUNTIME_FUNCTION(name, inputs, outputs, meaning) name,
+#include "language/runtime/functions.def"
+#undef RUNTIME_FUNCTION
+    Count
+};
+
+struct RuntimeFunctionInfo {
+    const char *name;
+    int inputs, outputs;
+};
+
+/// No function of functions.def has more inputs or outputs than these.
+inline constexpr int maxRuntimeInputs = 8, maxRuntimeOutputs = 3;
+
+RuntimeFunctionInfo info(RuntimeFunction);
+
+/// Evaluates at one point, exactly as compiled code does at every width: inputs[k] and outputs[k]
+/// point to one float each.
+void callScalar(RuntimeFunction, const float *const *inputs, float *const *outputs);
+
+/// The compiled form: `inputs` are the function's inputs one after another, `width` floats each,
+/// 64-byte aligned at width 16; likewise the outputs. The blocks must not overlap.
+using RuntimeCode = void (*)(const float *inputs, float *outputs);
+
+/// Code at width 1 or 16 for an instruction-set level. All of them agree bit by bit.
+RuntimeCode code(RuntimeFunction, int width, IsaLevel);
+
+} // namespace candela::runtime

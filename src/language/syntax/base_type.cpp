@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "language/syntax/base_type.h"
+
+namespace candela::sl {
+
+const char *nameOf(BaseType type) {
+    static constexpr const char *names[] = {"void",   "float",  "color",  "point",
+                                            "vector", "normal", "matrix", "string"};
+    return names[int(type)];
+}
+
+const char *nameOf(Detail detail) { return detail == Detail::Uniform ? "uniform" : "varying"; }
+
+const char *nameOf(ShaderKind kind) {
+    static constexpr const char *names[] = {"surface", "light",          "volume", "displacement",
+                                            "imager",  "transformation", "filter"};
+    return names[int(kind)];
+}
+
+const char *nameOf(BinaryOp op) {
+    static constexpr const char *names[] = {".",  "*", "/",  "^",  "+",  "-",  "<",
+                                            "<=", ">", ">=", "==", "!=", "&&", "||"};
+    return names[int(op)];
+}
+
+std::optional<BaseType> baseTypeNamed(std::string_view word) {
+    for (int i = 0; i < baseTypeCount; ++i)
+        if (word == nameOf(BaseType(i)))
+            return BaseType(i);
+    return std::nullopt;
+}
+
+std::optional<ShaderKind> shaderKindNamed(std::string_view word) {
+    for (int i = 0; i <= int(ShaderKind::Filter); ++i)
+        if (word == nameOf(ShaderKind(i)))
+            return ShaderKind(i);
+    return std::nullopt;
+}
+
+} // namespace candela::sl

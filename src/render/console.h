@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Standard error: diagnostics as they come, and a line of progress below them.
+#pragma once
+
+#include "foundation/base/diagnostics.h"
+
+#include <atomic>
+#include <chrono>
+#include <mutex>
+#include <string>
+
+namespace candela {
+
+class Console : public DiagnosticSink {
+public:
+    /// Without `showProgress` (--quiet, or no terminal) only diagnostics are printed.
+    explicit Console(bool showProgress) : showProgress_(showProgress) {}
+    ~Console() override;
+
+    void report(const Diagnostic &) override;
+    /// True once an error has been reported.
+    bool failed() const { return failed_; }
+
+    /// A new task, named for the progress line; its clock starts.
+    void begin(const std::string &task);
+    /// The share of it that is done, in [0,1]; from any thread.
+    void progress(double done);
+    /// Ends the task and leaves a line of what it was and how long it took.
+    void end(const std::string &summary);
+
+private:
+    using Clock = std::chrono::steady_clock;
+    void clearLine();
+
+    const bool showProgress_;
+    std::atomic<bool> failed_{false};
+    std::mutex mutex_;
+    std::string task_;
+    Clock::time_point start_, lastShown_;
+    double done_ = 0;
+    bool lineShown_ = false;
+};
+
+} // namespace candela

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/shader_folders.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+
+namespace candela {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void add(std::vector<std::string> &folders, const fs::path &folder) {
+    std::error_code ignored;
+    if (!fs::is_directory(folder, ignored))
+        return;
+    folders.push_back(folder.string());
+    for (const char *kind : {"surface", "light", "displacement", "volume", "imager", "filter"})
+        if (fs::is_directory(folder / kind, ignored))
+            folders.push_back((folder / kind).string());
+}
+
+/// The library that is shipped with the program: shaders/ beside build/, or share/candela.
+void addShippedLibrary(std::vector<std::string> &folders) {
+    std::error_code error;
+    fs::path program = fs::read_symlink("/proc/self/exe", error);
+    if (error)
+        return;
+    fs::path bin = program.parent_path();
+    add(folders, bin.parent_path() / "share" / "candela" / "shaders");
+    add(folders, bin.parent_path().parent_path() / "shaders");
+}
+
+} // namespace
+
+std::vector<std::string> shaderFolders(const std::string &ribFile,
+                                       const std::vector<std::string> &shaderPath) {
+    std::vector<std::string> folders;
+    for (const std::string &folder : shaderPath)
+        add(folders, folder);
+    fs::path beside = fs::path(ribFile).parent_path();
+    add(folders, beside.empty() ? "." : beside);
+    add(folders, ".");
+    if (const char *listed = std::getenv("CANDELA_SHADERS")) {
+        std::istringstream list(listed);
+        for (std::string folder; std::getline(list, folder, ':');)
+            add(folders, folder);
+    }
+    addShippedLibrary(folders);
+    return folders;
+}
+
+std::string joinFolders(const std::vector<std::string> &folders) {
+    std::string joined;
+    for (const std::string &folder : folders)
+        joined += (joined.empty() ? "" : ":") + folder;
+    return joined;
+}
+
+} // namespace candela

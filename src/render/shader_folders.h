@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where shaders are looked for after the RIB's own search path (DESIGN section 9).
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace candela {
+
+/// --shader-path, the RIB's folder, the current folder, $CANDELA_SHADERS, the shipped library;
+/// each with its sub-folders by kind (surface, light, ...) where these exist.
+std::vector<std::string> shaderFolders(const std::string &ribFile,
+                                       const std::vector<std::string> &shaderPath);
+
+/// "a:b:c"
+std::string joinFolders(const std::vector<std::string> &folders);
+
+} // namespace candela

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world/shading/instance_values.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace candela {
+
+namespace {
+
+const char *typeName(ValueType type) {
+    switch (type) {
+    case ValueType::Float: return "float";
+    case ValueType::Integer: return "integer";
+    case ValueType::String: return "string";
+    case ValueType::Color: return "color";
+    case ValueType::Point: return "point";
+    case ValueType::Vector: return "vector";
+    case ValueType::Normal: return "normal";
+    case ValueType::HPoint: return "hpoint";
+    case ValueType::Matrix: return "matrix";
+    }
+    return "float";
+}
+
+bool isTriple(const std::string &type) {
+    return type == "point" || type == "vector" || type == "normal";
+}
+
+/// May a value of the declared type stand for a parameter of this type? Points, vectors and
+/// normals exchange freely, as RI 3.1 files have only points.
+bool fits(ValueType given, const std::string &wanted) {
+    bool givenTriple =
+        given == ValueType::Point || given == ValueType::Vector || given == ValueType::Normal;
+    return typeName(given) == wanted || (given == ValueType::Integer && wanted == "float") ||
+           (givenTriple && isTriple(wanted));
+}
+
+/// Points, vectors and normals from a space to current space.
+void transformTriples(const std::string &type, const Matrix4 &currentFromSpace,
+                      std::vector<float> &values) {
+    Matrix4 inverted = inverse(currentFromSpace).value_or(Matrix4{});
+    for (std::size_t at = 0; at + 2 < values.size(); at += 3) {
+        Vec3 v{values[at], values[at + 1], values[at + 2]};
+        v = type == "point"    ? transformPoint(currentFromSpace, v)
+            : type == "vector" ? transformVector(currentFromSpace, v)
+                               : transformNormal(inverted, v);
+        values[at] = v.x, values[at + 1] = v.y, values[at + 2] = v.z;
+    }
+}
+
+Matrix4 spaceOf(const std::string &name, const ShaderRecord &record, const Options &options) {
+    if (name == "current" || name == "camera")
+        return {};
+    auto found = options.coordinateSystems.find(name);
+    if (name == "shader" || name == "object" || found == options.coordinateSystems.end())
+        return record.currentFromShader.atOpen();
+    return found->second;
+}
+
+std::vector<float> defaultValues(const ir::ShaderParameter &parameter, const ShaderRecord &record,
+                                 const Options &options) {
+    std::vector<float> values = parameter.defaults;
+    if (isTriple(parameter.type))
+        transformTriples(parameter.type, spaceOf(parameter.defaultSpace, record, options), values);
+    return values;
+}
+
+std::optional<std::vector<float>> givenValues(const ir::LoweredShader &shader,
+                                              const ir::ShaderParameter &parameter,
+                                              const ShaderRecord &record,
+                                              DiagnosticSink &diagnostics) {
+    const Parameter *given = record.parameters.find(parameter.name);
+    if (!given || parameter.type == "string")
+        return std::nullopt;
+    if (!fits(given->declaration.type, parameter.type)) {
+        diagnostics.error(record.parameters.where,
+                          "parameter \"" + parameter.name + "\" of shader \"" + shader.name +
+                              "\" is a " + parameter.type + ", but a " +
+                              typeName(given->declaration.type) +
+                              " is given: its default is used");
+        return std::nullopt;
+    }
+    std::vector<float> values = given->floats;
+    if (isTriple(parameter.type))
+        transformTriples(parameter.type, record.currentFromShader.atOpen(), values);
+    return values;
+}
+
+void reportUnknown(const ir::LoweredShader &shader, const ShaderRecord &record,
+                   DiagnosticSink &diagnostics) {
+    for (const Parameter &given : record.parameters.all) {
+        bool known = std::ranges::any_of(
+            shader.parameters, [&](const auto &p) { return p.name == given.name; });
+        // Lights may carry parameters for the renderer (RI 3.2: __category and its kin).
+        if (!known && !given.name.starts_with("__"))
+            diagnostics.warning(record.parameters.where, "shader \"" + shader.name +
+                                                             "\" has no parameter \"" +
+                                                             given.name + "\": it is ignored");
+    }
+}
+
+} // namespace
+
+std::vector<ir::StringValue> stringValues(const ShaderRecord &record) {
+    std::vector<ir::StringValue> values;
+    for (const Parameter &parameter : record.parameters.all)
+        if (parameter.declaration.type == ValueType::String)
+            values.push_back({parameter.name, parameter.strings});
+    return values;
+}
+
+std::vector<float> parameterBlock(const ir::LoweredShader &shader, const ShaderRecord &record,
+                                  const Options &options, DiagnosticSink &diagnostics) {
+    reportUnknown(shader, record, diagnostics);
+    std::vector<float> block(shader.whole.parameters.size());
+    std::map<std::string, std::vector<float>> values;
+    for (const ir::ShaderParameter &parameter : shader.parameters) {
+        auto given = givenValues(shader, parameter, record, diagnostics);
+        std::vector<float> standing = defaultValues(parameter, record, options);
+        if (given)
+            std::copy_n(given->begin(), std::min(given->size(), standing.size()),
+                        standing.begin());
+        values[parameter.name] = std::move(standing);
+    }
+    Matrix4 currentFromShader = record.currentFromShader.atOpen();
+    std::vector<float> &hidden = values["shader"];
+    if (hidden.empty()) {
+        hidden.assign(currentFromShader.m.begin(), currentFromShader.m.end());
+        Matrix4 shaderFromCurrent = inverse(currentFromShader).value_or(Matrix4{});
+        hidden.insert(hidden.end(), shaderFromCurrent.m.begin(), shaderFromCurrent.m.end());
+    }
+    for (std::size_t slot = 0; slot < block.size(); ++slot) {
+        const ir::ParameterSlot &parameter = shader.whole.parameters[slot];
+        const std::vector<float> &value = values[parameter.name];
+        if (parameter.component < int(value.size()))
+            block[slot] = value[parameter.component];
+    }
+    return block;
+}
+
+} // namespace candela

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// The parameter values of a shader instance: what the RIB gives, else the shader's defaults,
+// brought into current space.
+#pragma once
+
+#include "interface/ri/attributes.h"
+#include "interface/ri/options.h"
+#include "language/ir/lower.h"
+
+#include <vector>
+
+namespace candela {
+
+/// The string parameters that the record gives.
+std::vector<ir::StringValue> stringValues(const ShaderRecord &);
+
+/// The instance's parameter block: a float for each of shader.whole.parameters. Values of the
+/// wrong type and parameters that the shader doesn't have are reported; defaults stand in.
+std::vector<float> parameterBlock(const ir::LoweredShader &, const ShaderRecord &,
+                                  const Options &, DiagnosticSink &);
+
+} // namespace candela

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world/shading/shader_library.h"
+
+#include "interface/ri/search_path.h"
+#include "world/shading/instance_values.h"
+#include "world/shading/shader_source.h"
+
+#include <cstring>
+
+namespace candela {
+
+struct ShaderLibrary::State {
+    State(ShaderLibrarySettings settings, DiagnosticSink &diagnostics)
+        : diagnostics(diagnostics), sources(settings.folders, diagnostics),
+          jit(std::make_shared<Jit>(settings.jit, diagnostics)) {}
+
+    DiagnosticSink &diagnostics;
+    ShaderSources sources;
+    std::shared_ptr<Jit> jit;
+    std::map<std::string, std::optional<ir::LoweredShader>> lowered; ///< By source and strings.
+    std::map<std::string, std::shared_ptr<ShaderCode>> codes;        ///< And by folded values.
+    std::vector<std::shared_ptr<ShaderCode>> inOrder;
+
+    const ir::LoweredShader *lowerOnce(const sl::TypedShader &, const ShaderRecord &,
+                                       const std::set<std::string> &variables, std::string &key);
+};
+
+ShaderLibrary::ShaderLibrary(ShaderLibrarySettings settings, DiagnosticSink &diagnostics)
+    : state_(std::make_unique<State>(std::move(settings), diagnostics)) {}
+
+ShaderLibrary::~ShaderLibrary() = default;
+
+namespace {
+
+std::optional<ValueType> valueTypeOf(sl::BaseType type) {
+    switch (type) {
+    case sl::BaseType::Float: return ValueType::Float;
+    case sl::BaseType::Color: return ValueType::Color;
+    case sl::BaseType::Point: return ValueType::Point;
+    case sl::BaseType::Vector: return ValueType::Vector;
+    case sl::BaseType::Normal: return ValueType::Normal;
+    case sl::BaseType::Matrix: return ValueType::Matrix;
+    case sl::BaseType::String: return ValueType::String;
+    case sl::BaseType::Void: return std::nullopt;
+    }
+    return std::nullopt;
+}
+
+/// Text that tells apart what is compiled apart.
+void addToKey(std::string &key, const std::string &part) {
+    key += std::to_string(part.size()) + ":" + part;
+}
+
+} // namespace
+
+std::optional<std::vector<ShaderLookup::ParameterType>>
+ShaderLibrary::parametersOf(ShaderKind kind, const std::string &name, const Options &options,
+                            const SourceLocation &where) {
+    const sl::TypedShader *shader =
+        state_->sources.find(kind, name, searchFolders(options, "shader"), where);
+    if (!shader)
+        return std::nullopt;
+    std::vector<ParameterType> types;
+    for (const sl::Parameter &parameter : shader->parameters)
+        if (auto type = valueTypeOf(parameter.symbol->type.base)) {
+            bool varying = parameter.symbol->type.detail == sl::Detail::Varying;
+            Declaration declaration{varying ? StorageClass::Varying : StorageClass::Uniform, *type,
+                                    std::max(1, parameter.symbol->type.length)};
+            types.push_back({parameter.symbol->name, declaration});
+        }
+    return types;
+}
+
+const ir::LoweredShader *
+ShaderLibrary::State::lowerOnce(const sl::TypedShader &shader, const ShaderRecord &record,
+                                const std::set<std::string> &variables, std::string &key) {
+    addToKey(key, *shader.where.location().file + ":" + shader.name);
+    std::vector<ir::StringValue> strings;
+    for (ir::StringValue &value : stringValues(record))
+        for (const sl::Parameter &parameter : shader.parameters)
+            if (parameter.symbol->name == value.name &&
+                parameter.symbol->type.base == sl::BaseType::String) {
+                addToKey(key, value.name);
+                for (const std::string &text : value.value)
+                    addToKey(key, text);
+                strings.push_back(std::move(value));
+                break;
+            }
+    std::vector<std::string> overriding;
+    for (const sl::Parameter &parameter : shader.parameters)
+        if (variables.contains(parameter.symbol->name)) {
+            addToKey(key, "variable " + parameter.symbol->name);
+            overriding.push_back(parameter.symbol->name);
+        }
+    auto [entry, isNew] = lowered.try_emplace(key);
+    if (isNew)
+        entry->second = ir::lower(shader, strings, overriding, diagnostics);
+    return entry->second ? &*entry->second : nullptr;
+}
+
+std::optional<ShaderInstance> ShaderLibrary::instance(ShaderKind kind, const ShaderRecord &record,
+                                                      const Options &options, ir::LightRule rule,
+                                                      const std::set<std::string> &variables) {
+    const sl::TypedShader *shader = state_->sources.find(
+        kind, record.name, searchFolders(options, "shader"), record.parameters.where);
+    std::string key = rule == ir::LightRule::Path ? "path " : "classic ";
+    const ir::LoweredShader *lowered =
+        shader ? state_->lowerOnce(*shader, record, variables, key) : nullptr;
+    if (!lowered) {
+        if (kind != ShaderKind::Surface || record.name == "defaultsurface")
+            return std::nullopt;
+        return instance(kind, {"defaultsurface", {}, record.currentFromShader}, options, rule, {});
+    }
+
+    std::vector<float> block = parameterBlock(*lowered, record, options, state_->diagnostics);
+    std::vector<ir::FoldedValue> folded;
+    for (int slot : ir::steeringParameters(lowered->whole)) {
+        folded.push_back({slot, block[slot]});
+        key += " " + std::to_string(slot) + "=" +
+               std::string(reinterpret_cast<const char *>(&block[slot]), sizeof(float));
+    }
+    std::shared_ptr<ShaderCode> &code = state_->codes[key];
+    if (!code) {
+        ir::LoweredShader specialised = *lowered;
+        if (!folded.empty())
+            specialised.whole = ir::fold(lowered->whole, folded);
+        code = std::make_shared<ShaderCode>(std::move(specialised), rule, state_->jit);
+        state_->inOrder.push_back(code);
+    }
+    return ShaderInstance{code, code->addBlock(block)};
+}
+
+std::vector<std::shared_ptr<ShaderCode>> ShaderLibrary::all() const { return state_->inOrder; }
+
+Jit::Statistics ShaderLibrary::statistics() const { return state_->jit->statistics(); }
+
+} // namespace candela

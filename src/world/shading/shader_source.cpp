@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world/shading/shader_source.h"
+
+#include "interface/ri/search_path.h"
+
+#include <fstream>
+#include <sstream>
+
+namespace candela {
+
+namespace {
+
+sl::ShaderKind languageKind(ShaderKind kind) {
+    switch (kind) {
+    case ShaderKind::Surface: return sl::ShaderKind::Surface;
+    case ShaderKind::Light: return sl::ShaderKind::Light;
+    case ShaderKind::Displacement: return sl::ShaderKind::Displacement;
+    case ShaderKind::Volume: return sl::ShaderKind::Volume;
+    case ShaderKind::Imager: return sl::ShaderKind::Imager;
+    case ShaderKind::Filter: return sl::ShaderKind::Filter;
+    case ShaderKind::Transformation: return sl::ShaderKind::Transformation;
+    }
+    return sl::ShaderKind::Surface;
+}
+
+std::string lastPart(const std::string &name) {
+    return name.substr(name.find_last_of('/') + 1);
+}
+
+} // namespace
+
+std::string plainShaderName(const std::string &name) {
+    for (const char *ending : {".slo", ".sdr", ".slx", ".slc", ".sl", ".sdl", ".so"}) {
+        std::string_view suffix = ending;
+        if (name.size() > suffix.size() && name.ends_with(suffix))
+            return name.substr(0, name.size() - suffix.size());
+    }
+    return name;
+}
+
+const sl::TypedShader *ShaderSources::find(ShaderKind kind, const std::string &name,
+                                           const std::vector<std::string> &searchPath,
+                                           const SourceLocation &where) {
+    std::string plain = plainShaderName(name);
+    std::vector<std::string> folders = searchPath;
+    folders.insert(folders.end(), folders_.begin(), folders_.end());
+    const char *kindName = sl::nameOf(languageKind(kind));
+    auto reportOnce = [&](const std::string &message) {
+        if (!std::exchange(reported_[kindName + plain], true))
+            diagnostics_.error(where, message);
+    };
+
+    std::optional<std::string> path = findFile(plain + ".sl", folders);
+    if (!path && plain.find('/') != std::string::npos)
+        path = findFile(lastPart(plain) + ".sl", folders);
+    if (!path) {
+        std::string looked;
+        for (const std::string &folder : folders)
+            looked += (looked.empty() ? "" : ", ") + folder;
+        reportOnce("no shader \"" + name + "\": there is no " + plain + ".sl in " + looked);
+        return nullptr;
+    }
+    const sl::CompiledFront *front = load(*path);
+    if (!front) {
+        reportOnce("shader \"" + name + "\" has errors and is not used");
+        return nullptr;
+    }
+    for (const auto &shader : front->shaders)
+        if (shader->kind == languageKind(kind) &&
+            (shader->name == lastPart(plain) || front->shaders.size() == 1))
+            return shader.get();
+    reportOnce(*path + " holds no " + kindName + " shader \"" + plain + "\"");
+    return nullptr;
+}
+
+const sl::CompiledFront *ShaderSources::load(const std::string &path) {
+    auto [entry, isNew] = files_.try_emplace(path);
+    if (isNew) {
+        std::ifstream file(path, std::ios::binary);
+        std::ostringstream text;
+        text << file.rdbuf();
+        if (file)
+            entry->second = sl::analyzeSource({path, text.str()}, {folders_, {}}, diagnostics_);
+        else
+            diagnostics_.error({}, "cannot read " + path);
+    }
+    return entry->second ? &*entry->second : nullptr;
+}
+
+} // namespace candela

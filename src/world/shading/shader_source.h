@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shader sources on disk: found by name, read and checked once.
+#pragma once
+
+#include "foundation/base/diagnostics.h"
+#include "interface/ri/scene_builder.h"
+#include "language/semantics/front.h"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace candela {
+
+/// The name without the endings under which older renderers compiled shaders (.slo, .sdr, ...).
+std::string plainShaderName(const std::string &name);
+
+class ShaderSources {
+public:
+    ShaderSources(std::vector<std::string> folders, DiagnosticSink &diagnostics)
+        : folders_(std::move(folders)), diagnostics_(diagnostics) {}
+
+    /// The shader of that name and kind, looked for in `searchPath` and then in the standing
+    /// folders; null if there is none or it has errors. Reports why at `where`, once a name.
+    const sl::TypedShader *find(ShaderKind, const std::string &name,
+                                const std::vector<std::string> &searchPath,
+                                const SourceLocation &where);
+
+private:
+    const sl::CompiledFront *load(const std::string &path);
+
+    std::vector<std::string> folders_;
+    DiagnosticSink &diagnostics_;
+    std::map<std::string, std::optional<sl::CompiledFront>> files_; ///< By path.
+    std::map<std::string, bool> reported_;                          ///< By kind and name.
+};
+
+} // namespace candela
