@@ -228,6 +228,10 @@ TEST(Jit, EmitsTextThatNamesTheOperations) {
     b.finish();
     EXPECT_NE(jit.emit(function, false).find("<16 x float> @Sleef_finz_sinf16"), std::string::npos);
     EXPECT_NE(jit.emit(function, true).find("zmm"), std::string::npos);
+    // How vectors are passed must not be left to a CPU's preferences (README.md).
+    for (const char *attribute : {"prefer-vector-width", "min-legal-vector-width"})
+        EXPECT_NE(jit.emit(function, false).find(std::string(attribute) + "\"=\"512\""),
+                  std::string::npos);
 }
 
 } // namespace
