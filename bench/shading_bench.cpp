@@ -12,7 +12,7 @@
 namespace candela::bench {
 namespace {
 
-constexpr int points = 4096;
+constexpr int points = 1024; // A batch that stays in the first-level cache.
 
 JitOptions optionsAt(int width) {
     JitOptions options;
