@@ -89,8 +89,8 @@ Values matte(Builder &b) {
 Values plastic(Builder &b) {
     Values base = matte(b), shine = specular(b, b.parameter(3)), sum;
     for (int k = 0; k < colorSamples; ++k)
-        sum.push_back(b.add(b.mul(base[k], b.input(ShaderInput::Cs, k)),
-                            b.mul(b.parameter(2), shine[k])));
+        sum.push_back(
+            b.add(b.mul(base[k], b.input(ShaderInput::Cs, k)), b.mul(b.parameter(2), shine[k])));
     return sum;
 }
 
@@ -116,9 +116,7 @@ TEST(Affine, Table) {
          }},
         {"0 times a square", true,
          [&](Builder &b) {
-             return trick(b, [](Builder &b, ValueId v) {
-                 return b.mul(b.number(0), b.mul(v, v));
-             });
+             return trick(b, [](Builder &b, ValueId v) { return b.mul(b.number(0), b.mul(v, v)); });
          }},
         {"product of two light terms", false,
          [&](Builder &b) {
@@ -143,7 +141,8 @@ TEST(Affine, Table) {
          [&](Builder &b) {
              return trick(b, [](Builder &b, ValueId v) {
                  return b.ifElse(
-                     b.less(v, b.number(1)), [&] { return Values{b.unary(Op::Sin, b.input(ShaderInput::u))}; },
+                     b.less(v, b.number(1)),
+                     [&] { return Values{b.unary(Op::Sin, b.input(ShaderInput::u))}; },
                      [&] { return Values{v}; })[0];
              });
          }},
@@ -261,11 +260,13 @@ TEST(Importance, OfPlasticHasAMirroredLobe) {
         EXPECT_FLOAT_EQ(prepared.at("cone 1 exponent", 0, i), 0.25f / prepared.parameter(3, i));
         float NN = 0, NI = 0, II = 0;
         for (int c = 0; c < 3; ++c) {
-            float N = prepared.input(ShaderInput::N, c, i), I = prepared.input(ShaderInput::I, c, i);
+            float N = prepared.input(ShaderInput::N, c, i),
+                  I = prepared.input(ShaderInput::I, c, i);
             NN += N * N, NI += N * I, II += I * I;
         }
         for (int c = 0; c < 3; ++c) {
-            float N = prepared.input(ShaderInput::N, c, i), I = prepared.input(ShaderInput::I, c, i);
+            float N = prepared.input(ShaderInput::N, c, i),
+                  I = prepared.input(ShaderInput::I, c, i);
             float mirrored = (I - 2 * NI / NN * N) / std::sqrt(II);
             EXPECT_NEAR(prepared.at("cone 1 axis", c, i), mirrored, 1e-4);
         }
@@ -283,7 +284,8 @@ TEST(Importance, FactorsInsideTheLoopCount) {
     EXPECT_EQ(surfaceFacts(whole).cones.size(), 2u);
     Prepared prepared(whole);
     for (int i = 0; i < 16; ++i) {
-        float a = prepared.at("cone 0 importance", 0, i), b = prepared.at("cone 1 importance", 0, i);
+        float a = prepared.at("cone 0 importance", 0, i),
+              b = prepared.at("cone 1 importance", 0, i);
         EXPECT_NEAR(a * prepared.parameter(2, i), b * prepared.parameter(1, i), 1e-6);
         EXPECT_EQ(prepared.at("cone 0 exponent", 0, i), 1);
         EXPECT_EQ(prepared.at("cone 1 exponent", 0, i), 20);
@@ -291,8 +293,9 @@ TEST(Importance, FactorsInsideTheLoopCount) {
 }
 
 TEST(LightRule, GivesLoopsOnlyToThoseWithout) {
-    Function flat = surface([](Builder &b) { return each(b.ambient(), [&](ValueId v) {
-                                                 return b.mul(b.parameter(0), v); }); });
+    Function flat = surface([](Builder &b) {
+        return each(b.ambient(), [&](ValueId v) { return b.mul(b.parameter(0), v); });
+    });
     EXPECT_FALSE(surfaceFacts(applyLightRule(flat, LightRule::Classic)).hasLoops);
     Function gathering = applyLightRule(flat, LightRule::Path);
     EXPECT_EQ(verify(gathering), "") << print(gathering);

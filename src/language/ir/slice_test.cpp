@@ -93,8 +93,7 @@ struct Subject {
         for (int request = 0; request < int(whole.requests.size()); ++request) {
             auto kept = batch.inputs;
             for (int c = 0; c < 3; ++c)
-                batch.inputs[int(ShaderInput::sampleL) + c] =
-                    batch.inputs[int(ShaderInput::N) + c];
+                batch.inputs[int(ShaderInput::sampleL) + c] = batch.inputs[int(ShaderInput::N) + c];
             batch.answered.assign(batch.padded(), request);
             auto answered = shade(whole, 0, request);
             expectOutput(scatter, batch.run(scatter, interpret), "g", answered, &none, "Ci");

@@ -163,8 +163,7 @@ void Specializer::walkPrint(const Instruction &i) {
 
 void Specializer::walkPlain(const Instruction &i, Range range) {
     bool memory = i.op == Op::ArrayLoad || i.op == Op::ArrayStore;
-    Stage stage = memory ? dependence_.arrayStage[i.immediate]
-                         : dependence_.stage[i.results[0]];
+    Stage stage = memory ? dependence_.arrayStage[i.immediate] : dependence_.stage[i.results[0]];
     if (!range.has(stageOf(stage)))
         return;
     bool shared = stage < Stage::Response;
@@ -172,8 +171,7 @@ void Specializer::walkPlain(const Instruction &i, Range range) {
         int immediate = memory ? arrayFor(h, i.immediate) : i.immediate;
         Values results = b_.emit(i.op, valuesOf(h, i.operands), immediate, i.number);
         for (std::size_t k = 0; k < i.results.size(); ++k)
-            shared ? assignShared(i.results[k], results[k])
-                   : assign(h, i.results[k], results[k]);
+            shared ? assignShared(i.results[k], results[k]) : assign(h, i.results[k], results[k]);
         if (shared)
             break;
     }

@@ -107,8 +107,8 @@ private:
     std::vector<std::vector<ValueId>> maps_; ///< By hypothesis and old value.
     std::vector<int> active_;                ///< The hypotheses being told.
     int loopDepth_ = 0;
-    int retelling_ = 0; ///< > 0: what is told was told, and saved, before.
-    std::map<std::pair<int, int>, int> arrays_;       ///< (hypothesis or -1, array) to new array.
+    int retelling_ = 0;                         ///< > 0: what is told was told, and saved, before.
+    std::map<std::pair<int, int>, int> arrays_; ///< (hypothesis or -1, array) to new array.
     std::map<std::pair<std::string, int>, ValueId> outputs_;
 };
 
