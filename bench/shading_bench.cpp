@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shading speed, points a second: compiled shaders at width 16 and 1 against hand-written C++;
-// noise by itself; compile times. tests/codegen compare the results, here only time counts.
+// noise by itself; compile times. codegen_test compares results, here only time counts.
 #include "shading_functions.h"
 
 #include "language/ir/test_batch.h"
