@@ -132,6 +132,12 @@ static std::string signatureOf(const ast::Function &function) {
 }
 
 void Checker::noFittingOverload(const ast::Expr &e) {
+    int errors = reporter_.errorCount();
+    for (const ast::ExprPtr &argument : e.operands)
+        if (!typesOf(*argument).arrayLength)
+            check(*argument);
+    if (reporter_.errorCount() > errors)
+        return;
     std::string given;
     for (const TypeSet &types : argumentTypes(e))
         given += (given.empty() ? "" : ", ") + (types.empty() ? "?" : types.text());
@@ -253,6 +259,14 @@ ExprPtr Checker::callUser(const ast::Expr &e, FunctionDefinition &definition) {
     const Function *function = instantiate(definition, types, e.where);
     if (!function)
         return nullptr;
+    if (function->hasLightStatement && context_.lightStatement) {
+        reporter_.error(e.where, "function " + e.text +
+                                     " has a light statement and cannot be "
+                                     "called inside another");
+        return nullptr;
+    }
+    if (context_.function)
+        context_.function->hasLightStatement |= function->hasLightStatement;
     ExprPtr result = node(ExprKind::Call, {}, e.where, std::move(arguments));
     result->type = function->result;
     result->function = function;

@@ -43,12 +43,13 @@ bool castable(BaseType from, BaseType to) {
     return conversionCost(from, to) < impossible || (isTriple(from) && isTriple(to));
 }
 
-// More than a promotion of one operand costs: in `color c = noise(x) * 0.5`, colour noise wins.
+// A little more than a promotion of one operand costs: in `color c = noise(x) + 0.5` colour noise
+// wins, but operands that are floats anyway are not promoted before their time.
 int contextCost(BaseType result, std::optional<BaseType> wanted) {
     if (!wanted || result == *wanted)
         return 0;
     int cost = conversionCost(result, *wanted);
-    return cost >= impossible ? 50 : cost == 1 ? 1 : cost + 2;
+    return cost >= impossible ? 50 : cost == 1 ? 1 : cost + 1;
 }
 
 } // namespace candela::sl

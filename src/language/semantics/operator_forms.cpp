@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/semantics/operator_forms.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace candela::sl {
@@ -8,6 +9,9 @@ namespace {
 
 using enum BaseType;
 using Forms = std::vector<OperatorForm>;
+// With a promotion more than contextCost() asks for the float result: `color c = i / d` divides
+// floats. Less for points than by components: `noise(P) * N` scales.
+constexpr int scaling = 2;
 constexpr BaseType geometric[] = {Point, Vector, Normal};
 
 Forms sums(bool subtract) {
@@ -26,21 +30,21 @@ Forms sums(bool subtract) {
 Forms products(bool divide) {
     Forms forms{{Float, Float, Float, 0}};
     for (BaseType a : geometric) {
-        forms.push_back({a, Float, a, 0});
+        forms.push_back({a, Float, a, scaling});
         if (!divide)
-            forms.push_back({Float, a, a, 0});
+            forms.push_back({Float, a, a, scaling});
     }
     forms.push_back({Color, Color, Color, 0});
-    forms.push_back({Color, Float, Color, 1});
+    forms.push_back({Color, Float, Color, scaling});
     if (!divide)
-        forms.push_back({Float, Color, Color, 1});
+        forms.push_back({Float, Color, Color, scaling});
     for (BaseType a : geometric)
         for (BaseType b : geometric)
-            forms.push_back({a, b, a == b ? a : Vector, 2});
+            forms.push_back({a, b, a == b ? a : Vector, 2 * scaling});
     forms.push_back({Matrix, Matrix, Matrix, 0});
-    forms.push_back({Matrix, Float, Matrix, 0});
+    forms.push_back({Matrix, Float, Matrix, scaling});
     if (!divide)
-        forms.push_back({Float, Matrix, Matrix, 0});
+        forms.push_back({Float, Matrix, Matrix, scaling});
     return forms;
 }
 
@@ -94,13 +98,29 @@ const OperatorForm *chooseForm(BinaryOp op, const TypeSet &left, const TypeSet &
     return best;
 }
 
+/// Whether an operand is of the form's type by itself, not by promotion of a float alone.
+static bool fitsNatively(const OperatorForm &form, const TypeSet &left, const TypeSet &right) {
+    bool floats = form.left == Float && form.right == Float;
+    return floats || (form.left != Float && conversionCost(left, form.left) <= 1) ||
+           (form.right != Float && conversionCost(right, form.right) <= 1);
+}
+
+// Not what could only be had by promotion (float + float is no color), and of point, vector and
+// normal only what comes cheapest.
 TypeSet resultsOf(BinaryOp op, const TypeSet &left, const TypeSet &right) {
     TypeSet result;
     if (left.empty() && right.empty())
         return result;
+    int cheapest = impossible;
     for (const OperatorForm &form : formsOf(op))
-        if (operandCost(form, left, right) < impossible)
+        if (isGeometric(form.result))
+            cheapest = std::min(cheapest, operandCost(form, left, right));
+    for (const OperatorForm &form : formsOf(op)) {
+        int cost = operandCost(form, left, right);
+        bool best = !isGeometric(form.result) || cost == cheapest;
+        if (cost < impossible && best && fitsNatively(form, left, right))
             result.add(form.result);
+    }
     return result;
 }
 

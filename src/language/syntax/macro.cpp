@@ -8,7 +8,7 @@
 namespace candela::sl {
 
 // A few macros that call each other twice can ask for 2^n tokens; arguments can nest for ever.
-static constexpr size_t tokenBudget = 1'000'000;
+static constexpr size_t tokenBudget = 200'000;
 static constexpr int depthLimit = 64;
 
 const Token &TokenStream::peek() const {
@@ -35,8 +35,26 @@ void TokenStream::putBack(const std::vector<Token> &tokens) {
 bool MacroTable::overBudget(const Place &where, size_t more) {
     produced_ += more;
     if (produced_ > tokenBudget)
-        reporter_.error(where, "macros expand to more than a million words");
+        reporter_.error(where, "macros expand to too many words");
     return produced_ > tokenBudget;
+}
+
+// No token that came out of a macro calls that macro again. Tokens of one origin share their set.
+static void hide(std::vector<Token> &tokens, const Token &name) {
+    using Names = std::set<std::string>;
+    std::map<const Names *, std::shared_ptr<const Names>> extended;
+    for (Token &token : tokens) {
+        auto &set = extended[token.hidden.get()];
+        if (!set) {
+            auto names = std::make_shared<Names>(token.hidden ? *token.hidden : Names());
+            if (name.hidden)
+                names->insert(name.hidden->begin(), name.hidden->end());
+            names->insert(name.spelling);
+            set = std::move(names);
+        }
+        token.hidden = set;
+        token.startsLine = false;
+    }
 }
 
 bool MacroTable::expand(const Token &name, TokenStream &stream) {
@@ -56,18 +74,9 @@ bool MacroTable::expand(const Token &name, TokenStream &stream) {
     std::vector<Token> result = substitute(name, macro, arguments);
     if (overBudget(name.where, result.size() + 1))
         return true;
-    for (size_t i = 0; i < result.size(); ++i) {
-        auto hidden = std::make_shared<std::set<std::string>>();
-        if (result[i].hidden)
-            *hidden = *result[i].hidden;
-        if (name.hidden)
-            hidden->insert(name.hidden->begin(), name.hidden->end());
-        hidden->insert(name.spelling);
-        result[i].hidden = std::move(hidden);
-        result[i].startsLine = false;
-        if (i == 0)
-            result[i].spaceBefore = name.spaceBefore;
-    }
+    hide(result, name);
+    if (!result.empty())
+        result.front().spaceBefore = name.spaceBefore;
     stream.putBack(result);
     return true;
 }

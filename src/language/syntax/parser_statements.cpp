@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Statements, and how parsing starts again after an error in one.
+#include <algorithm>
 #include <cmath>
 
 #include "language/syntax/parser_state.h"
@@ -31,19 +32,17 @@ void Parser::recoverInBlock(size_t start) {
         return skipBlock(); // Nested too deeply: parsing it again would lead here again.
     if (at_ == start && !at("}"))
         take();
-    int depth = 0;
-    while (!atEnd()) {
-        bool outside = depth == 0;
-        if (at("}") || at("{"))
+    int depth = 0; // Of brackets: a ';' in the head of a `for` does not end the statement.
+    for (size_t i = start; i < at_; ++i)
+        depth = std::max(0, depth + tokens_[i].is("(") - tokens_[i].is(")"));
+    while (!atEnd() && !at("}") && !at("{")) {
+        bool startsNext =
+            startsDeclaration() || atAny({"if", "while", "for", "return", "break", "continue",
+                                          "illuminance", "illuminate", "solar"});
+        if (peek().startsLine && startsNext)
             return;
-        if (outside && peek().startsLine &&
-            (startsDeclaration() || atAny({"if", "while", "for", "return", "break", "continue",
-                                           "illuminance", "illuminate", "solar"})))
-            return;
-        depth += at("(") - at(")");
-        if (depth < 0)
-            depth = 0;
-        if (take().is(";"))
+        depth = std::max(0, depth + at("(") - at(")"));
+        if (take().is(";") && (depth == 0 || peek().startsLine))
             return;
     }
 }

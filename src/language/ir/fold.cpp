@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// Folding of instance parameters into a text.
+#include "language/ir/dead_code.h"
+#include "language/ir/plan.h"
+#include "language/ir/questions.h"
+
+#include <map>
+
+namespace candela::ir {
+
+namespace {
+
+void replaceParameters(Region &region, const std::map<int, float> &values) {
+    for (Instruction &i : region.body) {
+        if (i.op == Op::Parameter)
+            if (auto it = values.find(i.immediate); it != values.end()) {
+                i.op = Op::ConstFloat;
+                i.immediate = 0;
+                i.number = it->second;
+            }
+        for (Region &inner : i.regions)
+            replaceParameters(inner, values);
+    }
+}
+
+} // namespace
+
+Function fold(const Function &whole, const std::vector<FoldedValue> &values) {
+    std::map<int, float> bySlot;
+    for (const FoldedValue &value : values)
+        bySlot[value.slot] = value.value;
+    Function text = whole;
+    replaceParameters(text.body, bySlot);
+    removeDeadCode(text);
+    Dependence dependence = analyzeDependence(text);
+    Function result = emptyLike(text);
+    result.outputs = text.outputs;
+    result.requests.clear();
+    Builder b(result);
+    Telling telling;
+    telling.prints = telling.unrolls = telling.renumbers = true;
+    Specializer teller(text, dependence, b, {{Hypothesis::Light::Given, true, nullptr}}, telling);
+    teller.run();
+    for (const OutputSlot &slot : text.outputs)
+        if (auto v = teller.output(0, slot.name, slot.component))
+            b.output(slot.name, slot.component, *v);
+    b.finish();
+    removeDeadCode(result);
+    return result;
+}
+
+} // namespace candela::ir

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "language/ir/plan.h"
+
+#include "foundation/units/color.h"
+#include "language/ir/dead_code.h"
+#include "language/ir/zero.h"
+
+#include <functional>
+
+namespace candela::ir {
+
+namespace {
+
+/// The text anew, so that equal values are one value and have one frame slot.
+void shareEqualValues(Function &text, std::vector<Cull> &culls) {
+    Dependence dependence = analyzeDependence(text);
+    Function shared = emptyLike(text);
+    Builder b(shared);
+    Telling telling;
+    telling.prints = true;
+    Specializer teller(text, dependence, b, {{Hypothesis::Light::Given, true, nullptr}}, telling);
+    teller.run();
+    for (const OutputSlot &slot : text.outputs)
+        if (auto v = teller.output(0, slot.name, slot.component))
+            b.output(slot.name, slot.component, *v);
+    for (Cull &cull : culls)
+        if (cull.known) {
+            cull.axis = teller.triple(0, cull.axis);
+            cull.cosine = teller.value(0, cull.cosine);
+        }
+    b.finish();
+    text = std::move(shared);
+}
+
+bool holds(const Region &region, const std::function<bool(const Instruction &)> &test) {
+    for (const Instruction &i : region.body) {
+        if (test(i))
+            return true;
+        for (const Region &inner : i.regions)
+            if (holds(inner, test))
+                return true;
+    }
+    return false;
+}
+
+void readFacts(Plan &plan) {
+    Function emission = tellUnder(plan, {}, "Ci", "Ce");
+    std::vector<bool> zero = provablyZero(emission);
+    for (const Instruction &i : emission.body.body)
+        if (i.op == Op::Output)
+            plan.emits[emission.outputs[i.immediate].component] = !zero[i.operands[0]];
+    Function ambient = tellUnder(plan, {Hypothesis::Light::None, true, nullptr}, "Ci", "Ca");
+    plan.readsAmbient = holds(ambient.body, [](const Instruction &i) {
+        return i.op == Op::Ambient || i.op == Op::Irradiance;
+    });
+}
+
+} // namespace
+
+Function emptyLike(const Function &whole) {
+    Function result;
+    result.name = whole.name;
+    result.requests = whole.requests;
+    result.strings = whole.strings;
+    result.spaces = whole.spaces;
+    result.categories = whole.categories;
+    result.parameters = whole.parameters;
+    result.variables = whole.variables;
+    return result;
+}
+
+Function tellUnder(const Plan &plan, const Hypothesis &hypothesis, const std::string &from,
+                   const std::string &slot) {
+    Function result = emptyLike(plan.text);
+    Builder b(result);
+    Telling telling;
+    telling.culls = &plan.culls;
+    Specializer teller(plan.text, plan.dependence, b, {hypothesis}, telling);
+    teller.run();
+    for (int k = 0; k < colorSamples; ++k)
+        b.output(slot, k, teller.output(0, from, k).value_or(b.number(0)));
+    b.finish();
+    removeDeadCode(result);
+    return result;
+}
+
+std::unique_ptr<Plan> makePlan(const Function &whole) {
+    auto plan = std::make_unique<Plan>();
+    plan->text = whole;
+    removeDeadCode(plan->text);
+    plan->culls = addCulls(plan->text);
+    shareEqualValues(plan->text, plan->culls);
+    plan->dependence = analyzeDependence(plan->text);
+    plan->framed = plan->dependence.staticRequests;
+    plan->cones = conesOf(plan->text, plan->dependence, plan->framed);
+    readFacts(*plan);
+    return plan;
+}
+
+} // namespace candela::ir

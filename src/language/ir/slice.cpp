@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "language/ir/affine.h"
+#include "language/ir/dead_code.h"
+#include "language/ir/plan.h"
+#include "language/ir/questions.h"
+
+namespace candela::ir {
+
+namespace {
+
+const char *nameOf(Question question) {
+    constexpr const char *names[] = {"shade",   "surface", "view",    "prepare",
+                                     "scatter", "emit",    "opacity", "light"};
+    return names[int(question)];
+}
+
+Function sliceFramed(const Plan &plan, Question question) {
+    FramePlan frame = planFrame(plan);
+    Function result;
+    switch (question) {
+    case Question::Surface: result = tellSurface(plan, frame.all); break;
+    case Question::View:
+        result = tellPrepare(plan, plan.framed ? Stage::View : Stage::Surface, frame.all);
+        break;
+    case Question::Prepare: result = tellPrepare(plan, Stage::Surface, frame.scatter); break;
+    default: result = tellScatter(plan, frame.scatter); break;
+    }
+    result.frameSlots = int(frame.all.size());
+    return result;
+}
+
+Function sliceQuestion(const Function &whole, Question question) {
+    switch (question) {
+    case Question::Shade:
+    case Question::Light: {
+        Function result = whole;
+        removeDeadCode(result);
+        return result;
+    }
+    case Question::Emit: return tellUnder(*makePlan(whole), {}, "Ci", "Ce");
+    case Question::Opacity: return tellUnder(*makePlan(whole), {}, "Oi", "Oi");
+    default: return sliceFramed(*makePlan(whole), question);
+    }
+}
+
+bool hasLoops(const Plan &plan) {
+    for (const Instruction *i : plan.dependence.request)
+        if (i && i->op == Op::LightLoop)
+            return true;
+    return false;
+}
+
+} // namespace
+
+Function slice(const Function &whole, Question question) {
+    Function result = sliceQuestion(whole, question);
+    result.name = whole.name + "." + nameOf(question);
+    return result;
+}
+
+SurfaceFacts surfaceFacts(const Function &whole) {
+    auto plan = makePlan(whole);
+    SurfaceFacts facts;
+    for (std::size_t n = 0; n < plan->cones.size(); ++n)
+        facts.cones.push_back({plan->cones[n].request, int(6 * n)});
+    facts.hasLoops = hasLoops(*plan);
+    facts.readsAmbient = plan->readsAmbient;
+    for (bool emits : plan->emits)
+        facts.emits |= emits;
+    facts.opaqueIfOsIs1 = opaqueIfOsIs1(slice(whole, Question::Opacity));
+    AffineProof proof = proveAffine(whole);
+    facts.affine = proof.affine;
+    facts.notAffineLine = proof.line;
+    facts.staticRequests = plan->dependence.staticRequests;
+    facts.notStaticLine = plan->dependence.notStaticLine;
+    return facts;
+}
+
+} // namespace candela::ir

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every class of error, with its text and its place.
+#include <gtest/gtest.h>
+
+#include "language/semantics/front_test_support.h"
+
+namespace candela::sl {
+namespace {
+
+using test::Compiled;
+using test::surfaceWith;
+
+struct Mistake {
+    const char *text;
+    const char *expected; ///< From the column on: "3: error: ..."
+};
+
+// The statement stands in line 2, from column 1.
+void expectInSurface(const Mistake &mistake) {
+    Compiled compiled(surfaceWith(mistake.text));
+    std::string message = compiled.firstMessage(), head = "test.sl:2:";
+    EXPECT_FALSE(compiled.good() && message.find("warning") == message.npos) << mistake.text;
+    EXPECT_EQ(message, head + mistake.expected) << mistake.text;
+}
+
+TEST(Errors, NamesAndTypes) {
+    const Mistake table[] = {
+        {"f = nrmal(N);", "5: error: unknown function 'nrmal'"},
+        {"w = normalise(N);", "5: error: unknown function 'normalise'; did you mean 'normalize'?"},
+        {"f = zzz;", "5: error: unknown variable 'zzz'"},
+        {"f = nmae;", "5: error: unknown variable 'nmae'; did you mean 'name'?"},
+        {"zzz = 1;", "1: error: unknown variable 'zzz'"},
+        {"f = Ps;", "5: error: unknown variable 'Ps' in a surface shader; light shaders have it"},
+        {"f = w;", "5: error: what is assigned here must be a float, not a vector; did you mean "
+                   "length(), xcomp() or a dot product?"},
+        {"f = name;", "5: error: what is assigned here must be a float, not a string"},
+        {"c = q;", "5: error: what is assigned here must be a color, not a point; a cast says "
+                   "that it is meant"},
+        {"c = c + q;", "7: error: operator '+' cannot be applied to color and point"},
+        {"f = c < c;", "7: error: operator '<' cannot be applied to color and color"},
+        {"c ^= c;", "4: error: expected an expression, not '='"},
+        {"m += c;", "3: error: operator '+=' cannot be applied to matrix and color"},
+        {"f = c ? 1 : 2;", "5: error: the condition of '?:' must be a float, not a color; comp() "
+                           "takes one component"},
+        {"f = f ? 1 : name;", "7: error: the branches of '?:' have no common type: float and "
+                              "string"},
+        {"f = -name;", "5: error: '-' cannot be applied to a string"},
+        {"f = float w;", "5: error: a vector cannot be cast to a float; did you mean length(), "
+                         "xcomp() or a dot product?"},
+        {"f = float \"world\" 1;", "11: error: a float is in no space; only color, point, vector, "
+                                   "normal and matrix are"},
+        {"c = color \"hvs\" (1, 1, 1);", "11: error: unknown colour space \"hvs\"; expected rgb, "
+                                         "hsv, hsl, XYZ, xyY or YIQ"},
+        {"c = ctransform(\"hvs\", c);", "16: error: unknown colour space \"hvs\"; expected rgb, "
+                                        "hsv, hsl, XYZ, xyY or YIQ"},
+        {"f = spline(\"bezir\", f, a);", "12: error: unknown spline basis \"bezir\"; expected "
+                                         "catmull-rom, bezier, bspline, hermite, linear or power"},
+        {"f = a;", "5: error: array a needs an index here"},
+        {"f = a[3];", "7: error: index is outside of array a; expected 0 to 2"},
+        {"f = c[3];", "7: error: index is outside of a color; expected 0 to 2"},
+        {"f = m[0];", "6: error: only arrays, colors, points, vectors and normals can be indexed, "
+                      "not a matrix"},
+        {"a = 1;", "3: error: an array cannot be assigned as a whole"},
+        {"f + 1 = 2;", "3: error: only variables, array elements and components can be assigned"},
+        {"PI = 3;", "1: error: PI is a constant and cannot be assigned"},
+        {"p = 2;", "1: error: parameter p cannot be assigned; declare it output, or copy it into a "
+                   "variable"},
+        {"Cs = 1;", "1: error: Cs cannot be assigned in a surface shader"},
+        {"float f = 1;", "7: error: f is declared in line 1 already"},
+        {"float b[2] = {1, 2, 3};", "21: error: more initial values than array b has elements (2)"},
+        {"float b[2] = 1;", "7: error: the initial values of array b must stand in { }"},
+        {"float b = {1};", "7: error: only arrays take initial values in { }"},
+        {"float b[f];", "9: error: the length of array b must be a whole number from 1 to 65536, "
+                        "known at compile time"},
+        {"float b[1000000000];", "9: error: the length of array b must be a whole number from 1 to "
+                                 "65536, known at compile time"},
+        {"f = sin(1, 2);", "5: error: sin cannot be called with (float, float); expected float "
+                           "sin(float angle)"},
+        {"f = length(name);", "5: error: length cannot be called with (string); expected float "
+                              "length(vector v)"},
+        {"setxcomp(P + Q2, 1);", "14: error: unknown variable 'Q2'"},
+        {"setxcomp(q + q, 1);", "1: error: setxcomp cannot be called with (point, float); expected "
+                                "void setxcomp(output vector v, float x)"},
+        {"f = texture(\"a.tx\");", "5: error: function texture() is not available yet in this "
+                                   "version of Candela"},
+        {"gather(1) { }", "1: error: the gather statement is not available yet in this version of "
+                          "Candela"},
+        {"f = name[0];", "9: error: a string cannot be indexed; a texture's channel, as in "
+                         "name[0], stands only as the first argument of texture(), environment(), "
+                         "shadow() or bump()"},
+        {"printf(\"%f %f\", f);", "1: error: the pattern of printf asks for 2 values, but 1 are "
+                                  "given"},
+        {"printf(\"%s\", f);", "14: error: '%s' in the pattern of printf cannot print a float"},
+        {"extern float zz;", "14: error: extern variable zz is not known outside of here"},
+        {"extern color P;", "14: error: extern variable P is a point where it is defined"},
+    };
+    for (const Mistake &mistake : table)
+        expectInSurface(mistake);
+}
+
+TEST(Errors, UniformAndVarying) {
+    const Mistake table[] = {
+        {"uniform float x = u;", "19: error: a varying value cannot be assigned to uniform float "
+                                 "x; declare it varying"},
+        {"uniform float x; x = p; x += u;", "27: error: a varying value cannot be assigned to "
+                                            "uniform float x; declare it varying"},
+        {"uniform float b[2]; b[0] = u;", "26: error: a varying value cannot be assigned to "
+                                          "uniform float b; declare it varying"},
+        {"uniform float b[2]; b[u] = 1;", "26: error: a varying value cannot be assigned to "
+                                          "uniform float b; declare it varying"},
+        {"varying string x = \"a\"; q = transform(x, q);",
+         "39: error: argument 'to' of transform must be uniform"},
+        {"float g(uniform float x) { return x; } f = g(u);",
+         "46: error: argument 'x' of g must be uniform"},
+        {"uniform float x; setcomp(c, 0, 1); fresnel(I, N, 1, x, f);",
+         "53: error: a varying value cannot be assigned to uniform float x; declare it varying"},
+    };
+    for (const Mistake &mistake : table)
+        expectInSurface(mistake);
+}
+
+TEST(Errors, ControlAndFunctions) {
+    const Mistake table[] = {
+        {"break;", "1: error: 'break' stands in no loop"},
+        {"while (f) { continue 2; }", "13: error: 'continue 2' wants more loops than stand around "
+                                      "it: 1"},
+        {"return 1;", "8: error: a shader returns no value"},
+        {"if (w) f = 1;", "5: error: a condition must be a float, not a vector; did you mean "
+                          "length(), xcomp() or a dot product?"},
+        {"float g(float x) { return g(x - 1); } f = g(2);",
+         "27: error: function g calls itself; the Shading Language has no recursion"},
+        {"g(float x) { return g(x); } f = g(2);",
+         "21: error: function g calls itself; the Shading Language has no recursion"},
+        {"float g(float x) { x = 1; return x; }", "20: error: argument x cannot be assigned; "
+                                                  "declare it output, or copy it into a variable"},
+        {"void g() { return 1; }", "19: error: void function g cannot return a value"},
+        {"float g() { return; }", "13: error: function g must return a float"},
+        {"float g() { return c; }", "20: error: what g returns must be a float, not a color; "
+                                    "comp() takes one component"},
+        {"float g(float x) { return 1; } float g(float y) { return 2; }",
+         "38: error: function g with these arguments is defined in line 2 already"},
+        {"void g(output float x) { x = 1; } g(1);",
+         "35: error: g cannot be called with (float); expected void g(output float x)"},
+        {"void g(output float x) { x = 1; } g(p);",
+         "37: error: parameter p cannot be assigned; declare it output, or copy it into a "
+         "variable"},
+        {"float g(float x[3]) { return x[0]; } float b[2] = {1, 2}; f = g(b);",
+         "15: error: array argument x is given an array of another length: 2"},
+        {"float g(float x = 1) { return x; } f = g(1);",
+         "15: error: arguments of functions have no default values"},
+    };
+    for (const Mistake &mistake : table)
+        expectInSurface(mistake);
+}
+
+TEST(Errors, LightStatements) {
+    const Mistake table[] = {
+        {"illuminance() { }", "1: error: illuminance needs a position"},
+        {"illuminance(P, 1) { }", "16: error: behind the number of cones illuminance takes exactly "
+                                  "4 arguments a cone (axis, "
+                                  "angle in degrees, exponent, importance); 0 are given"},
+        {"illuminance(P, 1, N, 180, 0) { }",
+         "16: error: behind the number of cones illuminance takes exactly 4 arguments a cone "
+         "(axis, "
+         "angle in degrees, exponent, importance); 3 are given"},
+        {"illuminance(P, 2, N, 180, 0, 1) { }",
+         "16: error: illuminance announces more cones than the 1 that follow"},
+        {"illuminance(P, N) { }",
+         "16: error: the classic form of illuminance takes an axis and an angle, not 1 arguments "
+         "here; with a number of cones first it takes 4 arguments a cone"},
+        {"illuminance(P, 1, 1, N, 0, 1) { }", "22: error: the angle of a cone must be a float, not "
+                                              "a normal; did you mean length(), xcomp() or a dot "
+                                              "product?"},
+        {"illuminance(c) { }", "13: error: the position of illuminance must be a point, not a "
+                               "color; a cast says that it is meant"},
+        {"illuminance(P) { illuminance(P) { } }",
+         "18: error: illuminance cannot stand inside another light statement"},
+        {"color g() { color r = 0; illuminance(P) r += Cl; return r; } illuminance(P) c = g();",
+         "81: error: function g has a light statement and cannot be called inside another"},
+        {"illuminate(P) { }", "1: error: illuminate stands only in light shaders, not in a surface "
+                              "shader"},
+        {"solar() { }", "1: error: solar stands only in light shaders, not in a surface shader"},
+        {"illuminance(P, 1, N, 3.1416, 0, 1) { }",
+         "22: warning: the angle of a cone is its full opening in degrees; this looks like "
+         "radians"},
+        {"illuminance(P, 1, N, 2*PI, 0, 1) { }",
+         "23: warning: the angle of a cone is its full opening in degrees; this looks like "
+         "radians"},
+        {"f = comp(Cl, 0);",
+         "10: warning: Cl has a value only inside an illuminance, illuminate or "
+         "solar statement; here it is 0"},
+        {"f == 1;", "3: warning: this expression has no effect"},
+        {"if (f = 1) c = 1;", "7: warning: '=' assigns; did you mean '=='?"},
+    };
+    for (const Mistake &mistake : table)
+        expectInSurface(mistake);
+    EXPECT_EQ(Compiled("light l() { illuminance(P) { } }").firstMessage(),
+              "test.sl:1:13: error: illuminance stands only in surface and volume shaders, not in "
+              "a light shader");
+    EXPECT_EQ(Compiled(surfaceWith("illuminance(P, 1, N, degrees(PI), 0, 1) { }"))
+                  .diagnostics.text()
+                  .find("radians"),
+              std::string::npos);
+}
+
+TEST(Errors, OfShaders) {
+    const std::pair<const char *, const char *> table[] = {
+        {"", "test.sl:1:1: error: the file holds no shader"},
+        {"float f(float x) { return x; }", "test.sl:1:1: error: the file holds no shader"},
+        {"surface s() {} surface s() {}",
+         "test.sl:1:24: error: a shader named s stands in this file already"},
+        {"surface s(float a = 1; float a = 2) {}",
+         "test.sl:1:30: error: a is declared in line 1 already"},
+        {"surface s(color c = Cs) {}",
+         "test.sl:1:21: error: the default of a parameter cannot depend on Cs"},
+        {"surface s(float a = noise(P);) {}",
+         "test.sl:1:27: error: the default of a parameter cannot depend on P"},
+        {"surface s(float a = random();) {}",
+         "test.sl:1:21: error: the default of uniform parameter a must be uniform"},
+        {"surface s(float a;) { Ci = a; }",
+         "test.sl:1:17: warning: parameter a has no default; it is 0"},
+        {"surface s() { float b; }", "test.sl:1:21: warning: variable b is never used"},
+        {"surface s(float a = 1;) { }", "test.sl:1:17: warning: parameter a is never used"},
+        {"float f() { return zz; } surface s() { }", "test.sl:1:20: error: unknown variable 'zz'"},
+    };
+    for (auto [text, expected] : table)
+        EXPECT_EQ(Compiled(text).firstMessage(), expected) << text;
+}
+
+TEST(Errors, AllOfAFileInOneRunWithCarets) {
+    Compiled compiled("surface s(float Kd = 1; color tint = P)\n"
+                      "{\n"
+                      "    color c = difuse(N);\n"
+                      "    float x = c;\n"
+                      "    y = 2\n"
+                      "    Ci = tint * c + Kd * N;\n"
+                      "}\n");
+    EXPECT_FALSE(compiled.good());
+    EXPECT_EQ(compiled.diagnostics.text(),
+              "test.sl:5:10: error: expected ';' after the expression\n"
+              "        y = 2\n"
+              "             ^\n"
+              "test.sl:1:38: error: the default of a parameter cannot depend on P\n"
+              "    surface s(float Kd = 1; color tint = P)\n"
+              "                                         ^\n"
+              "test.sl:3:15: error: unknown function 'difuse'; did you mean 'diffuse'?\n"
+              "        color c = difuse(N);\n"
+              "                  ^~~~~~\n"
+              "test.sl:4:15: error: the initial value of x must be a float, not a color; comp() "
+              "takes one component\n"
+              "        float x = c;\n"
+              "                  ^\n"
+              "test.sl:5:5: error: unknown variable 'y'\n"
+              "        y = 2\n"
+              "        ^\n"
+              "test.sl:6:19: error: operator '+' cannot be applied to color and normal\n"
+              "        Ci = tint * c + Kd * N;\n"
+              "                      ^\n");
+}
+
+} // namespace
+} // namespace candela::sl
