@@ -115,7 +115,8 @@ std::vector<float> atPoint(const std::string &type, const std::string &body, dou
     run.setInput(ShaderInput::dv, {0.25f});
     run.setInput(ShaderInput::Ng, {0, 0, -1});
     std::vector<float> result;
-    for (const auto &plane : run.run().at("result"))
+    const auto outputs = run.run();
+    for (const auto &plane : outputs.at("result"))
         result.push_back(plane[0]);
     return result;
 }
