@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shading speed, points a second: compiled shaders at width 16 and 1 against hand-written C++;
-// noise by itself; compile times. tests/codegen compare the results, here only time counts.
+// noise by itself; compile times. codegen_test compares results, here only time counts.
 #include "shading_functions.h"
 
 #include "language/ir/test_batch.h"
@@ -12,7 +12,7 @@
 namespace candela::bench {
 namespace {
 
-constexpr int points = 4096;
+constexpr int points = 1024; // A batch that stays in the first-level cache.
 
 JitOptions optionsAt(int width) {
     JitOptions options;

@@ -17,10 +17,20 @@ static const float *input(const ShaderArgs &args, ShaderInput which, int k) {
 }
 
 void constantByHand(const ShaderArgs *args) {
-    for (int i = 0; i < args->count; i += 16)
+    const float *Cs[3], *Os[3];
+    float *Ci[3];
+    for (int k = 0; k < 3; ++k) {
+        Cs[k] = input(*args, ShaderInput::Cs, k);
+        Os[k] = input(*args, ShaderInput::Os, k);
+        Ci[k] = args->outputs[k];
+    }
+    for (int i = 0; i < args->count; i += 16) {
+        WideFloats color[3];
         for (int k = 0; k < 3; ++k)
-            store(args->outputs[k] + i, load(input(*args, ShaderInput::Cs, k) + i) *
-                                            load(input(*args, ShaderInput::Os, k) + i));
+            color[k] = load(Cs[k] + i) * load(Os[k] + i);
+        for (int k = 0; k < 3; ++k)
+            store(Ci[k] + i, color[k]);
+    }
 }
 
 static void normalize(WideFloats *a) {

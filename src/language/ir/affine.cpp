@@ -54,7 +54,9 @@ private:
             proof_ = {false, form.line};
     }
 
-    const Form &form(const Instruction &i, int operand) const { return forms_[i.operands[operand]]; }
+    const Form &form(const Instruction &i, int operand) const {
+        return forms_[i.operands[operand]];
+    }
 
     void set(Form &known, const Form &to) {
         if (!known.broken && !(known == to)) {
@@ -130,8 +132,7 @@ private:
         case Op::Ambient:
         case Op::Irradiance:
             for (std::size_t k = 0; k < i.results.size(); ++k)
-                set(i.results[k], anyLit(i.operands) ? brokenAt(i.line)
-                                                     : lightOf(int(k)));
+                set(i.results[k], anyLit(i.operands) ? brokenAt(i.line) : lightOf(int(k)));
             return;
         default:
             for (ValueId v : i.results)

@@ -3,7 +3,8 @@
 // folded without changing a bit of any result, and reuse values that stand already.
 //
 //     Builder b(function);
-//     auto [lit] = b.lightLoop(request, operands, {b.number(0)}, [&](auto L, auto Cl, auto carried) {
+//     auto [lit] = b.lightLoop(request, operands, {b.number(0)}, [&](auto L, auto Cl, auto carried)
+//     {
 //         return Builder::Values{b.add(carried[0], b.mul(Cl[0], b.dot(N, L)))};
 //     });
 //     b.output("Ci", 0, lit);
@@ -132,10 +133,10 @@ public:
     /// While carried[0] (a bool) holds. The callback gets the carried values, returns the next.
     Values loop(const Values &initial, const std::function<Values(const Values &)> &body);
     /// A light loop over a request from addRequest(). `position` and `cones` as LightRequest says.
-    Values lightLoop(int request, const Triple &position, const Values &cones,
-                     const Values &initial,
-                     const std::function<Values(const Triple &L, const Values &Cl,
-                                                const Values &carried)> &body);
+    Values
+    lightLoop(int request, const Triple &position, const Values &cones, const Values &initial,
+              const std::function<Values(const Triple &L, const Values &Cl, const Values &carried)>
+                  &body);
     int addRequest(const LightRequest &);
     /// -1 for no category; pools equal ones.
     int category(const std::string &);

@@ -72,12 +72,11 @@ Builder::Values Builder::loop(const Values &initial,
     return results;
 }
 
-Builder::Values
-Builder::lightLoop(int request, const Triple &position, const Values &cones,
-                   const Values &initial,
-                   const std::function<Values(const Triple &, const Values &, const Values &)> &body) {
-    Instruction instruction{Op::LightLoop, {position.begin(), position.end()}, {}, {},
-                            request,       0,                                  line_};
+Builder::Values Builder::lightLoop(
+    int request, const Triple &position, const Values &cones, const Values &initial,
+    const std::function<Values(const Triple &, const Values &, const Values &)> &body) {
+    Instruction instruction{Op::LightLoop, {position.begin(), position.end()}, {}, {}, request, 0,
+                            line_};
     instruction.operands.insert(instruction.operands.end(), cones.begin(), cones.end());
     instruction.operands.insert(instruction.operands.end(), initial.begin(), initial.end());
     Triple L;

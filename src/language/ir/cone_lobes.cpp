@@ -42,7 +42,8 @@ private:
     bool early(ValueId v) const { return dependence_.stage[v] < Stage::Response; }
     bool early(const Triple &t) const { return early(t[0]) && early(t[1]) && early(t[2]); }
 
-    static std::vector<Product> times(const std::vector<Product> &a, const std::vector<Product> &b) {
+    static std::vector<Product> times(const std::vector<Product> &a,
+                                      const std::vector<Product> &b) {
         std::vector<Product> result;
         for (const Product &x : a)
             for (const Product &y : b) {
@@ -148,8 +149,8 @@ private:
         const Instruction *sum = definition(i->operands[0]);
         if (!sum || sum->op != Op::Add)
             return {};
-        const Instruction *product[3] = {definition(sum->operands[0]),
-                                         definition(sum->operands[1]), definition(i->operands[1])};
+        const Instruction *product[3] = {definition(sum->operands[0]), definition(sum->operands[1]),
+                                         definition(i->operands[1])};
         for (const Instruction *p : product)
             if (!p || p->op != Op::Mul)
                 return {};

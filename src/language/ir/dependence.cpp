@@ -79,9 +79,7 @@ private:
                 raise(v, array);
             return;
         }
-        case Op::Answer:
-            noteRequest(i, latest(i.operands), context);
-            [[fallthrough]];
+        case Op::Answer: noteRequest(i, latest(i.operands), context); [[fallthrough]];
         case Op::Ambient:
         case Op::Irradiance:
             for (ValueId v : i.results)
@@ -138,8 +136,8 @@ private:
 
     void noteRequest(const Instruction &i, Stage asked, Context context) {
         result_.request[i.immediate] = &i;
-        bool isStatic = !context.repeated && asked < Stage::Response &&
-                        context.condition < Stage::Response;
+        bool isStatic =
+            !context.repeated && asked < Stage::Response && context.condition < Stage::Response;
         if (!isStatic && result_.staticRequests) {
             result_.staticRequests = false;
             result_.notStaticLine = i.line;

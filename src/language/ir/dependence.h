@@ -14,9 +14,9 @@ struct Dependence {
         const Instruction *instruction = nullptr; ///< Null for arguments of regions.
         int result = 0;
     };
-    std::vector<Stage> stage;            ///< By ValueId.
-    std::vector<Stage> arrayStage;       ///< By array: of all its loads and stores.
-    std::vector<Definition> definition;  ///< By ValueId.
+    std::vector<Stage> stage;           ///< By ValueId.
+    std::vector<Stage> arrayStage;      ///< By array: of all its loads and stores.
+    std::vector<Definition> definition; ///< By ValueId.
     /// By request: the instruction that makes it; null if it is gone.
     std::vector<const Instruction *> request;
     bool staticRequests = true;

@@ -130,9 +130,7 @@ private:
         case Op::IntegerFromFloat:
             setInteger(i, integerFromFloat(number(i.operands[0])));
             return true;
-        case Op::ArrayLoad:
-            cells_[i.results[0]] = element(i);
-            return true;
+        case Op::ArrayLoad: cells_[i.results[0]] = element(i); return true;
         case Op::Call: runCall(i); return true;
         default: return false;
         }

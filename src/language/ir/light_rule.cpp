@@ -34,16 +34,16 @@ Builder::Values gatheredLight(Builder &b) {
     N = b.faceforward(N, b.input3(ShaderInput::I), N);
     Builder::Values cone(N.begin(), N.end());
     cone.push_back(b.number(std::numbers::pi_v<float> / 2));
-    return b.lightLoop(b.addRequest(request), b.input3(ShaderInput::P), cone,
-                       Builder::Values(colorSamples, b.number(0)),
-                       [&](const Triple &L, const Builder::Values &Cl,
-                           const Builder::Values &carried) {
-                           ValueId cosine = b.dot(N, b.normalize(L));
-                           Builder::Values sum;
-                           for (int k = 0; k < colorSamples; ++k)
-                               sum.push_back(b.add(carried[k], b.mul(Cl[k], cosine)));
-                           return sum;
-                       });
+    return b.lightLoop(
+        b.addRequest(request), b.input3(ShaderInput::P), cone,
+        Builder::Values(colorSamples, b.number(0)),
+        [&](const Triple &L, const Builder::Values &Cl, const Builder::Values &carried) {
+            ValueId cosine = b.dot(N, b.normalize(L));
+            Builder::Values sum;
+            for (int k = 0; k < colorSamples; ++k)
+                sum.push_back(b.add(carried[k], b.mul(Cl[k], cosine)));
+            return sum;
+        });
 }
 
 /// After each `op`, adds `more` to what it gives.

@@ -32,7 +32,7 @@ const Basis bases[] = {
     {"hermite", 2, {{2, -3, 0, 1}, {1, -2, 1, 0}, {-2, 3, 0, 0}, {1, -1, 0, 0}}},
     // The first and the last knot do not count, so that linear can stand for catmull-rom.
     {"linear", 1, {{0, 0, 0, 0}, {0, 0, -1, 1}, {0, 0, 1, 0}, {0, 0, 0, 0}}},
-    {"constant", 1, {{0, 0, 0, 0}, {0, 0, 0, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}}},
+    {"power", 4, {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}},
 };
 
 const Basis *findBasis(const std::string &name) {
@@ -93,7 +93,7 @@ Components spline(BuiltinCall &call) {
         call.lowering.error(call.expr.operands[0]->where,
                             "there is no spline basis \"" + name +
                                 "\"; known are catmull-rom, bezier, bspline, hermite, linear "
-                                "and constant");
+                                "and power");
         return none;
     }
     Components values;

@@ -101,6 +101,11 @@ private:
         visit(body);
     }
 
+    bool sideIsZero(const Instruction &i) const {
+        return degree(i.operands[0]).kind == Degree::Zero ||
+               degree(i.operands[1]).kind == Degree::Zero;
+    }
+
     Degree sum(const Instruction &i) const {
         return merged(degree(i.operands[0]), degree(i.operands[1]));
     }
@@ -148,12 +153,17 @@ private:
             const Degree d = degree(i.operands[0]);
             return d.kind == Degree::Power ? power(d.power / 2) : d;
         }
+        case Op::Equal:
+            if (sideIsZero(i))
+                zeroTests_.insert(i.results[0]);
+            [[fallthrough]];
         case Op::Less:
         case Op::LessEqual:
-        case Op::Equal:
         case Op::NotEqual: // Both sides grow alike.
             return sum(i).kind == Degree::Unknown ? Degree{Degree::Unknown, 0} : power(0);
         case Op::Select:
+            if (zeroTests_.contains(i.operands[0])) // Guards a division; holds almost nowhere.
+                return degree(i.operands[2]);
             return isSteady(i.operands[0])
                        ? merged(degree(i.operands[1]), degree(i.operands[2]))
                        : Degree{Degree::Unknown, 0};
@@ -190,6 +200,7 @@ private:
     const Triple L_;
     std::vector<Degree> degrees_;
     std::map<ValueId, float> constants_;
+    std::set<ValueId> zeroTests_; ///< Bools that say whether something is 0.
     bool changed_ = false;
 };
 

@@ -2,6 +2,7 @@
 // For tests: Shading Language source in, what the interpreter makes of it out.
 #pragma once
 
+#include "foundation/base/vec3.h"
 #include "language/ir/interpreter.h"
 #include "language/ir/lower.h"
 #include "language/ir/test_batch.h"

@@ -27,7 +27,8 @@ struct OpTable {
 
     OpTable() {
         int i = 0;
-        auto row = [&](const char *name, const char *in, const char *out, std::string_view meaning) {
+        auto row = [&](const char *name, const char *in, const char *out,
+                       std::string_view meaning) {
             operands[i] = withoutBlanks(in);
             results[i] = withoutBlanks(out);
             info[i] = {name, operands[i], results[i], meaning.substr(0, 7) == "varying"};
@@ -56,10 +57,8 @@ bool isPure(Op op) {
     case Op::Answer:
     case Op::Output:
     case Op::FrameStore:
-    case Op::Print:
-        return false;
-    default:
-        return true;
+    case Op::Print: return false;
+    default: return true;
     }
 }
 

@@ -36,8 +36,8 @@ private:
                 break;
             case Op::If:
                 for (std::size_t k = 0; k < i.results.size(); ++k)
-                    sure_[i.results[k]] = join(sure_[i.regions[0].yields[k]],
-                                               sure_[i.regions[1].yields[k]]);
+                    sure_[i.results[k]] =
+                        join(sure_[i.regions[0].yields[k]], sure_[i.regions[1].yields[k]]);
                 break;
             case Op::Output: {
                 const Known &known = sure_[i.operands[0]];

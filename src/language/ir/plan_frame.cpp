@@ -38,8 +38,7 @@ ValueId emissionKey(const Plan &plan, int channel) {
 std::vector<ValueId> emission(const Plan &plan, Specializer &teller, Builder &b) {
     std::vector<ValueId> Ce;
     for (int k = 0; k < colorSamples; ++k)
-        Ce.push_back(plan.emits[k] ? teller.output(0, "Ci", k).value_or(b.number(0))
-                                   : b.number(0));
+        Ce.push_back(plan.emits[k] ? teller.output(0, "Ci", k).value_or(b.number(0)) : b.number(0));
     return Ce;
 }
 
@@ -156,10 +155,9 @@ Function tellScatter(const Plan &plan, const std::map<ValueId, int> &slots) {
         if (answered && plan.emits[k]) {
             ValueId key = emissionKey(plan, k);
             auto slot = slots.find(key);
-            ValueId Ce = plan.framed
-                             ? b.emit(Op::FrameLoad, {},
-                                      slot == slots.end() ? int(key) : slot->second)[0]
-                             : *teller.output(1, "Ci", k);
+            ValueId Ce = plan.framed ? b.emit(Op::FrameLoad, {},
+                                              slot == slots.end() ? int(key) : slot->second)[0]
+                                     : *teller.output(1, "Ci", k);
             g = b.sub(g, Ce);
         }
         b.output("g", k, g);

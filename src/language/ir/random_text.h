@@ -58,12 +58,8 @@ private:
         case 2: pool_.push_back(b_->min(x, b_->neg(y))); break;
         case 3: pool_.push_back(b_->select(condition(), x, y)); break;
         case 4: pool_.push_back(b_->call(2, {x, y, any()})[0]); break;
-        case 5:
-            b_->arrayStore(array_, b_->unary(Op::IntegerFromFloat, x), y);
-            break;
-        case 6:
-            pool_.push_back(b_->arrayLoad(array_, b_->unary(Op::IntegerFromFloat, y)));
-            break;
+        case 5: b_->arrayStore(array_, b_->unary(Op::IntegerFromFloat, x), y); break;
+        case 6: pool_.push_back(b_->arrayLoad(array_, b_->unary(Op::IntegerFromFloat, y))); break;
         default: pool_.push_back(b_->unary(Op::Sin, b_->sub(x, y))); break;
         }
     }
@@ -135,8 +131,8 @@ private:
                 pool_.push_back(carried[2]);
                 Values inner = block({carried.begin() + 3, carried.end()}, depth + 1);
                 ValueId next = b_->add(carried[1], b_->number(1));
-                Values yields{b_->both(b_->less(next, limit), b_->less(next, b_->number(4))),
-                              next, b_->unary(Op::Sin, any())};
+                Values yields{b_->both(b_->less(next, limit), b_->less(next, b_->number(4))), next,
+                              b_->unary(Op::Sin, any())};
                 yields.insert(yields.end(), inner.begin(), inner.end());
                 return yields;
             });
@@ -161,33 +157,34 @@ private:
             if (request.form == ConeForm::Classic) {
                 cones.push_back(b_->number(1.5f));
             } else {
-                ValueId angle = below(2) ? b_->number(float(below(2)) * 90)
-                                         : b_->select(b_->less(b_->parameter(below(3)),
-                                                               b_->number(0)),
-                                                      b_->number(0), b_->number(60));
+                ValueId angle = below(2)
+                                    ? b_->number(float(below(2)) * 90)
+                                    : b_->select(b_->less(b_->parameter(below(3)), b_->number(0)),
+                                                 b_->number(0), b_->number(60));
                 cones.insert(cones.end(), {angle, b_->number(2), b_->parameter(below(3))});
             }
         }
         Values initial = sums;
         initial.push_back(any());
         inLight_ = true;
-        Values result = b_->lightLoop(
-            b_->addRequest(request), b_->input3(ShaderInput::P), cones, initial,
-            [&](const Triple &L, const Values &Cl, const Values &carried) {
-                return scoped(carried, [&](const Values &) {
-                    pool_.insert(pool_.end(), L.begin(), L.end());
-                    ValueId weight = any();
-                    if (below(2))
-                        weight = b_->dot(b_->input3(ShaderInput::N), L);
-                    Values inner = {carried.begin(), carried.end() - 1};
-                    if (below(2))
-                        inner = block(inner, depth + 2);
-                    for (int k = 0; k < colorSamples; ++k)
-                        inner[k] = b_->add(inner[k], b_->mul(Cl[k], b_->mul(weight, any())));
-                    inner.push_back(below(2) ? any() : carried.back());
-                    return inner;
-                });
-            });
+        Values result =
+            b_->lightLoop(b_->addRequest(request), b_->input3(ShaderInput::P), cones, initial,
+                          [&](const Triple &L, const Values &Cl, const Values &carried) {
+                              return scoped(carried, [&](const Values &) {
+                                  pool_.insert(pool_.end(), L.begin(), L.end());
+                                  ValueId weight = any();
+                                  if (below(2))
+                                      weight = b_->dot(b_->input3(ShaderInput::N), L);
+                                  Values inner = {carried.begin(), carried.end() - 1};
+                                  if (below(2))
+                                      inner = block(inner, depth + 2);
+                                  for (int k = 0; k < colorSamples; ++k)
+                                      inner[k] =
+                                          b_->add(inner[k], b_->mul(Cl[k], b_->mul(weight, any())));
+                                  inner.push_back(below(2) ? any() : carried.back());
+                                  return inner;
+                              });
+                          });
         inLight_ = false;
         pool_.push_back(result.back());
         result.pop_back();

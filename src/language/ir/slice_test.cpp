@@ -93,8 +93,7 @@ struct Subject {
         for (int request = 0; request < int(whole.requests.size()); ++request) {
             auto kept = batch.inputs;
             for (int c = 0; c < 3; ++c)
-                batch.inputs[int(ShaderInput::sampleL) + c] =
-                    batch.inputs[int(ShaderInput::N) + c];
+                batch.inputs[int(ShaderInput::sampleL) + c] = batch.inputs[int(ShaderInput::N) + c];
             batch.answered.assign(batch.padded(), request);
             auto answered = shade(whole, 0, request);
             expectOutput(scatter, batch.run(scatter, interpret), "g", answered, &none, "Ci");
@@ -148,24 +147,24 @@ void checkQuestions(unsigned seed, bool dynamic) {
 }
 
 TEST(Slice, AnswersAsTheWholeTextDoes) {
-    for (unsigned seed = 0; seed < 300 && !testing::Test::HasFailure(); ++seed)
+    for (unsigned seed = 0; seed < 70 && !testing::Test::HasFailure(); ++seed)
         checkQuestions(seed, false);
 }
 
 TEST(Slice, AnswersWithRequestsInLoops) {
-    for (unsigned seed = 1000; seed < 1200 && !testing::Test::HasFailure(); ++seed)
+    for (unsigned seed = 1000; seed < 1050 && !testing::Test::HasFailure(); ++seed)
         checkQuestions(seed, true);
 }
 
 TEST(Slice, FramesAreUsed) {
     int framed = 0, statics = 0;
-    for (unsigned seed = 0; seed < 60; ++seed) {
+    for (unsigned seed = 0; seed < 40; ++seed) {
         Function whole = RandomText(seed, false).make();
         framed += slice(whole, Question::Scatter).frameSlots > 0;
         statics += surfaceFacts(whole).staticRequests;
     }
-    EXPECT_GT(statics, 20);
-    EXPECT_GT(framed, 20);
+    EXPECT_GT(statics, 12);
+    EXPECT_GT(framed, 12);
 }
 
 TEST(Fold, KeepsEveryAnswer) {
@@ -180,6 +179,9 @@ TEST(Fold, KeepsEveryAnswer) {
         }
         Function folded = fold(subject.whole, values);
         ASSERT_EQ(verify(folded), "") << seed << print(folded);
+        // Unrolling makes new requests.
+        while (subject.batch.answers.size() < folded.requests.size() * colorSamples)
+            subject.batch.answers.push_back(TestBatch::Plane(subject.batch.padded()));
         EXPECT_TRUE(steeringParameters(folded).empty() ||
                     steeringParameters(folded) == std::vector<int>{1});
         auto expected = subject.shade(subject.whole, 1);

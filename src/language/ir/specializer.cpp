@@ -54,10 +54,13 @@ Triple Specializer::triple(int hypothesis, const Triple &old) {
     return {value(hypothesis, old[0]), value(hypothesis, old[1]), value(hypothesis, old[2])};
 }
 
-/// A value of an earlier stage: recomputed where that is cheap, else from the frame.
+/// A value of an earlier stage: recomputed where that is cheap, else from the frame. Slots hold
+/// floats; integers and strings are always recomputed (see DependenceSweep::canBeSaved).
 ValueId Specializer::fetch(int hypothesis, ValueId old) {
     auto definition = dependence_.definition[old];
-    if (cost(old) <= telling_.recomputeCost) {
+    Type type = text_.values[old].type;
+    bool slotless = type == Type::Integer || type == Type::String;
+    if (slotless || cost(old) <= telling_.recomputeCost) {
         const Instruction &i = *definition.instruction;
         return b_.emit(i.op, valuesOf(hypothesis, i.operands), i.immediate,
                        i.number)[definition.result];
@@ -67,7 +70,7 @@ ValueId Specializer::fetch(int hypothesis, ValueId old) {
         if (auto it = telling_.slots->find(old); it != telling_.slots->end())
             slot = it->second;
     ValueId loaded = b_.emit(Op::FrameLoad, {}, slot)[0];
-    return text_.values[old].type == Type::Bool ? b_.notEqual(loaded, b_.number(0)) : loaded;
+    return type == Type::Bool ? b_.notEqual(loaded, b_.number(0)) : loaded;
 }
 
 /// Operations to compute the value from sources alone.
@@ -79,7 +82,7 @@ int Specializer::cost(ValueId v) const {
         return 0;
     if (i->op >= Op::Sin && i->op <= Op::Pow)
         return tooDear;
-    int sum = text_.values[v].type == Type::Float || text_.values[v].type == Type::Bool ? 1 : 0;
+    int sum = 1;
     for (ValueId operand : i->operands) {
         sum += cost(operand);
         if (sum > telling_.recomputeCost)
@@ -95,7 +98,7 @@ void Specializer::assignShared(ValueId old, ValueId now) {
 }
 
 void Specializer::save(ValueId old, ValueId now) {
-    if (!telling_.slots || loopDepth_ > 0 || responds(old))
+    if (!telling_.slots || loopDepth_ > 0 || retelling_ > 0 || responds(old))
         return;
     if (auto slot = telling_.slots->find(old); slot != telling_.slots->end())
         b_.emit(Op::FrameStore, {now}, slot->second);
@@ -160,8 +163,7 @@ void Specializer::walkPrint(const Instruction &i) {
 
 void Specializer::walkPlain(const Instruction &i, Range range) {
     bool memory = i.op == Op::ArrayLoad || i.op == Op::ArrayStore;
-    Stage stage = memory ? dependence_.arrayStage[i.immediate]
-                         : dependence_.stage[i.results[0]];
+    Stage stage = memory ? dependence_.arrayStage[i.immediate] : dependence_.stage[i.results[0]];
     if (!range.has(stageOf(stage)))
         return;
     bool shared = stage < Stage::Response;
@@ -169,8 +171,7 @@ void Specializer::walkPlain(const Instruction &i, Range range) {
         int immediate = memory ? arrayFor(h, i.immediate) : i.immediate;
         Values results = b_.emit(i.op, valuesOf(h, i.operands), immediate, i.number);
         for (std::size_t k = 0; k < i.results.size(); ++k)
-            shared ? assignShared(i.results[k], results[k])
-                   : assign(h, i.results[k], results[k]);
+            shared ? assignShared(i.results[k], results[k]) : assign(h, i.results[k], results[k]);
         if (shared)
             break;
     }
@@ -188,15 +189,21 @@ void Specializer::walkIf(const Instruction &i, Range range) {
         hoist(Stage(int(condition) - 1));
         range.first = condition;
     }
+    // What a hoisted branch holds is not visible here: it is told again, but not saved again.
+    // (No stores to memory are among it, since those stay behind all their conditions.)
+    bool again = condition < range.first && range.first > telling_.first;
+    Range content{again ? telling_.first : range.first, range.last};
+    retelling_ += again;
     auto all = active_;
     for (auto &group : groupsBy(i.operands[0])) {
         active_ = group;
-        emitIf(i, range);
+        emitIf(i, range, content);
     }
     active_ = all;
+    retelling_ -= again;
 }
 
-void Specializer::emitIf(const Instruction &i, Range range) {
+void Specializer::emitIf(const Instruction &i, Range range, Range content) {
     auto group = active_;
     std::vector<std::pair<int, int>> kept; // Hypothesis, result.
     for (int k = 0; k < int(i.results.size()); ++k)
@@ -207,7 +214,7 @@ void Specializer::emitIf(const Instruction &i, Range range) {
                     break;
             }
     auto branch = [&](const Region &region) {
-        walk(region, range);
+        walk(region, content);
         Values yields;
         for (auto [h, k] : kept)
             yields.push_back(value(h, region.yields[k]));

@@ -83,7 +83,7 @@ private:
     void walkPlain(const Instruction &, Range);
     void walkPrint(const Instruction &);
     void walkIf(const Instruction &, Range);
-    void emitIf(const Instruction &, Range);
+    void emitIf(const Instruction &, Range results, Range content);
     void walkLoop(const Instruction &, Range);
     void emitLoop(const Instruction &, Range);
     bool unrollLoop(const Instruction &, Range);
@@ -107,7 +107,8 @@ private:
     std::vector<std::vector<ValueId>> maps_; ///< By hypothesis and old value.
     std::vector<int> active_;                ///< The hypotheses being told.
     int loopDepth_ = 0;
-    std::map<std::pair<int, int>, int> arrays_;       ///< (hypothesis or -1, array) to new array.
+    int retelling_ = 0;                         ///< > 0: what is told was told, and saved, before.
+    std::map<std::pair<int, int>, int> arrays_; ///< (hypothesis or -1, array) to new array.
     std::map<std::pair<std::string, int>, ValueId> outputs_;
 };
 

@@ -68,18 +68,17 @@ Specializer::Values Specializer::givenLoop(int h, const Instruction &i) {
     Values cones = valuesOf(h, {i.operands.begin() + 3, i.operands.begin() + fixed});
     Values initial = valuesOf(h, {i.operands.begin() + fixed, i.operands.end()});
     auto all = active_;
-    Values results = b_.lightLoop(
-        requestFor(i.immediate), position, cones, initial,
-        [&](const Triple &L, const Values &Cl, const Values &carried) {
-            Values now(L.begin(), L.end());
-            now.insert(now.end(), Cl.begin(), Cl.end());
-            now.insert(now.end(), carried.begin(), carried.end());
-            for (std::size_t k = 0; k < now.size(); ++k)
-                assign(h, region.arguments[k], now[k]);
-            active_ = {h};
-            walk(region, {telling_.first, Stage::Response});
-            return valuesOf(h, region.yields);
-        });
+    Values results = b_.lightLoop(requestFor(i.immediate), position, cones, initial,
+                                  [&](const Triple &L, const Values &Cl, const Values &carried) {
+                                      Values now(L.begin(), L.end());
+                                      now.insert(now.end(), Cl.begin(), Cl.end());
+                                      now.insert(now.end(), carried.begin(), carried.end());
+                                      for (std::size_t k = 0; k < now.size(); ++k)
+                                          assign(h, region.arguments[k], now[k]);
+                                      active_ = {h};
+                                      walk(region, {telling_.first, Stage::Response});
+                                      return valuesOf(h, region.yields);
+                                  });
     active_ = all;
     return results;
 }

@@ -8,6 +8,7 @@ namespace candela::ir {
 namespace {
 
 constexpr int mostTurns = 64, smallUnrolled = 128;
+constexpr std::size_t mostRequests = 256; ///< Of a text; nested loops would multiply without end.
 
 struct Size {
     int instructions = 0;
@@ -45,7 +46,9 @@ bool Specializer::unrollLoop(const Instruction &i, Range range) {
         note(old);
     auto turns = tripCount(i, known, mostTurns);
     Size size = sizeOf(i.regions[0]);
-    if (!turns || (!size.asksForLight && *turns * size.instructions > smallUnrolled))
+    bool worthwhile = size.asksForLight ? b_.function().requests.size() < mostRequests
+                                        : turns && *turns * size.instructions <= smallUnrolled;
+    if (!turns || !worthwhile)
         return false;
     for (int h : active_) {
         Values carried = valuesOf(h, i.operands);

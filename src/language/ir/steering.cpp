@@ -55,8 +55,8 @@ private:
             from.other |= origins_[v].other;
             from.slots.insert(origins_[v].slots.begin(), origins_[v].slots.end());
         }
-        from.other |= info(i.op).varying || !isPure(i.op) || i.op == Op::Space ||
-                      i.op == Op::SpaceInverse;
+        from.other |=
+            info(i.op).varying || !isPure(i.op) || i.op == Op::Space || i.op == Op::SpaceInverse;
         if (i.op == Op::Parameter)
             from = {true, false, {i.immediate}};
         if (i.op == Op::If || i.op == Op::Loop || i.op == Op::LightLoop)
@@ -96,8 +96,8 @@ public:
                 steer(i.operands[0]);
             if (i.op == Op::Loop)
                 steer(i.regions[0].arguments[0]);
-            bool angled = i.op == Op::LightLoop &&
-                          function_.requests[i.immediate].form == ConeForm::Extended;
+            bool angled =
+                i.op == Op::LightLoop && function_.requests[i.immediate].form == ConeForm::Extended;
             if (angled && function_.requests[i.immediate].coneCount > 0)
                 steer(i.operands[6]);
             for (const Region &inner : i.regions)

@@ -90,9 +90,7 @@ private:
     }
 
     bool checkRegionCount(const Instruction &i) {
-        std::size_t count = i.op == Op::If                                  ? 2
-                            : i.op == Op::Loop || i.op == Op::LightLoop ? 1
-                                                                            : 0;
+        std::size_t count = i.op == Op::If ? 2 : i.op == Op::Loop || i.op == Op::LightLoop ? 1 : 0;
         return expect(i, i.regions.size() == count, fmt::format("has not {} regions", count));
     }
 
@@ -156,8 +154,9 @@ private:
 
     bool checkLetters(const Instruction &i) {
         const OpInfo &table = info(i.op);
-        if (!expect(i, i.operands.size() == table.operands.size() &&
-                           i.results.size() == table.results.size(),
+        if (!expect(i,
+                    i.operands.size() == table.operands.size() &&
+                        i.results.size() == table.results.size(),
                     "wrong arity"))
             return false;
         Type same = i.op == Op::ArrayLoad || i.op == Op::ArrayStore

@@ -48,11 +48,10 @@ TEST(Verify, CatchesCorruptions) {
     const std::vector<std::pair<const char *, std::function<void(Function &)>>> corruptions = {
         {"undefined operand", [](Function &f) { find(f, Op::Less).operands[0] = 9999; }},
         {"use before definition",
-         [](Function &f) {
-             std::swap(f.body.body.front(), f.body.body.back());
-         }},
+         [](Function &f) { std::swap(f.body.body.front(), f.body.body.back()); }},
         {"wrong arity", [](Function &f) { find(f, Op::Less).operands.pop_back(); }},
-        {"wrong type", [](Function &f) { find(f, Op::If).operands[0] = find(f, Op::Add).results[0]; }},
+        {"wrong type",
+         [](Function &f) { find(f, Op::If).operands[0] = find(f, Op::Add).results[0]; }},
         {"defined twice",
          [](Function &f) { find(f, Op::Add).results[0] = find(f, Op::Input).results[0]; }},
         {"value of a region used outside",
@@ -66,10 +65,7 @@ TEST(Verify, CatchesCorruptions) {
         {"no such parameter", [](Function &f) { find(f, Op::Parameter).immediate = 5; }},
         {"no such output", [](Function &f) { find(f, Op::Output).immediate = -1; }},
         {"no such request", [](Function &f) { f.requests.clear(); }},
-        {"frame slot out of range",
-         [](Function &f) {
-             find(f, Op::Output).op = Op::FrameStore;
-         }},
+        {"frame slot out of range", [](Function &f) { find(f, Op::Output).op = Op::FrameStore; }},
         {"rate too low",
          [](Function &f) { f.values[find(f, Op::Input).results[0]].rate = Rate::Uniform; }},
         {"rate of what diverges",
@@ -84,7 +80,8 @@ TEST(Verify, CatchesCorruptions) {
 
 TEST(Print, ShowsStructureAndNames) {
     std::string text = print(sample());
-    for (const char *part : {"LightLoop 0", "Parameter 0 \"Kd\".0", "Input u", "yields", "Output \"Ci\".0"})
+    for (const char *part :
+         {"LightLoop 0", "Parameter 0 \"Kd\".0", "Input u", "yields", "Output \"Ci\".0"})
         EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
 }
 

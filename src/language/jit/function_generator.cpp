@@ -18,7 +18,7 @@ using ir::Region;
 FunctionGenerator::FunctionGenerator(const ir::Function &function, const CodeTarget &target,
                                      llvm::Module &module)
     : function_(function), target_(target), module_(module), builder_(module.getContext()),
-      lanes_(builder_, target.width), masks_(builder_), values_(function.values.size()),
+      lanes_(builder_, target), masks_(builder_), values_(function.values.size()),
       float_(builder_.getFloatTy()), integer_(builder_.getInt32Ty()),
       pointer_(builder_.getPtrTy()) {
     std::map<std::string, int> offsets;

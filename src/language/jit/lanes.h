@@ -4,6 +4,7 @@
 #pragma once
 
 #include "language/ir/ir.h"
+#include "language/jit/code_target.h"
 
 #include <llvm/IR/IRBuilder.h>
 
@@ -11,7 +12,9 @@ namespace candela {
 
 class Lanes {
 public:
-    Lanes(llvm::IRBuilder<> &builder, int width) : builder_(builder), width_(width) {}
+    Lanes(llvm::IRBuilder<> &builder, const CodeTarget &target)
+        : builder_(builder), width_(target.width),
+          masksStores_(target.level != runtime::IsaLevel::V2) {}
 
     int width() const { return width_; }
 
@@ -69,11 +72,16 @@ public:
         return builder_.CreateMaskedLoad(varying(scalar), from, llvm::Align(4), mask,
                                          llvm::Constant::getNullValue(varying(scalar)));
     }
+    /// To a whole plane block. Without masked stores its inactive lanes are written back as they
+    /// were, which nobody sees: a batch belongs to one thread.
     void maskedStore(llvm::Value *value, llvm::Value *to, llvm::Value *mask) const {
-        if (width_ == 1)
-            builder_.CreateAlignedStore(value, to, llvm::Align(4));
-        else
+        if (width_ > 1 && masksStores_) {
             builder_.CreateMaskedStore(value, to, llvm::Align(4), mask);
+            return;
+        }
+        if (width_ > 1)
+            value = builder_.CreateSelect(mask, value, load(value->getType()->getScalarType(), to));
+        builder_.CreateAlignedStore(value, to, llvm::Align(4));
     }
     /// base[index] lane by lane; index in elements, 32 bits. Inactive lanes give 0.
     llvm::Value *gather(llvm::Type *scalar, llvm::Value *base, llvm::Value *index,
@@ -96,6 +104,7 @@ public:
 private:
     llvm::IRBuilder<> &builder_;
     int width_;
+    bool masksStores_;
 };
 
 } // namespace candela

@@ -259,6 +259,14 @@ ExprPtr Checker::callUser(const ast::Expr &e, FunctionDefinition &definition) {
     const Function *function = instantiate(definition, types, e.where);
     if (!function)
         return nullptr;
+    if (function->hasLightStatement && context_.lightStatement) {
+        reporter_.error(e.where, "function " + e.text +
+                                     " has a light statement and cannot be "
+                                     "called inside another");
+        return nullptr;
+    }
+    if (context_.function)
+        context_.function->hasLightStatement |= function->hasLightStatement;
     ExprPtr result = node(ExprKind::Call, {}, e.where, std::move(arguments));
     result->type = function->result;
     result->function = function;

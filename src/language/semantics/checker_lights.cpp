@@ -38,6 +38,8 @@ void Checker::lightStatement(const ast::Stmt &s, std::vector<StmtPtr> &out) {
                                                           : StmtKind::Solar;
     StmtPtr result = make(kind, s.where);
     result->light = lightArguments(s);
+    if (context_.function)
+        context_.function->hasLightStatement = true;
     bool outer = context_.varyingControl;
     context_.varyingControl = true;
     context_.lightStatement = result.get();

@@ -175,6 +175,8 @@ TEST(Errors, LightStatements) {
                                "color; a cast says that it is meant"},
         {"illuminance(P) { illuminance(P) { } }",
          "18: error: illuminance cannot stand inside another light statement"},
+        {"color g() { color r = 0; illuminance(P) r += Cl; return r; } illuminance(P) c = g();",
+         "81: error: function g has a light statement and cannot be called inside another"},
         {"illuminate(P) { }", "1: error: illuminate stands only in light shaders, not in a surface "
                               "shader"},
         {"solar() { }", "1: error: solar stands only in light shaders, not in a surface shader"},

@@ -163,6 +163,9 @@ struct Function {
     Type result; ///< Void if it returns nothing.
     std::vector<Symbol *> formals;
     std::vector<StmtPtr> body; ///< A non-void function that ends without Return gives zero.
+    /// It, or a function that it calls, has an illuminance, illuminate or solar statement. Such a
+    /// function is never called inside another light statement.
+    bool hasLightStatement = false;
 };
 
 struct Parameter {

@@ -109,14 +109,14 @@ Camera::Camera(const Options &options) {
     yStep_ = (bottom - top) / float(height) / focal_;
 
     screenFromCamera_ = screenMatrix(perspective_, focal_, near_, far_);
-    Matrix4 ndcFromScreen = translation(-left, -top, 0) *
-                            scaling(1 / (right - left), 1 / (bottom - top), 1);
+    Matrix4 ndcFromScreen =
+        translation(-left, -top, 0) * scaling(1 / (right - left), 1 / (bottom - top), 1);
     ndcFromCamera_ = screenFromCamera_ * ndcFromScreen;
     rasterFromCamera_ = ndcFromCamera_ * scaling(float(width), float(height), 1);
 }
 
-void Camera::rays(int count, const float *x, const float *y, const float *lensU,
-                  const float *lensV, const float *time01, RayBatch &batch) const {
+void Camera::rays(int count, const float *x, const float *y, const float *lensU, const float *lensV,
+                  const float *time01, RayBatch &batch) const {
     batch.count = count;
     ImagePlane plane{left_, top_, xStep_, yStep_};
     float lensX[chunk] = {}, lensY[chunk] = {};
@@ -124,7 +124,8 @@ void Camera::rays(int count, const float *x, const float *y, const float *lensU,
         int n = std::min(chunk, count - first);
         RayPlanes planes{batch.originX + first,    batch.originY + first,
                          batch.originZ + first,    batch.directionX + first,
-                         batch.directionY + first, batch.directionZ + first, batch.tMax + first};
+                         batch.directionY + first, batch.directionZ + first,
+                         batch.tMax + first};
         if (!perspective_) {
             parallelRays(n, x + first, y + first, plane, near_, far_, planes);
             continue;

@@ -48,8 +48,7 @@ void addLightEmission(const SceneState &state, const ShaderCode &code, const Sha
                     state.lights.lights[light - 1].shader.code.get() == &code;
         if (mine)
             active[i / laneBlock] |= std::uint16_t(1u << i % laneBlock);
-        batch.parameterOffset[i] =
-            mine ? state.lights.lights[light - 1].shader.parameterOffset : 0;
+        batch.parameterOffset[i] = mine ? state.lights.lights[light - 1].shader.parameterOffset : 0;
         batch.objectIndex[i] = points.objectIndex[first + i];
     }
     float *planes[int(ShaderInput::Count)];
@@ -95,8 +94,8 @@ void Scene::emission(int code, const ShadingPoints &points, float *const *radian
     state_->emission(code, points, radiance);
 }
 
-void Scene::ambient(int count, const std::array<const float *, 3> &P,
-                    const std::int32_t *lightSet, float *const *ambient) const {
+void Scene::ambient(int count, const std::array<const float *, 3> &P, const std::int32_t *lightSet,
+                    float *const *ambient) const {
     for (int c = 0; c < colorSamples; ++c)
         std::fill_n(ambient[c], count, 0.0f);
     thread_local std::optional<LightBatch> batch;

@@ -17,7 +17,7 @@ namespace {
 constexpr float roundingShare = 8 * 0x1p-24f;
 
 struct EvaluationScratch {
-    Scratch<std::int32_t> order;
+    Scratch<std::int32_t> order, starts;
     Scratch<std::uint64_t> keys;
     Scratch<std::uint32_t> pieces, triangles;
     Scratch<float> u, v, baryU, baryV, planes, extra;
@@ -29,16 +29,34 @@ EvaluationScratch &scratch() {
     return own;
 }
 
+/// Counts and sums: linear where the primitives are few enough to be counted.
+void sortByCounting(const TrianglePoints &points, std::size_t primitives, EvaluationScratch &own,
+                    std::int32_t *order) {
+    std::int32_t *start = own.starts.get(primitives + 1);
+    std::fill_n(start, primitives + 1, 0);
+    for (int i = 0; i < points.count; ++i)
+        ++start[points.primitive[i] + 1];
+    for (std::size_t k = 0; k < primitives; ++k)
+        start[k + 1] += start[k];
+    for (int i = 0; i < points.count; ++i)
+        order[start[points.primitive[i]]++] = i;
+}
+
 /// Order of the points by primitive; false (and no order) if they are sorted as they stand.
-bool sortByPrimitive(const TrianglePoints &points, EvaluationScratch &own, std::int32_t *&order) {
+bool sortByPrimitive(const TrianglePoints &points, std::size_t primitives, EvaluationScratch &own,
+                     std::int32_t *&order) {
     const std::uint32_t *primitive = points.primitive;
     if (std::is_sorted(primitive, primitive + points.count))
         return false;
+    order = own.order.get(points.count);
+    if (primitives <= 4 * std::size_t(points.count)) {
+        sortByCounting(points, primitives, own, order);
+        return true;
+    }
     std::uint64_t *keys = own.keys.get(points.count);
     for (int i = 0; i < points.count; ++i)
         keys[i] = std::uint64_t(primitive[i]) << 32 | std::uint32_t(i);
     std::sort(keys, keys + points.count);
-    order = own.order.get(points.count);
     for (int i = 0; i < points.count; ++i)
         order[i] = std::int32_t(keys[i] & 0xffffffff);
     return true;
@@ -132,14 +150,17 @@ void evaluateColors(const Run &run, const WantedInputs &wanted, const PrimitiveS
 void evaluateDensity(const Run &run, const PlaneSet &planes, float *scratchLengths, float *pdf) {
     const ScenePrimitive &primitive = run.primitive;
     int n = run.query.count;
-    for (int i = 0; i < n; ++i)
-        pdf[i] = primitive.density[run.triangle[i]];
-    if (primitive.vertexUv.empty())
+    if (!primitive.uvDensity) {
+        for (int i = 0; i < n; ++i)
+            pdf[i] = primitive.density[run.triangle[i]];
         return;
+    }
     crossLengths(n, planes.vec3(ShaderInput::dPdu, run.first),
                  planes.vec3(ShaderInput::dPdv, run.first), scratchLengths);
-    for (int i = 0; i < n; ++i)
-        pdf[i] = scratchLengths[i] > 0 ? pdf[i] / scratchLengths[i] : 0;
+    for (int i = 0; i < n; ++i) {
+        float density = primitive.uvDensity->at(run.query.u[i], run.query.v[i]);
+        pdf[i] = scratchLengths[i] > 0 ? density / scratchLengths[i] : 0;
+    }
 }
 
 void transformVariable(const Declaration &declaration, const ScenePrimitive &primitive, int count,
@@ -246,7 +267,7 @@ void SceneState::evaluate(const TrianglePoints &points, const SceneCode &code,
     fillSummaries(summaries, points, out);
 
     std::int32_t *order = nullptr;
-    bool direct = !sortByPrimitive(points, own, order);
+    bool direct = !sortByPrimitive(points, primitives.size(), own, order);
     auto at = [&](int i) { return direct ? i : order[i]; };
     std::uint32_t *pieces = own.pieces.get(count), *triangles = own.triangles.get(count);
     float *u = own.u.get(count), *v = own.v.get(count);
@@ -281,7 +302,7 @@ void SceneState::evaluate(const TrianglePoints &points, const SceneCode &code,
             evaluateTexture(run, primitive.s, ShaderInput::s, planes);
             evaluateTexture(run, primitive.t, ShaderInput::t, planes);
         }
-        if (!primitive.density.empty()) {
+        if (summaries[index].light != 0) {
             float *pdf = baryU + first; // The triangle's own coordinates have had their use.
             evaluateDensity(run, planes, baryV + first, pdf);
             for (int i = 0; i < n; ++i)

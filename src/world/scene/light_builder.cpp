@@ -2,7 +2,6 @@
 #include "world/scene/light_builder.h"
 
 #include "world/scene/light_power.h"
-#include "world/scene/surface_points.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,40 +45,6 @@ LightKind kindOf(const LightRecord &record, ir::LightClass lightClass) {
     return record.units == LightUnits::Si ? LightKind::Area : LightKind::ClassicArea;
 }
 
-double uvArea(const ScenePrimitive &primitive, std::uint32_t triangle) {
-    auto [a, b, c] = primitive.triangles[triangle];
-    const auto &p = primitive.vertexUv[a], &q = primitive.vertexUv[b], &r = primitive.vertexUv[c];
-    double twice = (double(q[0]) - p[0]) * (double(r[1]) - p[1]) -
-                   (double(q[1]) - p[1]) * (double(r[0]) - p[0]);
-    return std::abs(twice) / 2;
-}
-
-/// Area of the true surface that a triangle's image in (u,v) has, by a seven-point rule. Flat
-/// triangles would leave out the half of a pole's cells that dicing lets degenerate.
-double trueArea(const ScenePrimitive &primitive, std::uint32_t triangle) {
-    // Radon's rule, exact to degree five.
-    constexpr float a = 0.059715871789770f, b = 0.470142064105115f;
-    constexpr float c = 0.797426985353087f, d = 0.101286507323456f, third = 1 / 3.0f;
-    constexpr float x[7] = {third, b, a, b, d, c, d}, y[7] = {third, b, b, a, d, d, c};
-    constexpr double middle = 0.225, near = 0.132394152788506, far = 0.125939180544827;
-    constexpr double weight[7] = {middle, near, near, near, far, far, far};
-    float u[7], v[7], derivatives[6][7];
-    std::uint32_t triangles[7], pieces[7] = {};
-    std::fill_n(triangles, 7, triangle);
-    interpolateUv(7, triangles, x, y, primitive.triangles.data(), primitive.vertexUv.data(), u, v);
-    SurfaceAnswer answer;
-    answer.dPdu = {derivatives[0], derivatives[1], derivatives[2]};
-    answer.dPdv = {derivatives[3], derivatives[4], derivatives[5]};
-    primitive.surface->evaluate({7, pieces, u, v}, answer);
-    double area = 0;
-    for (int i = 0; i < 7; ++i) {
-        Vec3 dPdu = transformVector(primitive.currentFromObject, answer.dPdu.get(i));
-        Vec3 dPdv = transformVector(primitive.currentFromObject, answer.dPdv.get(i));
-        area += weight[i] * length(cross(dPdu, dPdv));
-    }
-    return area * uvArea(primitive, triangle);
-}
-
 bool needsGeometry(LightKind kind) {
     return kind == LightKind::Area || kind == LightKind::ClassicArea || kind == LightKind::Emitter;
 }
@@ -110,16 +75,21 @@ void LightBuilder::declare(const std::vector<std::shared_ptr<const LightRecord>>
 
 void LightBuilder::addTriangles(int index, std::uint32_t primitiveIndex, const RayMesh &mesh) {
     SceneLight &light = state_.lights.lights[index];
-    const ScenePrimitive &primitive = state_.primitives[primitiveIndex];
+    ScenePrimitive &primitive = state_.primitives[primitiveIndex];
     areas_.resize(state_.lights.lights.size());
+    if (!primitive.vertexUv.empty()) {
+        primitive.uvDensity =
+            std::make_shared<UvDensity>(*primitive.surface, primitive.currentFromObject);
+        light.triangles.push_back({primitiveIndex, wholeSurface});
+        areas_[index].push_back(primitive.uvDensity->area());
+        return;
+    }
     for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
         auto [a, b, c] = mesh.triangles[k];
         Vec3 p0 = mesh.positions[a];
         Vec3 normal = cross(mesh.positions[b] - p0, mesh.positions[c] - p0);
-        double area = primitive.vertexUv.empty() ? double(length(normal)) / 2
-                                                 : trueArea(primitive, std::uint32_t(k));
         light.triangles.push_back({primitiveIndex, std::uint32_t(k)});
-        areas_[index].push_back(area);
+        areas_[index].push_back(double(length(normal)) / 2);
     }
 }
 
@@ -179,12 +149,10 @@ void LightBuilder::finishArea(int index) {
         light.cumulative.push_back(sum);
         auto [primitiveIndex, triangle] = light.triangles[k];
         ScenePrimitive &primitive = state_.primitives[primitiveIndex];
-        if (!light.finite())
-            continue;
-        double extent = areas_[index][k];
-        if (!primitive.vertexUv.empty())
-            extent = uvArea(primitive, triangle);
-        primitive.density.push_back(extent > 0 ? float(share / extent) : 0);
+        if (triangle == wholeSurface)
+            primitive.uvDensity->scale(float(share));
+        else if (light.finite())
+            primitive.density.push_back(float(1 / total));
     }
     for (double &share : light.cumulative)
         share /= sum;
@@ -225,9 +193,13 @@ void LightBuilder::estimatePowers() {
         light.power = estimatePower(state_, light);
     state_.lights.finish();
     for (std::size_t i = 0; i < state_.primitives.size(); ++i)
-        if (int light = state_.summaries[i].light)
+        if (int light = state_.summaries[i].light) {
+            float probability = state_.lights.lights[light - 1].probability;
             for (float &density : state_.primitives[i].density)
-                density *= state_.lights.lights[light - 1].probability;
+                density *= probability;
+            if (state_.primitives[i].uvDensity)
+                state_.primitives[i].uvDensity->scale(probability);
+        }
 }
 
 } // namespace candela

@@ -8,7 +8,8 @@ namespace candela {
 std::vector<std::string> categoryWords(const std::string &text) {
     constexpr const char *separators = ", \t|&";
     std::vector<std::string> words;
-    for (std::size_t begin = 0; (begin = text.find_first_not_of(separators, begin)) < text.size();) {
+    for (std::size_t begin = 0;
+         (begin = text.find_first_not_of(separators, begin)) < text.size();) {
         std::size_t end = std::min(text.find_first_of(separators, begin), text.size());
         words.push_back(text.substr(begin, end - begin));
         begin = end;

@@ -55,8 +55,8 @@ double distantPower(const SceneState &state, const SceneLight &light) {
     LightBatch batch(samples);
     prepare(batch, light);
     for (int i = 0; i < samples; ++i)
-        setPs(batch, i, state.centre + onSphere(quasiRandom(i, 0), quasiRandom(i, 1)) *
-                                           state.radius);
+        setPs(batch, i,
+              state.centre + onSphere(quasiRandom(i, 0), quasiRandom(i, 1)) * state.radius);
     batch.ask(state, *light.shader.code);
     double sum = 0;
     for (int i = 0; i < samples; ++i)
@@ -67,8 +67,8 @@ double distantPower(const SceneState &state, const SceneLight &light) {
 /// Intensities over the sphere around the light; where it stands, L tells.
 double pointPower(const SceneState &state, const SceneLight &light, LightBatch &batch) {
     for (int i = 0; i < samples; ++i)
-        setPs(batch, i, state.centre + onSphere(quasiRandom(i, 0), quasiRandom(i, 1)) *
-                                           state.radius);
+        setPs(batch, i,
+              state.centre + onSphere(quasiRandom(i, 0), quasiRandom(i, 1)) * state.radius);
     batch.ask(state, *light.shader.code);
     for (int i = 0; i < samples; ++i) {
         Vec3 L{batch.L[0][i], batch.L[1][i], batch.L[2][i]};

@@ -22,8 +22,7 @@ void LightBatch::readFrom(ShaderInput which, int components, float *const *plane
         inputTable[int(which) + c] = planes ? planes[c] : inputs[int(which) + c];
 }
 
-void LightBatch::ask(const SceneState &state, const ShaderCode &code,
-                     const std::uint16_t *active) {
+void LightBatch::ask(const SceneState &state, const ShaderCode &code, const std::uint16_t *active) {
     for (int plane = 0; plane < answers.planes(); ++plane)
         std::fill_n(answers[plane], count, 0.0f);
     const QuestionCode &question = code.question(ir::Question::Light);

@@ -80,8 +80,7 @@ void sampleFinite(const Job &job, int code, const std::int32_t *lanes, int count
     auto plane = [&](ShaderInput input, int c = 0) { return points.input(int(input) + c); };
     for (int k = 0; k < count; ++k) {
         for (int c = 0; c < 3; ++c) {
-            plane(ShaderInput::I, c)[k] =
-                plane(ShaderInput::P, c)[k] - job.query.P[c][lanes[k]];
+            plane(ShaderInput::I, c)[k] = plane(ShaderInput::P, c)[k] - job.query.P[c][lanes[k]];
             plane(ShaderInput::E, c)[k] = 0;
         }
         plane(ShaderInput::time)[k] = job.query.time[lanes[k]];
@@ -263,6 +262,8 @@ void SceneState::placeOnLight(const SceneLight &light, double choice, float x, f
                               float &v) const {
     const auto &place = light.triangles[chooseByCumulative(light.cumulative, choice)];
     primitive = place.primitive, triangle = place.triangle;
+    if (triangle == wholeSurface)
+        return primitives[primitive].uvDensity->sample(x, y, u, v);
     // The square folded onto the triangle: uniform, and neighbours stay neighbours.
     if (x > y)
         u = x - y / 2, v = y / 2;

@@ -29,7 +29,8 @@ struct SceneLight {
     bool castsShadow = true;
     bool finite() const { return kind == LightKind::Area || kind == LightKind::Emitter; }
     Matrix4 currentFromShader;
-    /// Area and Emitter: triangles of all its primitives with the running sum of their shares.
+    /// With geometry: flat triangles and whole parametric surfaces (triangle = wholeSurface) of
+    /// all its primitives, with the running sum of their shares of the area.
     struct Triangle {
         std::uint32_t primitive, triangle;
     };

@@ -24,12 +24,14 @@ struct LightQuery {
 
 /// One light sample for each point; planes are the caller's.
 struct LightSamples {
-    std::array<float *, 3> L{};  ///< From P to the light; its length is the distance, unless
-                                 ///< `distance` is infinite (distant lights).
-    float *distance = nullptr;   ///< In metres; infinity for distant lights.
+    /// From P towards the light, as far as a shadow ray may go: finite lights end it a little
+    /// before their own surface (docs/ray-offset.md).
+    std::array<float *, 3> L{};
+    float *distance = nullptr; ///< Length of L in metres; infinity for distant lights.
     /// What a loop's Cl is worth before the shadow: for finite pdf the radiance L_i (W m^-2
-    /// sr^-1); for delta lights (pdfSolidAngle = 0) E_perp / pi, or in classic units the number
-    /// the light shader wrote. Already divided by the probability of choosing the light.
+    /// sr^-1), undivided, since the pdf includes the choice; for delta lights (pdfSolidAngle = 0)
+    /// E_perp / pi, or in classic units the number the light shader wrote, divided by the
+    /// probability of choosing the light.
     float *value[8] = {};
     float *pdfSolidAngle = nullptr; ///< Of this direction, choice included; 0 = delta light.
     std::int32_t *light = nullptr;  ///< Index + 1; 0 = no sample (black).

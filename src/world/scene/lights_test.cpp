@@ -12,8 +12,7 @@ namespace candela {
 namespace {
 
 struct Samples {
-    explicit Samples(int n)
-        : floats(14, n), integers(2, n), shadow(1, n) {
+    explicit Samples(int n) : floats(14, n), integers(2, n), shadow(1, n) {
         query.count = n;
         query.P = {floats[0], floats[1], floats[2]};
         query.lightSet = integers[0];
@@ -139,8 +138,7 @@ TEST(Lights, C5Sphere) {
 TEST(Lights, PowersDecideHowOftenALightIsChosen) {
     TestWorld world;
     for (float power : {1.0f, 3.0f})
-        world.addLight("pointlight",
-                       {intensity(power), TestWorld::numbers("from", {power, 0, 2})});
+        world.addLight("pointlight", {intensity(power), TestWorld::numbers("from", {power, 0, 2})});
     world.addPolygon({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}});
     world.render([](const Scene &scene) {
         Samples samples(1 << 15);

@@ -25,8 +25,8 @@ bool isInput(const std::string &name) {
 
 bool isOpaque(const ShaderCode &code, const ScenePrimitive &primitive) {
     const Color &opacity = primitive.attributes->opacity;
-    bool full = primitive.Os < 0 && std::all_of(opacity.c.begin(), opacity.c.end(),
-                                                [](float o) { return o >= 1; });
+    bool full = primitive.Os < 0 &&
+                std::all_of(opacity.c.begin(), opacity.c.end(), [](float o) { return o >= 1; });
     return full && code.facts().opaqueIfOsIs1;
 }
 
@@ -85,8 +85,7 @@ PrimitiveBuilder::Shading PrimitiveBuilder::shadingOf(const Attributes &attribut
     if (known != shadings_.end())
         return known->second;
     auto rule = state_.classic ? ir::LightRule::Classic : ir::LightRule::Path;
-    auto instance =
-        library_.instance(ShaderKind::Surface, record, state_.options, rule, variables);
+    auto instance = library_.instance(ShaderKind::Surface, record, state_.options, rule, variables);
     Shading shading{-1, 0};
     if (instance)
         shading = {numberOf(instance->code), instance->parameterOffset};
@@ -95,8 +94,7 @@ PrimitiveBuilder::Shading PrimitiveBuilder::shadingOf(const Attributes &attribut
 }
 
 int PrimitiveBuilder::lightSetOf(const Attributes &attributes) {
-    auto [place, isNew] =
-        lightSets_.try_emplace(attributes.lightsOn, int(state_.lightSets.size()));
+    auto [place, isNew] = lightSets_.try_emplace(attributes.lightsOn, int(state_.lightSets.size()));
     if (isNew)
         state_.lightSets.push_back(attributes.lightsOn);
     return place->second;
@@ -177,10 +175,17 @@ float PrimitiveBuilder::coarseningForBudget() const {
 RayMesh PrimitiveBuilder::diceOne(std::size_t index, float coarsening) {
     ScenePrimitive &primitive = state_.primitives[index];
     PrimitiveSummary &summary = state_.summaries[index];
-    DiceRate rate = diceRate(state_.camera, primitive.surface->bound(),
-                             primitive.currentFromObject, primitive.attributes->shadingRate);
+    DiceRate rate = diceRate(state_.camera, primitive.surface->bound(), primitive.currentFromObject,
+                             primitive.attributes->shadingRate);
     rate.chordError *= coarsening;
     rate.edgeLength *= std::sqrt(coarsening);
+    // Light is found by sampling the true surface and by hitting the dicing; both must agree, also
+    // in small pictures.
+    if (primitive.attributes->areaLight || state_.codes[summary.code].code->facts().emits) {
+        Vec3 extent = primitive.surface->bound().extent();
+        rate.chordError =
+            std::min(rate.chordError, 1e-4f * std::max({extent.x, extent.y, extent.z}));
+    }
     DicedMesh diced = primitive.surface->dice(rate);
 
     RayMesh mesh;

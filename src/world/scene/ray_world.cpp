@@ -52,8 +52,8 @@ void keepByRule(const RTCFilterFunctionNArguments *args) {
         }
         unsigned id = RTCRayN_id(args->ray, n, i);
         float t = RTCRayN_tfar(args->ray, n, i);
-        std::uint64_t place = std::uint64_t(RTCHitN_geomID(args->hit, n, i)) << 32 |
-                              RTCHitN_primID(args->hit, n, i);
+        std::uint64_t place =
+            std::uint64_t(RTCHitN_geomID(args->hit, n, i)) << 32 | RTCHitN_primID(args->hit, n, i);
         if (t == context->t[id] && place > context->place[id]) {
             args->valid[i] = 0;
             continue;
@@ -87,7 +87,8 @@ bool load(const RayBatch &rays, int first, unsigned mask, RTCRay16 &out, int *va
     copy(out.dir_z, rays.directionZ), copy(out.tfar, rays.tMax);
     bool any = false;
     for (int i = 0; i < packet; ++i) {
-        bool trace = first + i < rays.count && rays.tMax[first + i] > 0 && finiteSum(rays, first + i);
+        bool trace =
+            first + i < rays.count && rays.tMax[first + i] > 0 && finiteSum(rays, first + i);
         valid[i] = trace ? -1 : 0;
         any |= trace;
         out.tnear[i] = 0, out.time[i] = 0;
@@ -101,14 +102,12 @@ RTCGeometry makeGeometry(RTCDevice device, const RayMesh &mesh) {
     void *positions =
         rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                 sizeof(Vec3), mesh.positions.size());
-    void *triangles =
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                3 * sizeof(std::uint32_t), mesh.triangles.size());
+    void *triangles = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                              3 * sizeof(std::uint32_t), mesh.triangles.size());
     std::memcpy(positions, mesh.positions.data(), mesh.positions.size() * sizeof(Vec3));
     std::memcpy(triangles, mesh.triangles.data(), mesh.triangles.size() * 12);
     rtcSetGeometryMask(geometry, mesh.opaque ? opaqueBit : transparentBit);
-    rtcSetGeometryUserData(geometry,
-                           reinterpret_cast<void *>(std::intptr_t(mesh.frontSign)));
+    rtcSetGeometryUserData(geometry, reinterpret_cast<void *>(std::intptr_t(mesh.frontSign)));
     rtcSetGeometryIntersectFilterFunction(geometry, keepByRule);
     if (mesh.frontSign != 0)
         rtcSetGeometryOccludedFilterFunction(geometry, refuseFromBehind);

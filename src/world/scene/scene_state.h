@@ -6,6 +6,8 @@
 #include "world/scene/light_table.h"
 #include "world/scene/ray_world.h"
 #include "world/scene/scene.h"
+#include "world/scene/surface_points.h"
+#include "world/scene/uv_density.h"
 
 #include <array>
 #include <memory>
@@ -23,8 +25,9 @@ struct ScenePrimitive {
     /// Empty unless points of triangles are named by interpolated (u,v): see DicedMesh.
     std::vector<std::array<std::uint32_t, 3>> triangles;
     std::vector<std::array<float, 2>> vertexUv;
-    /// Lights only, a triangle each: the density with which light sampling chooses its points,
-    /// per unit of (u,v) if vertexUv is there, else per unit area.
+    /// Lights only: the density with which light sampling chooses its points. Surfaces whose
+    /// points are named by (u,v) have it over (u,v), others per unit area, a triangle each.
+    std::shared_ptr<UvDensity> uvDensity;
     std::vector<float> density;
     /// Index into Surface::variables(), -1 = none.
     int s = -1, t = -1, Cs = -1, Os = -1;
@@ -60,6 +63,9 @@ struct SceneCode {
     /// What this code reads, and the shaders of area lights on its primitives.
     WantedInputs wanted;
 };
+
+/// Instead of a triangle's number: (u,v) are the surface's own.
+inline constexpr std::uint32_t wholeSurface = noTriangle;
 
 /// Points named by where they lie on the dicing; arrays of `count`.
 struct TrianglePoints {

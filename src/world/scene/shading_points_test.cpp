@@ -80,10 +80,10 @@ TEST(ShadingPoints, VariablesOverrideAttributesAndParameters) {
     TestWorld world;
     world.attributes.surface = TestWorld::shader("probe");
     using enum StorageClass;
-    world.addPolygon({{-1, -1, 2}, {1, -1, 2}, {1, 1, 2}, {-1, 1, 2}},
-                     {TestWorld::variable("Cs", Vertex, ValueType::Color,
-                                          {0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1}),
-                      TestWorld::variable("Kd", Vertex, ValueType::Float, {0, 2, 4, 2})});
+    world.addPolygon(
+        {{-1, -1, 2}, {1, -1, 2}, {1, 1, 2}, {-1, 1, 2}},
+        {TestWorld::variable("Cs", Vertex, ValueType::Color, {0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1}),
+         TestWorld::variable("Kd", Vertex, ValueType::Float, {0, 2, 4, 2})});
     world.render([&](const Scene &scene) {
         Grid grid(scene);
         auto order = grid.ofCode(scene, 0);

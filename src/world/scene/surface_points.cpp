@@ -8,10 +8,14 @@
 
 namespace candela {
 
-void interpolateUv(int count, const std::uint32_t *triangle, const float *baryU,
-                   const float *baryV, const std::array<std::uint32_t, 3> *triangles,
+void interpolateUv(int count, const std::uint32_t *triangle, const float *baryU, const float *baryV,
+                   const std::array<std::uint32_t, 3> *triangles,
                    const std::array<float, 2> *vertexUv, float *u, float *v) {
     for (int i = 0; i < count; ++i) {
+        if (triangle[i] == noTriangle) {
+            u[i] = baryU[i], v[i] = baryV[i];
+            continue;
+        }
         const auto &corners = triangles[triangle[i]];
         const auto &a = vertexUv[corners[0]], &b = vertexUv[corners[1]], &c = vertexUv[corners[2]];
         u[i] = a[0] + baryU[i] * (b[0] - a[0]) + baryV[i] * (c[0] - a[0]);
@@ -55,8 +59,7 @@ CANDELA_HOT void crossPlanes(int count, const float *__restrict ax, const float 
 }
 
 CANDELA_HOT void roundingPlanes(int count, const float *__restrict x, const float *__restrict y,
-                                const float *__restrict z, float share,
-                                float *__restrict offset) {
+                                const float *__restrict z, float share, float *__restrict offset) {
     for (int i = 0; i < count; ++i) {
         float ax = std::abs(x[i]), ay = std::abs(y[i]), az = std::abs(z[i]);
         float most = ax > ay ? ax : ay;

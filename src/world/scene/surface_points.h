@@ -9,9 +9,12 @@
 
 namespace candela {
 
+/// No triangle: what is given is (u,v) of the surface already.
+inline constexpr std::uint32_t noTriangle = 0xffffffff;
+
 /// (u,v) of the dicing's triangles becomes (u,v) of the surface: corners by triangle number.
-void interpolateUv(int count, const std::uint32_t *triangle, const float *baryU,
-                   const float *baryV, const std::array<std::uint32_t, 3> *triangles,
+void interpolateUv(int count, const std::uint32_t *triangle, const float *baryU, const float *baryV,
+                   const std::array<std::uint32_t, 3> *triangles,
                    const std::array<float, 2> *vertexUv, float *u, float *v);
 
 void transformPoints(int count, const Matrix4 &, Vec3Planes);
