@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/program.h"
+
+#include "tests/support/scratch_folder.h"
+
+#include <csignal>
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace candela::test {
+
+namespace {
+
+constexpr int couldNotStart = 127;
+
+void redirect(int stream, const std::string &path, int flags) {
+    int file = open(path.c_str(), flags, 0644);
+    if (file < 0 || dup2(file, stream) < 0)
+        _exit(couldNotStart);
+    close(file);
+}
+
+/// In the child: never returns.
+[[noreturn]] void become(std::vector<char *> &arguments, const RunSettings &settings,
+                         const ScratchFolder &said) {
+    redirect(STDOUT_FILENO, said.path("out"), O_WRONLY | O_CREAT | O_TRUNC);
+    redirect(STDERR_FILENO, said.path("err"), O_WRONLY | O_CREAT | O_TRUNC);
+    redirect(STDIN_FILENO, settings.input.empty() ? "/dev/null" : settings.input, O_RDONLY);
+    if (!settings.folder.empty() && chdir(settings.folder.c_str()) != 0)
+        _exit(couldNotStart);
+    if (settings.fileSizeLimit >= 0) {
+        // As on a full disk, a write then fails instead of ending the process.
+        std::signal(SIGXFSZ, SIG_IGN);
+        rlimit limit{rlim_t(settings.fileSizeLimit), rlim_t(settings.fileSizeLimit)};
+        setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    alarm(unsigned(settings.secondsAllowed)); // outlives exec: what hangs is ended
+    execv(arguments[0], arguments.data());
+    _exit(couldNotStart);
+}
+
+} // namespace
+
+std::string Outcome::text() const {
+    std::string how = signal ? "ended by signal " + std::to_string(signal)
+                             : "exit status " + std::to_string(status);
+    return how + "\nstdout:\n" + out + "\nstderr:\n" + err;
+}
+
+Outcome runCandela(const std::vector<std::string> &arguments, const RunSettings &settings) {
+    ScratchFolder said;
+    std::vector<std::string> words{CANDELA_BINARY_DIR "/bin/candela"};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<char *> pointers;
+    for (std::string &word : words)
+        pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+
+    pid_t child = fork();
+    if (child == 0)
+        become(pointers, settings, said);
+    int status = 0;
+    Outcome outcome;
+    if (child < 0 || waitpid(child, &status, 0) != child)
+        return outcome;
+    outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    outcome.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+    outcome.out = said.read("out");
+    outcome.err = said.read("err");
+    return outcome;
+}
+
+} // namespace candela::test

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs the candela program as a user would, and keeps what it said.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace candela::test {
+
+struct RunSettings {
+    std::string folder;      ///< The current folder of the run; empty = that of the test.
+    std::string input;       ///< Path of standard input; empty = /dev/null.
+    long fileSizeLimit = -1; ///< Largest file it may write, bytes (RLIMIT_FSIZE); -1 = any.
+    int secondsAllowed = 120;
+};
+
+struct Outcome {
+    int status = -1;      ///< The exit status; -1 if a signal ended it.
+    int signal = 0;       ///< That signal (SIGALRM: it took longer than it was allowed).
+    std::string out, err; ///< Standard output and standard error.
+
+    bool says(const std::string &text) const { return err.find(text) != std::string::npos; }
+    /// All of it, for the message of a failed test.
+    std::string text() const;
+};
+
+/// Runs build/bin/candela with these arguments and waits for it.
+Outcome runCandela(const std::vector<std::string> &arguments, const RunSettings & = {});
+
+} // namespace candela::test
