@@ -15,17 +15,17 @@
 namespace candela::bench {
 
 struct CornellBox {
-    static constexpr int size = 512;      ///< Pixels, both ways.
+    static constexpr int size = 512; ///< Pixels, both ways.
     static constexpr Vec3 eye{2.78f, 2.73f, -8.0f};
     static constexpr float halfExtent = 12.5f / 35; ///< Of the picture, at a distance of 1.
     static constexpr float lampX0 = 2.13f, lampX1 = 3.43f, lampY = 5.488f, lampZ0 = 2.27f,
                            lampZ1 = 3.32f, lampArea = (lampX1 - lampX0) * (lampZ1 - lampZ0);
     static constexpr float lampRadiance = 15;
 
-    std::vector<Vec3> vertices;             ///< Four a quadrilateral; two triangles each.
-    std::vector<float> albedos;             ///< Of each triangle.
-    std::vector<Vec3> normals;              ///< Unit, of each triangle.
-    std::vector<std::uint32_t> indices;     ///< Three a triangle.
+    std::vector<Vec3> vertices;                       ///< Four a quadrilateral; two triangles each.
+    std::vector<float> albedos;                       ///< Of each triangle.
+    std::vector<Vec3> normals;                        ///< Unit, of each triangle.
+    std::vector<std::uint32_t> indices;               ///< Three a triangle.
     static constexpr std::uint32_t lampTriangles = 2; ///< The first two; they reflect nothing.
 
     CornellBox() {
@@ -39,9 +39,13 @@ struct CornellBox {
         add(white, {lampX1, H, lampZ0}, {W, H, lampZ0}, {W, H, lampZ1}, {lampX1, H, lampZ1});
         add(.25f, {W, 0, 0}, {W, 0, D}, {W, H, D}, {W, H, 0});
         add(.40f, {0, 0, 0}, {0, 0, D}, {0, H, D}, {0, H, 0});
-        addBlock({Vec3{1.30f, 1.65f, .65f}, {.82f, 1.65f, 2.25f}, {2.40f, 1.65f, 2.72f},
+        addBlock({Vec3{1.30f, 1.65f, .65f},
+                  {.82f, 1.65f, 2.25f},
+                  {2.40f, 1.65f, 2.72f},
                   {2.90f, 1.65f, 1.14f}});
-        addBlock({Vec3{4.23f, 3.30f, 2.47f}, {2.65f, 3.30f, 2.96f}, {3.14f, 3.30f, 4.56f},
+        addBlock({Vec3{4.23f, 3.30f, 2.47f},
+                  {2.65f, 3.30f, 2.96f},
+                  {3.14f, 3.30f, 4.56f},
                   {4.72f, 3.30f, 4.06f}});
     }
 
@@ -54,12 +58,10 @@ struct CornellBox {
 
     RTCScene commit(RTCDevice device) const {
         RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-        auto *points = static_cast<Vec3 *>(
-            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                    sizeof(Vec3), vertices.size()));
-        auto *corners = static_cast<std::uint32_t *>(
-            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12,
-                                    indices.size() / 3));
+        auto *points = static_cast<Vec3 *>(rtcSetNewGeometryBuffer(
+            geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3), vertices.size()));
+        auto *corners = static_cast<std::uint32_t *>(rtcSetNewGeometryBuffer(
+            geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, indices.size() / 3));
         std::copy(vertices.begin(), vertices.end(), points);
         std::copy(indices.begin(), indices.end(), corners);
         rtcCommitGeometry(geometry);
