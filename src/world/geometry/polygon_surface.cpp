@@ -95,27 +95,38 @@ DicedMesh PolygonSurface::dice(const DiceRate &) const {
 }
 
 void PolygonSurface::evaluate(const SurfaceQuery &query, const SurfaceAnswer &answer) const {
-    for (int k = 0; k < query.count; ++k) {
-        const Piece &piece = pieces_[query.piece[k]];
-        float a = query.u[k], b = query.v[k];
-        if (answer.P.x)
-            answer.P.set(k, piece.origin + piece.edgeA * a + piece.edgeB * b);
-        if (answer.Ng.x)
-            answer.Ng.set(k, cross(piece.edgeA, piece.edgeB));
-        if (answer.N.x)
-            answer.N.set(k, cross(piece.edgeA, piece.edgeB));
-        if (answer.dPdu.x)
-            answer.dPdu.set(k, piece.edgeA * piece.aDu + piece.edgeB * piece.bDu);
-        if (answer.dPdv.x)
-            answer.dPdv.set(k, piece.edgeA * piece.aDv + piece.edgeB * piece.bDv);
-        auto interpolate = [a, b](const std::array<float, 3> &c) {
-            return c[0] + a * (c[1] - c[0]) + b * (c[2] - c[0]);
-        };
-        if (answer.u)
-            answer.u[k] = interpolate(piece.s);
-        if (answer.v)
-            answer.v[k] = interpolate(piece.t);
+    // A loop an answer: what is not wanted is decided once, not at every point.
+    auto fill = [&](Vec3Planes to, auto valueOf) {
+        if (to.x)
+            for (int k = 0; k < query.count; ++k)
+                to.set(k, valueOf(pieces_[query.piece[k]], k));
+    };
+    auto normalOf = [](const Piece &piece, int) { return cross(piece.edgeA, piece.edgeB); };
+    fill(answer.P, [&](const Piece &piece, int k) {
+        return piece.origin + piece.edgeA * query.u[k] + piece.edgeB * query.v[k];
+    });
+    fill(answer.Ng, normalOf);
+    if (answer.N.x && answer.Ng.x) {
+        std::copy_n(answer.Ng.x, query.count, answer.N.x);
+        std::copy_n(answer.Ng.y, query.count, answer.N.y);
+        std::copy_n(answer.Ng.z, query.count, answer.N.z);
+    } else {
+        fill(answer.N, normalOf);
     }
+    fill(answer.dPdu,
+         [](const Piece &piece, int) { return piece.edgeA * piece.aDu + piece.edgeB * piece.bDu; });
+    fill(answer.dPdv,
+         [](const Piece &piece, int) { return piece.edgeA * piece.aDv + piece.edgeB * piece.bDv; });
+    auto interpolate = [&](float *to, auto cornersOf) {
+        for (int k = 0; to && k < query.count; ++k) {
+            const std::array<float, 3> &c = cornersOf(pieces_[query.piece[k]]);
+            to[k] = c[0] + query.u[k] * (c[1] - c[0]) + query.v[k] * (c[2] - c[0]);
+        }
+    };
+    interpolate(
+        answer.u, [](const Piece &piece) -> auto & { return piece.s; });
+    interpolate(
+        answer.v, [](const Piece &piece) -> auto & { return piece.t; });
     if (answer.N.x && normal_)
         overrideNormals(query, answer.N);
 }

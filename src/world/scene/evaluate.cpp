@@ -281,7 +281,7 @@ void SceneState::evaluate(const TrianglePoints &points, const SceneCode &code,
     wanted.dPd |= wanted.footprint;
     // Emitters with (u,v) need the Jacobian, whoever shades them.
     for (int i = 0; i < count && !wanted.dPd; ++i)
-        wanted.dPd = out.light[i] != 0;
+        wanted.dPd = out.light[i] != 0 && primitives[points.primitive[i]].uvDensity;
     PlaneSet planes(out, direct, count, own);
     for (int first = 0, last; first < count; first = last) {
         std::uint32_t index = points.primitive[at(first)];
