@@ -156,6 +156,13 @@ void LightBuilder::finishArea(int index) {
     }
     for (double &share : light.cumulative)
         share /= sum;
+    auto codeOf = [&](const SceneLight::Triangle &place) {
+        return state_.summaries[place.primitive].code;
+    };
+    int first = codeOf(light.triangles.front());
+    bool same = std::ranges::all_of(light.triangles,
+                                    [&](const auto &place) { return codeOf(place) == first; });
+    light.surfaceCode = same ? first : -1;
 }
 
 void LightBuilder::fillSwitches() {

@@ -202,6 +202,9 @@ void draw(const Job &job, int i, int light, double choice, Drawn &drawn) {
     }
     out.light[i] = light + 1;
     if (chosen.finite()) {
+        drawn.bin = chosen.surfaceCode;
+        if (drawn.bin >= 0)
+            return;
         // The triangle decides the code; it is found again when the bin is filled.
         double again = choice;
         int place = chooseByCumulative(chosen.cumulative, again);

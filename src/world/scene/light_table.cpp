@@ -7,6 +7,8 @@
 namespace candela {
 
 int chooseByCumulative(std::span<const double> cumulative, double &sample) {
+    if (cumulative.size() == 1)
+        return 0;
     auto place = std::upper_bound(cumulative.begin(), cumulative.end(), sample);
     if (place == cumulative.end())
         --place;

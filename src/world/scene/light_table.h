@@ -37,6 +37,7 @@ struct SceneLight {
     std::vector<Triangle> triangles;
     std::vector<double> cumulative; ///< cumulative[i] = share of triangles 0..i; ends with 1.
     double area = 0;                ///< Of all triangles, m^2.
+    int surfaceCode = -1;           ///< The code of all its primitives; -1 = they differ.
     double power = 0;               ///< An estimate; W, or what would be W for classic units.
     float probability = 0;          ///< Of being chosen.
     int batch = 0;                  ///< Lights of one batch share kind and code.

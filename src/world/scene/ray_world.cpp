@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/scene/ray_world.h"
 
+#include "foundation/base/hot.h"
 #include "foundation/base/parallel.h"
 
 #include <embree3/rtcore.h>
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <pmmintrin.h>
 
 namespace candela {
@@ -17,13 +17,6 @@ namespace {
 
 constexpr int packet = laneBlock;
 constexpr unsigned opaqueBit = 1, transparentBit = 2;
-
-/// The best hit so far of each ray of a packet, for the tie rule; found by the ray's id.
-struct PacketContext {
-    RTCIntersectContext embree;
-    float t[packet];
-    std::uint64_t place[packet]; ///< Primitive, then triangle.
-};
 
 bool fromBehind(const RTCFilterFunctionNArguments *args, unsigned i, int frontSign) {
     unsigned n = args->N;
@@ -37,31 +30,6 @@ int frontSignOf(const RTCFilterFunctionNArguments *args) {
     return int(reinterpret_cast<std::intptr_t>(args->geometryUserPtr));
 }
 
-/// Embree keeps the last of several equally near hits, and its order depends on how its tree was
-/// built. Here the one that the rule prefers stays.
-void keepByRule(const RTCFilterFunctionNArguments *args) {
-    auto *context = reinterpret_cast<PacketContext *>(args->context);
-    int frontSign = frontSignOf(args);
-    unsigned n = args->N;
-    for (unsigned i = 0; i < n; ++i) {
-        if (!args->valid[i])
-            continue;
-        if (frontSign != 0 && fromBehind(args, i, frontSign)) {
-            args->valid[i] = 0;
-            continue;
-        }
-        unsigned id = RTCRayN_id(args->ray, n, i);
-        float t = RTCRayN_tfar(args->ray, n, i);
-        std::uint64_t place =
-            std::uint64_t(RTCHitN_geomID(args->hit, n, i)) << 32 | RTCHitN_primID(args->hit, n, i);
-        if (t == context->t[id] && place > context->place[id]) {
-            args->valid[i] = 0;
-            continue;
-        }
-        context->t[id] = t, context->place[id] = place;
-    }
-}
-
 void refuseFromBehind(const RTCFilterFunctionNArguments *args) {
     int frontSign = frontSignOf(args);
     for (unsigned i = 0; i < args->N; ++i)
@@ -69,12 +37,16 @@ void refuseFromBehind(const RTCFilterFunctionNArguments *args) {
             args->valid[i] = 0;
 }
 
-bool finiteSum(const RayBatch &rays, int i) {
-    // Infinities and NaN survive the multiplication by zero as NaN.
-    float sum = rays.originX[i] + rays.originY[i] + rays.originZ[i] + rays.directionX[i] +
-                rays.directionY[i] + rays.directionZ[i];
-    return sum * 0 == 0 &&
-           (rays.directionX[i] != 0 || rays.directionY[i] != 0 || rays.directionZ[i] != 0);
+/// valid[i] = -1 where ray i is finite, has a direction and ends beyond its origin.
+CANDELA_HOT void findTraceable(const RTCRay16 &rays, int *__restrict valid) {
+    for (int i = 0; i < packet; ++i) {
+        // Infinities and NaN survive the multiplication by zero as NaN.
+        float sum = rays.org_x[i] + rays.org_y[i] + rays.org_z[i] + rays.dir_x[i] + rays.dir_y[i] +
+                    rays.dir_z[i];
+        bool finite = sum * 0 == 0;
+        bool directed = (rays.dir_x[i] != 0) | (rays.dir_y[i] != 0) | (rays.dir_z[i] != 0);
+        valid[i] = finite & directed & (rays.tfar[i] > 0) ? -1 : 0;
+    }
 }
 
 /// Copies rays first..first+15 in; valid[i] = -1 for those to be traced. False if there are none.
@@ -85,16 +57,13 @@ bool load(const RayBatch &rays, int first, unsigned mask, RTCRay16 &out, int *va
     copy(out.org_x, rays.originX), copy(out.org_y, rays.originY), copy(out.org_z, rays.originZ);
     copy(out.dir_x, rays.directionX), copy(out.dir_y, rays.directionY);
     copy(out.dir_z, rays.directionZ), copy(out.tfar, rays.tMax);
-    bool any = false;
     for (int i = 0; i < packet; ++i) {
-        bool trace =
-            first + i < rays.count && rays.tMax[first + i] > 0 && finiteSum(rays, first + i);
-        valid[i] = trace ? -1 : 0;
-        any |= trace;
         out.tnear[i] = 0, out.time[i] = 0;
         out.mask[i] = mask, out.id[i] = unsigned(i), out.flags[i] = 0;
     }
-    return any;
+    findTraceable(out, valid);
+    std::fill(valid + std::min(packet, rays.count - first), valid + packet, 0);
+    return std::any_of(valid, valid + packet, [](int v) { return v != 0; });
 }
 
 RTCGeometry makeGeometry(RTCDevice device, const RayMesh &mesh) {
@@ -108,9 +77,11 @@ RTCGeometry makeGeometry(RTCDevice device, const RayMesh &mesh) {
     std::memcpy(triangles, mesh.triangles.data(), mesh.triangles.size() * 12);
     rtcSetGeometryMask(geometry, mesh.opaque ? opaqueBit : transparentBit);
     rtcSetGeometryUserData(geometry, reinterpret_cast<void *>(std::intptr_t(mesh.frontSign)));
-    rtcSetGeometryIntersectFilterFunction(geometry, keepByRule);
-    if (mesh.frontSign != 0)
+    // Filters more than double the time of a ray: only one-sided surfaces have them.
+    if (mesh.frontSign != 0) {
+        rtcSetGeometryIntersectFilterFunction(geometry, refuseFromBehind);
         rtcSetGeometryOccludedFilterFunction(geometry, refuseFromBehind);
+    }
     rtcCommitGeometry(geometry);
     return geometry;
 }
@@ -157,9 +128,9 @@ RayWorld::~RayWorld() {
 
 void RayWorld::intersect(const RayBatch &rays, HitBatch &hits, Which which, bool coherent) const {
     FlushDenormals guard;
-    PacketContext context;
-    rtcInitIntersectContext(&context.embree);
-    context.embree.flags =
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags =
         coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
     unsigned mask = which == Which::All ? opaqueBit | transparentBit : transparentBit;
     alignas(64) RTCRayHit16 bundle;
@@ -167,10 +138,9 @@ void RayWorld::intersect(const RayBatch &rays, HitBatch &hits, Which which, bool
     for (int first = 0; first < rays.count; first += packet) {
         bool any = load(rays, first, mask, bundle.ray, valid);
         std::fill_n(bundle.hit.geomID, packet, noHit);
-        std::fill_n(context.t, packet, std::numeric_limits<float>::quiet_NaN());
         std::fill_n(bundle.hit.instID[0], packet, noHit);
         if (any)
-            rtcIntersect16(valid, handles_->scene, &context.embree, &bundle);
+            rtcIntersect16(valid, handles_->scene, &context, &bundle);
         std::size_t bytes = packet * sizeof(float);
         std::memcpy(hits.primitive + first, bundle.hit.geomID, bytes);
         std::memcpy(hits.triangle + first, bundle.hit.primID, bytes);

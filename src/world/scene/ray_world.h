@@ -43,7 +43,7 @@ public:
     bool hasTransparent() const { return hasTransparent_; }
 
     enum class Which { All, Transparent };
-    /// Nearest hits by the tie rule of Scene::intersect.
+    /// Nearest hits, see Scene::intersect.
     void intersect(const RayBatch &, HitBatch &, Which, bool coherent) const;
     /// blocked[i] = 1 if an opaque triangle stands in ray i's way (or it is not to be traced, 2).
     void occluded(const RayBatch &, std::uint8_t *blocked) const;

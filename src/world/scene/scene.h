@@ -29,8 +29,8 @@ public:
     bool isClassic() const;
 
     // ---- Rays ----
-    /// Nearest hits. Equal distances fall to the lower primitive, then the lower triangle. Sets
-    /// of 16 consecutive rays are traced as packets, always the same ones.
+    /// Nearest hits. Which of several equally near ones is kept depends on the scene and on the
+    /// rays' packet alone. Sets of 16 consecutive rays are packets, always the same ones.
     void intersect(const RayBatch &, HitBatch &, Coherence) const;
     /// transmittance[c][i]: what part of light comes through along ray i up to tMax: 0 behind
     /// opaque surfaces, the product of (1 - Oi) through transparent ones, else 1.
