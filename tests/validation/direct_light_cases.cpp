@@ -28,7 +28,8 @@ Probe irradianceAt(double d, double expected) {
 
 enum class Emitter { AreaLight, Surface };
 
-/// The shape as a lamp of that radiance: by RI's area light, or as a surface that shines.
+/// The shape as a lamp of that radiance: by RI's area light, or as a surface that shines. An area
+/// light is switched on for what comes after it: its own block has ended.
 std::string lamp(Emitter emitter, double radiance, const std::string &shape) {
     std::string shaders =
         emitter == Emitter::AreaLight
@@ -36,7 +37,8 @@ std::string lamp(Emitter emitter, double radiance, const std::string &shape) {
                   "]\nSurface \"matte\" \"float Ka\" [0] \"float Kd\" [0]\n"
             : "Color [" + number(radiance) + " " + number(radiance) + " " + number(radiance) +
                   "]\nSurface \"constant\"\n";
-    return "AttributeBegin\n" + shaders + shape + "AttributeEnd\n";
+    std::string on = emitter == Emitter::AreaLight ? "Illuminate 1 1\n" : "";
+    return "AttributeBegin\n" + shaders + shape + "AttributeEnd\n" + on;
 }
 
 std::string nameOf(Emitter emitter) {
@@ -75,14 +77,14 @@ Case distantCase() {
 Case discOnAxis(Emitter emitter, double h) {
     return {"C3_DiscOnAxis" + nameOf(emitter) + "_h" + atDistance(h),
             siUnits,
-            receiver + lamp(emitter, 1, disc(h, 1)),
+            lamp(emitter, 1, disc(h, 1)) + receiver,
             {irradianceAt(0, underDisc(1, h, 0))},
             Accuracy::Direct,
             64};
 }
 
 Case discOffAxis(Emitter emitter) {
-    Case test{"C3_DiscOffAxis" + nameOf(emitter), siUnits,          receiver + lamp(emitter, 1, disc(1, 1)),
+    Case test{"C3_DiscOffAxis" + nameOf(emitter), siUnits,          lamp(emitter, 1, disc(1, 1)) + receiver,
               {},                                 Accuracy::Direct, 128};
     for (double d : {0.5, 0.707107, 1.0, 2.0})
         test.probes.push_back(irradianceAt(d, underDisc(1, 1, d)));
@@ -98,7 +100,7 @@ std::string square(double h) {
 Case squareCase(Emitter emitter, double h, std::vector<Probe> probes) {
     return {"C4_Square" + nameOf(emitter) + "_h" + atDistance(h),
             siUnits,
-            receiver + lamp(emitter, 1, square(h)),
+            lamp(emitter, 1, square(h)) + receiver,
             std::move(probes),
             Accuracy::Direct,
             128};
@@ -116,7 +118,7 @@ std::vector<Case> squareCases(Emitter emitter) {
 Case sphereCase(Emitter emitter) {
     Case test{"C5_Sphere" + nameOf(emitter),
               siUnits,
-              receiver + lamp(emitter, 1, "Translate 0 0 2\nSphere .5 -.5 .5 360\n"),
+              lamp(emitter, 1, "Translate 0 0 2\nSphere .5 -.5 .5 360\n") + receiver,
               {},
               Accuracy::Direct,
               256};
@@ -135,9 +137,9 @@ std::vector<Case> photometricTrio() {
     const Probe isotropic{"axis", lookDownAt(0, 0), 100 / (4 * pi), pi * efficacy};
     const double radiance = watts / (pi * pi * radius * radius);
     const auto intensity = [](double value) { return "\"float intensity\" [" + number(value) + "] "; };
-    return {{"C6_SmallAreaLight", siUnits, receiver + lamp(Emitter::AreaLight, radiance, disc(1, radius)),
+    return {{"C6_SmallAreaLight", siUnits, lamp(Emitter::AreaLight, radiance, disc(1, radius)) + receiver,
              {lambertian}, Accuracy::Direct},
-            {"C6_SmallSurface", siUnits, receiver + lamp(Emitter::Surface, radiance, disc(1, radius)),
+            {"C6_SmallSurface", siUnits, lamp(Emitter::Surface, radiance, disc(1, radius)) + receiver,
              {lambertian}, Accuracy::Direct},
             {"C6_CosineSpot", siUnits,
              "LightSource \"spotlight\" 1 " + intensity(watts / pi) +
@@ -166,10 +168,10 @@ Case halfOcclusion(Emitter emitter) {
     const std::string halfPlane = "AttributeBegin\nSurface \"matte\" \"float Ka\" [0] \"float Kd\" [0]\n"
                                   "Polygon \"P\" [0 -40 .5 40 -40 .5 40 40 .5 0 40 .5]\n"
                                   "AttributeEnd\n";
-    // On a line across the edge, an offset hides more of the disc as much as the opposite less.
+    // Off the axis by x, what one side sees more the other sees less.
     return {"C8_HalfOccluded" + nameOf(emitter),
             siUnits,
-            receiver + halfPlane + lamp(emitter, 1, disc(1, 1)),
+            halfPlane + lamp(emitter, 1, disc(1, 1)) + receiver,
             {irradianceAt(0, underDisc(1, 1, 0) / 2)},
             Accuracy::Direct,
             512};
