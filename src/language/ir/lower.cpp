@@ -140,6 +140,24 @@ void Lowering::writeOutputs(const LoweredShader &lowered) {
             write(lowered.parameters[i].name, load(storageOf(*shader.parameters[i].symbol)));
 }
 
+namespace {
+
+/// Local arrays are written out, element by element.
+bool arraysFit(const sl::TypedShader &shader, DiagnosticSink &sink) {
+    constexpr int mostNumbers = 1 << 16;
+    for (const auto &symbol : shader.symbols)
+        if (symbol->type.length > mostNumbers / std::max(1, componentCount(symbol->type.base))) {
+            sink.report(sl::diagnosticAt(Severity::Error, symbol->where,
+                                         "the array \"" + symbol->name + "\" is too large; " +
+                                             std::to_string(mostNumbers) +
+                                             " numbers are the most"));
+            return false;
+        }
+    return true;
+}
+
+} // namespace
+
 std::optional<LoweredShader> lower(const sl::TypedShader &shader,
                                    const std::vector<StringValue> &strings,
                                    const std::vector<std::string> &variables,
@@ -151,6 +169,8 @@ std::optional<LoweredShader> lower(const sl::TypedShader &shader,
                                          "shaders are"));
         return std::nullopt;
     }
+    if (!arraysFit(shader, sink))
+        return std::nullopt;
     LoweredShader lowered;
     lowered.name = shader.name;
     lowered.kind = sl::nameOf(shader.kind);

@@ -60,11 +60,16 @@ struct LoweredShader {
     bool directionOnly = false;
 };
 
-/// Lowers a checked shader. Output slots: surface "Ci", "Oi" and its output parameters; light
-/// "L", "Cl". Hidden parameter slots are appended after the declared ones: "shader" (32 floats:
-/// currentFromShader, shaderFromCurrent) if the text uses that space. Things semantics could not
-/// refuse (a space name that is not constant, an array index surely outside) are reported;
-/// nothing is returned then. `variables` names the parameters that primitive variables override.
+/// Lowers a checked surface or light shader. Output slots: surface "Ci", "Oi"; light "L", "Cl"; then
+/// the paper's bounds ("DCiDu"...) that the text sets, then output parameters. Oi starts as Os, Ci
+/// and Cl as black. Parameters and Space matrices are as of current space: whoever fills the
+/// parameter block transforms. Hidden parameter slots are appended after the declared ones:
+/// "shader" (32 floats: currentFromShader, shaderFromCurrent) if the text uses that space.
+/// Function::spaces holds names as the text has them, and "depth" for depth(): camera space with z
+/// from 0 at the near to 1 at the far clipping plane. Derivatives of parameters that primitive
+/// variables override count as zero. Things semantics could not refuse (a space name that is not
+/// constant, a default that is none) are reported; nothing is returned then. `variables` names the
+/// parameters that primitive variables override.
 std::optional<LoweredShader> lower(const sl::TypedShader &, const std::vector<StringValue> &strings,
                                    const std::vector<std::string> &variables, DiagnosticSink &);
 

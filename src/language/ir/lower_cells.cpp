@@ -63,6 +63,12 @@ Storage Lowering::declare(const sl::Symbol &symbol, const Components &initial) {
     return storage;
 }
 
+const Storage &Lowering::storageOf(const sl::Symbol &symbol) {
+    if (!storage_.contains(&symbol))
+        declare(symbol, zero(symbol.type.base, symbol.type.length));
+    return storage_[&symbol];
+}
+
 Components Lowering::load(const Storage &storage) {
     const int count = componentCount(storage.base);
     const int total = count * std::max(1, storage.length);

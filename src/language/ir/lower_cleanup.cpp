@@ -1,112 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Dead code goes, values are numbered anew, and the tables keep only what is still named.
 #include "language/ir/builder.h"
+#include "language/ir/dead_code.h"
 #include "language/ir/lower_internal.h"
-#include "language/ir/op_info.h"
-#include "language/ir/rates.h"
-
-#include <algorithm>
 
 namespace candela::ir {
 namespace {
-
-/// Marks what effects need, backwards; loops are gone through until nothing new is found.
-class Liveness {
-public:
-    explicit Liveness(const Function &function)
-        : live(function.values.size()), arraysRead(function.arrays.size()) {
-        do {
-            grown_ = false;
-            mark(function.body);
-        } while (grown_);
-    }
-
-    /// Whether the instruction has to stay.
-    bool isNeeded(const Instruction &i) const {
-        if (i.op == Op::ArrayStore)
-            return arraysRead[i.immediate];
-        if (hasEffect(i.op))
-            return true;
-        if (std::any_of(i.results.begin(), i.results.end(), [&](ValueId v) { return live[v]; }))
-            return true;
-        return std::any_of(i.regions.begin(), i.regions.end(), [&](const Region &region) {
-            return std::any_of(region.body.begin(), region.body.end(),
-                               [&](const Instruction &inner) { return isNeeded(inner); });
-        });
-    }
-
-    std::vector<bool> live, arraysRead;
-
-private:
-    void mark(std::vector<bool> &set, size_t index) {
-        if (!set[index]) {
-            set[index] = true;
-            grown_ = true;
-        }
-    }
-    void mark(const Region &region) {
-        for (auto i = region.body.rbegin(); i != region.body.rend(); ++i)
-            if (isNeeded(*i))
-                mark(*i);
-    }
-    void mark(const Instruction &i) {
-        if (i.op == Op::ArrayLoad)
-            mark(arraysRead, size_t(i.immediate));
-        const size_t carried = i.op == Op::Loop || i.op == Op::LightLoop ? i.results.size() : 0;
-        const size_t fixed = i.operands.size() - carried;
-        for (size_t k = 0; k < fixed; ++k)
-            mark(live, i.operands[k]);
-        if (i.op == Op::Loop)
-            mark(live, i.results[0]);
-        for (const Region &region : i.regions) {
-            markYields(i, region, carried, fixed);
-            mark(region);
-        }
-    }
-    void markYields(const Instruction &i, const Region &region, size_t carried, size_t fixed) {
-        const size_t firstArgument = region.arguments.size() - carried;
-        for (size_t k = 0; k < i.results.size(); ++k) {
-            const bool needed =
-                live[i.results[k]] || (carried && live[region.arguments[firstArgument + k]]);
-            if (!needed)
-                continue;
-            mark(live, region.yields[k]);
-            mark(live, i.results[k]);
-            if (carried) {
-                mark(live, region.arguments[firstArgument + k]);
-                mark(live, i.operands[fixed + k]);
-            }
-        }
-    }
-
-    bool grown_ = false;
-};
-
-/// Drops what is not live. If and loops lose results, yields and arguments in step.
-void sweep(Region &region, const Liveness &liveness) {
-    std::erase_if(region.body, [&](const Instruction &i) { return !liveness.isNeeded(i); });
-    for (Instruction &i : region.body) {
-        if (i.regions.empty())
-            continue;
-        const size_t carried = i.op == Op::If ? 0 : i.results.size();
-        const size_t fixed = i.operands.size() - carried;
-        for (size_t k = i.results.size(); k-- > 0;) {
-            if (liveness.live[i.results[k]])
-                continue;
-            i.results.erase(i.results.begin() + long(k));
-            for (Region &inner : i.regions) {
-                inner.yields.erase(inner.yields.begin() + long(k));
-                if (carried)
-                    inner.arguments.erase(inner.arguments.begin() +
-                                          long(inner.arguments.size() - i.results.size() - 1 + k));
-            }
-            if (carried)
-                i.operands.erase(i.operands.begin() + long(fixed + k));
-        }
-        for (Region &inner : i.regions)
-            sweep(inner, liveness);
-    }
-}
 
 /// Numbers things anew in the order of their first appearance.
 class Renumbering {
@@ -198,7 +97,7 @@ void compactParameters(Function &function, std::vector<ShaderParameter> &paramet
 } // namespace
 
 void removeUnused(Function &function, std::vector<ShaderParameter> &parameters) {
-    sweep(function.body, Liveness(function));
+    removeDeadCode(function);
     compactParameters(function, parameters);
     Tables tables;
     tables.renumber(function.body);

@@ -210,7 +210,15 @@ ValueId Lowering::condition(const sl::Expr &expr) {
     return b.notEqual(evaluateFloat(expr), b.number(0));
 }
 
-Components Lowering::call(const sl::Expr &expr) { return Inlining(*this, expr).run(); }
+Components Lowering::call(const sl::Expr &expr) {
+    // Calls are inlined: a chain of functions that each call the next twice would never end.
+    constexpr size_t mostValues = 1 << 18;
+    if (function_.values.size() + cells.size() > mostValues) {
+        error(expr.where, "with all functions inlined, the shader is too large to compile");
+        return zero(expr.type.base);
+    }
+    return Inlining(*this, expr).run();
+}
 
 Components Lowering::evaluate(const sl::Expr &expr) {
     if (isTruth(expr))

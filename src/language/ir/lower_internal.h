@@ -75,8 +75,8 @@ public:
     // lower_cells.cpp
     int newCells(const Components &values);
     Storage declare(const sl::Symbol &, const Components &initial);
-    Storage &storageOf(const sl::Symbol &symbol) { return storage_[&symbol]; }
-    bool isDeclared(const sl::Symbol &symbol) const { return storage_.contains(&symbol); }
+    /// What no text has declared yet (a default may name a later parameter) is zero.
+    const Storage &storageOf(const sl::Symbol &symbol);
     void bind(const sl::Symbol &symbol, const Storage &storage) { storage_[&symbol] = storage; }
     Components zero(sl::BaseType, int length = 0);
     Components load(const Storage &);

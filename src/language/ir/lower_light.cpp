@@ -49,24 +49,6 @@ std::vector<ConeValues> evaluateCones(Lowering &lowering, const sl::LightArgumen
     return cones;
 }
 
-/// L, Cl and Ol as they are outside of light statements, brought back at the end.
-class LightVariables {
-public:
-    explicit LightVariables(Lowering &lowering)
-        : lowering_(lowering), L_(lowering.predefined(sl::PredefinedId::L)),
-          Cl_(lowering.predefined(sl::PredefinedId::Cl)),
-          Ol_(lowering.predefined(sl::PredefinedId::Ol)) {}
-    void restore() {
-        lowering_.setPredefined(sl::PredefinedId::L, L_);
-        lowering_.setPredefined(sl::PredefinedId::Cl, Cl_);
-        lowering_.setPredefined(sl::PredefinedId::Ol, Ol_);
-    }
-
-private:
-    Lowering &lowering_;
-    Components L_, Cl_, Ol_;
-};
-
 /// Lowers a light statement's body once, with its own jumps.
 void lowerBodyOf(Lowering &lowering, const sl::Stmt &statement) {
     const ValueId none = lowering.b.boolean(false);

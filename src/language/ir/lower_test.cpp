@@ -136,6 +136,22 @@ TEST(Lower, OtherKindsAreRefused) {
     EXPECT_NE(run.diagnostics.text().find("volume shaders"), std::string::npos);
 }
 
+TEST(Lower, InliningEnds) {
+    std::string source = "float f0(float x) { return x * 1.5 + 1; } ";
+    for (int i = 1; i <= 30; ++i)
+        source += "float f" + std::to_string(i) + "(float x) { return f" + std::to_string(i - 1) +
+                  "(x) + f" + std::to_string(i - 1) + "(x + 1); } ";
+    ShaderRun run(source + "surface test() { Ci = f30(u); }");
+    EXPECT_FALSE(run.lowered);
+    EXPECT_NE(run.diagnostics.text().find("too large"), std::string::npos);
+}
+
+TEST(Lower, ArraysHaveALimit) {
+    ShaderRun run(surfaceWith("float", "float a[2000000]; result = a[5];"));
+    EXPECT_FALSE(run.lowered);
+    EXPECT_GT(run.diagnostics.count(Severity::Error), 0);
+}
+
 TEST(Lower, SpacesMustBeConstants) {
     ShaderRun run("surface test() { string s = \"world\"; if (u > 0) s = \"shader\"; "
                   "Ci = xcomp(transform(s, P)); }");
