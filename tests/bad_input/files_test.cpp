@@ -68,7 +68,8 @@ TEST_F(BadInput, OutputBelowARegularFile) {
     Outcome run = runCandela({folder_.write("scene.rib", sceneWith("")), "--output-dir",
                               file + "/pictures"});
     EXPECT_EQ(run.status, 1) << run.text();
-    EXPECT_TRUE(run.says(file + "/pictures")) << run.text();
+    EXPECT_TRUE(run.says("scene.rib:4")) << run.text();
+    EXPECT_TRUE(run.says("cannot write")) << run.text();
     EXPECT_EQ(folder_.read("file"), "in the way");
 }
 

@@ -16,7 +16,7 @@ TEST_F(BadInput, UnknownRequest) {
     expectErrorAtTheLine("Frobnicate 1 2 \"string x\" [\"y\"]", {"Frobnicate"});
 }
 
-TEST_F(BadInput, TooFewArguments) { expectErrorAtTheLine("Sphere 1 -1 360", {"Sphere"}); }
+TEST_F(BadInput, TooFewArguments) { expectErrorAtTheLine("Sphere 1 -1 360 Color 1 1 1", {"Sphere"}); }
 
 TEST_F(BadInput, TooManyArguments) {
     expectErrorAtTheLine("Translate 1 2 3 4", {"Translate"});
@@ -35,7 +35,7 @@ TEST_F(BadInput, WrongNumberOfValues) {
 }
 
 TEST_F(BadInput, IndexBeyondThePoints) {
-    expectErrorAtTheLine("PointsPolygons [3] [0 1 7] \"P\" [0 0 3 1 0 3 0 1 3]", {"7"});
+    expectErrorAtTheLine("PointsPolygons [3] [0 1 7] \"P\" [0 0 3 1 0 3 0 1 3]", {"PointsPolygons"});
 }
 
 TEST_F(BadInput, UnmatchedEnd) { expectErrorAtTheLine("TransformEnd", {"TransformEnd"}); }
@@ -97,12 +97,13 @@ TEST_F(BadInput, VertexThatIsInfinite) {
 }
 
 TEST_F(BadInput, SingularMatrix) {
-    expectErrorAtTheLine("ConcatTransform [1 0 0 0 0 1 0 0 0 0 0 0 0 0 0 1] Sphere 1 -1 1 360",
+    expectErrorAtTheLine("Translate 9 0 5 ConcatTransform [1 0 0 0 0 1 0 0 0 0 0 0 0 0 0 1] "
+                         "Sphere 1 -1 1 360",
                          {"singular"});
 }
 
 TEST_F(BadInput, ScaleByZero) {
-    expectErrorAtTheLine("Scale 1 0 1 Sphere 1 -1 1 360", {"singular"});
+    expectErrorAtTheLine("Translate 9 0 5 Scale 1 0 1 Sphere 1 -1 1 360", {"singular"});
 }
 
 TEST_F(BadInput, ShaderParameterOfAnotherType) {
@@ -117,7 +118,7 @@ TEST_F(BadInput, ShaderWithErrorsOfSyntaxAndType) {
                                "{\n"
                                "    float a = ;\n"
                                "    color c = nosuchfunction(1);\n"
-                               "    matrix m = N . N;\n"
+                               "    string m = N . N;\n"
                                "    Ci = undeclared * Cs;\n"
                                "}\n");
     expectReportedAndRendered(

@@ -13,9 +13,9 @@ namespace candela::test {
 namespace {
 
 /// The pictures of a run, with any options.
-class Run {
+class Rendering {
 public:
-    explicit Run(const std::vector<std::string> &options) {
+    explicit Rendering(const std::vector<std::string> &options) {
         const std::string here = CANDELA_SOURCE_DIR "/tests/determinism";
         std::vector<std::string> arguments{here + "/everything.rib", "--shader-path",
                                            here + "/shaders", "--output-dir", folder_.path()};
@@ -60,14 +60,14 @@ std::size_t differences(const Picture &part, const Picture &whole) {
     return count;
 }
 
-void expectSame(const Run &part, const Run &whole) {
+void expectSame(const Rendering &part, const Rendering &whole) {
     EXPECT_EQ(differences(part.color, whole.color), 0u);
     EXPECT_EQ(differences(part.first, whole.first), 0u);
 }
 
 /// Rendered once for all tests.
-const Run &reference() {
-    static const Run run({"--threads", "2", "--lanes", "16"});
+const Rendering &reference() {
+    static const Rendering run({"--threads", "2", "--lanes", "16"});
     return run;
 }
 
@@ -90,17 +90,17 @@ TEST(Determinism, TheSceneShowsSomething) {
 }
 
 TEST(Determinism, AnotherSeedIsAnotherPicture) {
-    EXPECT_GT(differences(Run({"--seed", "1"}).color, reference().color), 1000u);
+    EXPECT_GT(differences(Rendering({"--seed", "1"}).color, reference().color), 1000u);
 }
 
-TEST(Determinism, OneThread) { expectSame(Run({"--threads", "1"}), reference()); }
+TEST(Determinism, OneThread) { expectSame(Rendering({"--threads", "1"}), reference()); }
 
-TEST(Determinism, OneLane) { expectSame(Run({"--lanes", "1"}), reference()); }
+TEST(Determinism, OneLane) { expectSame(Rendering({"--lanes", "1"}), reference()); }
 
 TEST(Determinism, CropsJoin) {
     std::size_t pixels = 0;
     for (const char *crop : {"0,0.3,0,0.55", "0.3,1,0,0.55", "0,0.77,0.55,1", "0.77,1,0.55,1"}) {
-        Run part({"--crop", crop});
+        Rendering part({"--crop", crop});
         expectSame(part, reference());
         pixels += part.color.window.pixels();
     }
@@ -108,7 +108,7 @@ TEST(Determinism, CropsJoin) {
 }
 
 TEST(Determinism, CropsJoinAtOneLaneAndOneThread) {
-    expectSame(Run({"--crop", "0.21,0.68,0.33,0.71", "--lanes", "1", "--threads", "1"}),
+    expectSame(Rendering({"--crop", "0.21,0.68,0.33,0.71", "--lanes", "1", "--threads", "1"}),
                reference());
 }
 
