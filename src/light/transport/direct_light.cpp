@@ -50,8 +50,13 @@ void ShadowRays::add(SurfaceVertices &vertices, int i, Vec3 L, float tMax) {
     ConstVec3Planes P = vertices.P();
     Vec3 origin = Scene::offsetOrigin({P[0][i], P[1][i], P[2][i]}, vertices.facing(i), L,
                                       vertices.points.offset[i]);
+    // Towards the same end from there: the offset must not carry the ray into the light.
+    Vec3 direction = L;
+    if (std::isfinite(tMax))
+        direction = Vec3{P[0][i], P[1][i], P[2][i]} + L - origin;
     rays.originX[at] = origin.x, rays.originY[at] = origin.y, rays.originZ[at] = origin.z;
-    rays.directionX[at] = L.x, rays.directionY[at] = L.y, rays.directionZ[at] = L.z;
+    rays.directionX[at] = direction.x, rays.directionY[at] = direction.y;
+    rays.directionZ[at] = direction.z;
     rays.tMax[at] = tMax;
     rays.time[at] = vertices.points.input(int(ShaderInput::time))[i];
     lane[0][at] = i;
