@@ -26,8 +26,7 @@ protected:
     /// Did the disc come out: 1 in the middle of the picture, 0 in its corner?
     void expectDisc(const std::string &picture = "out.exr");
     /// Exit status 1, an error that says all these things, and the disc all the same.
-    void expectReportedAndRendered(const std::string &wrong,
-                                   const std::vector<std::string> &said);
+    void expectReportedAndRendered(const std::string &wrong, const std::vector<std::string> &said);
     /// The same with the place of the wrong line.
     void expectErrorAtTheLine(const std::string &wrong, std::vector<std::string> said);
 };

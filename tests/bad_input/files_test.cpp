@@ -48,9 +48,9 @@ TEST_F(BadInput, EveryNinetySeventhPrefix) {
     std::string rib = contentOf(CANDELA_SOURCE_DIR "/tests/determinism/everything.rib");
     ASSERT_GT(rib.size(), 1000u);
     for (std::size_t length = 97; length < rib.size(); length += 97) {
-        Outcome run = render(rib.substr(0, length),
-                             {"--spp", "1", "--format", "16x12", "--shader-path",
-                              CANDELA_SOURCE_DIR "/tests/determinism/shaders"});
+        Outcome run =
+            render(rib.substr(0, length), {"--spp", "1", "--format", "16x12", "--shader-path",
+                                           CANDELA_SOURCE_DIR "/tests/determinism/shaders"});
         ASSERT_FALSE(crashed(run)) << "cut after " << length << " bytes\n" << run.text();
     }
 }
@@ -65,8 +65,8 @@ TEST_F(BadInput, TruncatedGzip) {
 // A regular file stands where a folder should be: not even root can write below it.
 TEST_F(BadInput, OutputBelowARegularFile) {
     std::string file = folder_.write("file", "in the way");
-    Outcome run = runCandela({folder_.write("scene.rib", sceneWith("")), "--output-dir",
-                              file + "/pictures"});
+    Outcome run =
+        runCandela({folder_.write("scene.rib", sceneWith("")), "--output-dir", file + "/pictures"});
     EXPECT_EQ(run.status, 1) << run.text();
     EXPECT_TRUE(run.says("scene.rib:4")) << run.text();
     EXPECT_TRUE(run.says("cannot write")) << run.text();
@@ -119,14 +119,20 @@ TEST_F(BadInput, UnknownDisplayType) {
 
 TEST_F(BadInput, OptionsThatCannotBeUnderstood) {
     std::string rib = folder_.write("scene.rib", sceneWith(""));
-    const std::vector<std::vector<std::string>> wrong{
-        {rib, "--nosuchoption"},     {rib, "--spp", "0"},
-        {rib, "--spp", "many"},      {rib, "--format", "640"},
-        {rib, "--format", "0x480"},  {rib, "--crop", "0,1"},
-        {rib, "--crop", "1,0,0,1"},  {rib, "--lanes", "3"},
-        {rib, "--integrator", "magic"}, {rib, "--sampling", "sphere"},
-        {rib, "--threads", "-1"},    {rib, "second.rib"},
-        {"diff"},                    {"diff", "a.exr"}};
+    const std::vector<std::vector<std::string>> wrong{{rib, "--nosuchoption"},
+                                                      {rib, "--spp", "0"},
+                                                      {rib, "--spp", "many"},
+                                                      {rib, "--format", "640"},
+                                                      {rib, "--format", "0x480"},
+                                                      {rib, "--crop", "0,1"},
+                                                      {rib, "--crop", "1,0,0,1"},
+                                                      {rib, "--lanes", "3"},
+                                                      {rib, "--integrator", "magic"},
+                                                      {rib, "--sampling", "sphere"},
+                                                      {rib, "--threads", "-1"},
+                                                      {rib, "second.rib"},
+                                                      {"diff"},
+                                                      {"diff", "a.exr"}};
     for (const auto &arguments : wrong) {
         Outcome run = runCandela(arguments, {.folder = folder_.path()});
         EXPECT_EQ(run.status, 2) << arguments.back() << "\n" << run.text();

@@ -16,11 +16,11 @@ TEST_F(BadInput, UnknownRequest) {
     expectErrorAtTheLine("Frobnicate 1 2 \"string x\" [\"y\"]", {"Frobnicate"});
 }
 
-TEST_F(BadInput, TooFewArguments) { expectErrorAtTheLine("Sphere 1 -1 360 Color 1 1 1", {"Sphere"}); }
-
-TEST_F(BadInput, TooManyArguments) {
-    expectErrorAtTheLine("Translate 1 2 3 4", {"Translate"});
+TEST_F(BadInput, TooFewArguments) {
+    expectErrorAtTheLine("Sphere 1 -1 360 Color 1 1 1", {"Sphere"});
 }
+
+TEST_F(BadInput, TooManyArguments) { expectErrorAtTheLine("Translate 1 2 3 4", {"Translate"}); }
 
 TEST_F(BadInput, WrongTypeOfArgument) {
     expectErrorAtTheLine("Sphere \"big\" -1 1 360", {"Sphere"});
@@ -35,7 +35,8 @@ TEST_F(BadInput, WrongNumberOfValues) {
 }
 
 TEST_F(BadInput, IndexBeyondThePoints) {
-    expectErrorAtTheLine("PointsPolygons [3] [0 1 7] \"P\" [0 0 3 1 0 3 0 1 3]", {"PointsPolygons"});
+    expectErrorAtTheLine("PointsPolygons [3] [0 1 7] \"P\" [0 0 3 1 0 3 0 1 3]",
+                         {"PointsPolygons"});
 }
 
 TEST_F(BadInput, UnmatchedEnd) { expectErrorAtTheLine("TransformEnd", {"TransformEnd"}); }
@@ -121,11 +122,11 @@ TEST_F(BadInput, ShaderWithErrorsOfSyntaxAndType) {
                                "    string m = N . N;\n"
                                "    Ci = undeclared * Cs;\n"
                                "}\n");
-    expectReportedAndRendered(
-        "Surface \"broken\" Translate 9 0 5 Sphere 1 -1 1 360",
-        {"broken.sl:3:15", "broken.sl:4:15", "nosuchfunction", "broken.sl:5:",
-         "broken.sl:6:10", "undeclared", "    float a = ;\n", "    Ci = undeclared * Cs;\n",
-         "         ^", "scene.rib:" + std::to_string(wrongLine)});
+    expectReportedAndRendered("Surface \"broken\" Translate 9 0 5 Sphere 1 -1 1 360",
+                              {"broken.sl:3:15", "broken.sl:4:15", "nosuchfunction",
+                               "broken.sl:5:", "broken.sl:6:10", "undeclared", "    float a = ;\n",
+                               "    Ci = undeclared * Cs;\n", "         ^",
+                               "scene.rib:" + std::to_string(wrongLine)});
 }
 
 TEST_F(BadInput, ShaderThatDividesByZero) {

@@ -4,6 +4,7 @@
 #include "tests/support/program.h"
 #include "tests/support/scratch_folder.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace candela::test {
@@ -158,11 +159,13 @@ TEST_F(CommandLine, StandardInput) {
 }
 
 TEST_F(CommandLine, DisplayModes) {
-    const std::vector<std::pair<std::string, Names>> modes{
-        {"rgb", {"B", "G", "R"}},      {"rgba", {"A", "B", "G", "R"}},
-        {"a", {"A"}},                  {"z", {"Z"}},
-        {"rgbaz", {"A", "B", "G", "R", "Z"}}, {"N", {"N.X", "N.Y", "N.Z"}},
-        {"id", {"id"}}};
+    const std::vector<std::pair<std::string, Names>> modes{{"rgb", {"B", "G", "R"}},
+                                                           {"rgba", {"A", "B", "G", "R"}},
+                                                           {"a", {"A"}},
+                                                           {"z", {"Z"}},
+                                                           {"rgbaz", {"A", "B", "G", "R", "Z"}},
+                                                           {"N", {"N.X", "N.Y", "N.Z"}},
+                                                           {"id", {"id"}}};
     for (const auto &[mode, names] : modes) {
         render(scene("Display \"out.exr\" \"openexr\" \"" + mode + "\"\n"));
         EXPECT_EQ(channelsOf("out.exr"), names) << mode;
@@ -199,11 +202,12 @@ TEST_F(CommandLine, FramesOfAFile) {
     const auto frame = [](int number, const std::string &options) {
         std::string n = std::to_string(number);
         return "FrameBegin " + n + "\nDisplay \"frame" + n + ".exr\" \"openexr\" \"rgb\"\n" +
-               options + "WorldBegin\nSurface \"constant\"\nTranslate 0 0 5\nDisk 0 .6 360\n"
-                         "WorldEnd\nFrameEnd\n";
+               options +
+               "WorldBegin\nSurface \"constant\"\nTranslate 0 0 5\nDisk 0 .6 360\n"
+               "WorldEnd\nFrameEnd\n";
     };
-    render("Format 16 12 1\nPixelFilter \"box\" 1 1\n" + frame(1, "") + frame(2, "Exposure .25 1\n") +
-           frame(3, ""));
+    render("Format 16 12 1\nPixelFilter \"box\" 1 1\n" + frame(1, "") +
+           frame(2, "Exposure .25 1\n") + frame(3, ""));
     EXPECT_FLOAT_EQ(middle(read("frame1.exr"), "R"), 1);
     EXPECT_FLOAT_EQ(middle(read("frame2.exr"), "R"), 0.25f);
     EXPECT_EQ(folder_.read("frame1.exr"), folder_.read("frame3.exr"));

@@ -44,17 +44,16 @@ PlateResult renderPlate(const char *sampling) {
     // The scene's exposure is for the eye: here radiance counts, with every sample in one pixel.
     ScratchFolder folder;
     std::string rib = contentOf(scene);
-    rib.insert(rib.find("WorldBegin"),
-               "Exposure 1 1\nPixelFilter \"box\" 1 1\n"
-               "Display \"plate.exr\" \"openexr\" \"rgb,id,variance\"\n");
+    rib.insert(rib.find("WorldBegin"), "Exposure 1 1\nPixelFilter \"box\" 1 1\n"
+                                       "Display \"plate.exr\" \"openexr\" \"rgb,id,variance\"\n");
     folder.write("plate.rib", rib);
     PlateResult result;
     constexpr int seeds = 4;
     for (int seed = 1; seed <= seeds; ++seed) {
-        Outcome run = runCandela({folder.path("plate.rib"), "--sampling", sampling, "--format",
-                                  "160x120", "--spp", "32", "--seed", std::to_string(seed),
-                                  "--output-dir", folder.path(), "--shader-path",
-                                  CANDELA_SOURCE_DIR "/examples/desk_lamp"});
+        Outcome run =
+            runCandela({folder.path("plate.rib"), "--sampling", sampling, "--format", "160x120",
+                        "--spp", "32", "--seed", std::to_string(seed), "--output-dir",
+                        folder.path(), "--shader-path", CANDELA_SOURCE_DIR "/examples/desk_lamp"});
         EXPECT_EQ(run.status, 0) << run.text();
         std::string problem;
         std::optional<Picture> picture = readPicture(folder.path("plate.exr"), problem);
