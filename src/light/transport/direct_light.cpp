@@ -71,8 +71,19 @@ int ShadowRays::attenuate(SurfaceVertices &vertices, const LightSamples &samples
     lanes::gather(count, lanes, L[1], rays_.directionY);
     lanes::gather(count, lanes, L[2], rays_.directionZ);
     lanes::gather(count, lanes, vertices.points.input(int(ShaderInput::time)), rays_.time);
-    for (int ray = 0; ray < count; ++ray)
-        rays_.tMax[ray] = std::isinf(samples.distance[lanes[ray]]) ? INFINITY : shadowRayEnd;
+    ConstVec3Planes P = vertices.P();
+    for (int ray = 0; ray < count; ++ray) {
+        int i = lanes[ray];
+        rays_.tMax[ray] = INFINITY;
+        if (std::isinf(samples.distance[i]))
+            continue;
+        // Towards the same end from the shifted origin: the receiver's offset must not carry the
+        // ray's end into the light.
+        rays_.tMax[ray] = shadowRayEnd;
+        rays_.directionX[ray] += P[0][i] - origin[0][i];
+        rays_.directionY[ray] += P[1][i] - origin[1][i];
+        rays_.directionZ[ray] += P[2][i] - origin[2][i];
+    }
 
     std::array<float *, colorSamples> transmittance;
     for (int c = 0; c < colorSamples; ++c)
