@@ -18,7 +18,7 @@ constexpr float pi = float(M_PI);
 enum CameraPair { filterPair, lensPair, timePair, cameraPairs };
 enum VertexPair { lightPositionPair, directionPair, lightChoicePair, eventPair, vertexPairs };
 
-/// Roulette begins when a path has scattered this often (DEPS section 8, rule 7).
+/// Roulette begins at this vertex of a path, counted from the first it meets as 1.
 constexpr int rouletteDepth = 3;
 
 /// Paths through stacks of transparent surfaces end here, whatever the depth allows.
@@ -86,7 +86,7 @@ CANDELA_HOT void playRoulette(int count, const float *__restrict brightest,
                               int *__restrict survives, float *__restrict gain) {
     for (int i = 0; i < count; ++i) {
         float root = std::sqrt(brightest[i] > 0 ? brightest[i] : 0.0f);
-        float odds = depth[i] >= rouletteDepth ? (root < 0.95f ? root : 0.95f) : 1.0f;
+        float odds = depth[i] + 1 >= rouletteDepth ? (root < 0.95f ? root : 0.95f) : 1.0f;
         survives[i] = (brightest[i] > 0) & (chance[i] < odds);
         gain[i] = 1 / (odds > 0 ? odds : 1.0f);
     }
