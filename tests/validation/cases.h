@@ -43,9 +43,9 @@ std::vector<Case> allCases();
 std::string number(double value);
 /// An orthographic look straight down on (x, y, 0) from just above, over a square of 2 * halfWidth.
 /// Light sources above the eye are not in the way.
-std::string lookDownAt(double x, double y, double halfWidth = 1e-3);
+std::string lookDownAt(double x, double y, double halfWidth = 1e-2);
 /// An orthographic look along +z from the origin of the world turned by these degrees about y.
-std::string lookFromOrigin(double degreesAboutY, double halfWidth = 1e-3);
+std::string lookFromOrigin(double degreesAboutY, double halfWidth = 1e-2);
 
 inline const std::string siUnits = "Option \"radiometry\" \"string units\" [\"si\"]\n";
 

@@ -18,8 +18,9 @@ std::string glow(const std::string &shader, double rho, double emission) {
 const std::string unitSphere = "Sphere 1 -1 1 360\n";
 
 /// A closed box of half-width 1, its faces in one mesh.
-const std::string box = "PointsPolygons [4 4 4 4 4 4] [0 1 3 2 4 6 7 5 0 4 5 1 2 3 7 6 0 2 6 4 1 5 "
-                        "7 3] \"P\" [-1 -1 -1 1 -1 -1 -1 1 -1 1 1 -1 -1 -1 1 1 -1 1 -1 1 1 1 1 1]\n";
+const std::string box =
+    "PointsPolygons [4 4 4 4 4 4] [0 1 3 2 4 6 7 5 0 4 5 1 2 3 7 6 0 2 6 4 1 5 "
+    "7 3] \"P\" [-1 -1 -1 1 -1 -1 -1 1 -1 1 1 -1 -1 -1 1 1 -1 1 -1 1 1 1 1 1]\n";
 
 /// Sees walls at right and slanting angles.
 Probe wholeView(double expected) {
@@ -56,13 +57,14 @@ Case insertion(const std::string &name, const std::string &object, int samples) 
 }
 
 /// A3: a surface that emits one minus its albedo, all around or in a furnace of radiance 1.
-Case phongFurnace(const std::string &name, int exponent, bool inside) {
+Case phongFurnace(const std::string &name, int exponent, bool inside, int samples) {
     std::string phong = "Surface \"glowphong\" \"float exponent\" [" + number(exponent) + "]\n";
-    std::string world = inside ? glow("glow", 0.5, 0.5) + unitSphere + phong + "Sphere .4 -.4 .4 360\n"
-                               : phong + unitSphere;
+    std::string world = inside
+                            ? glow("glow", 0.5, 0.5) + unitSphere + phong + "Sphere .4 -.4 .4 360\n"
+                            : phong + unitSphere;
     std::string eye = inside ? "Projection \"perspective\" \"fov\" [60]\nTranslate 0 0 .9\n"
                              : "Projection \"perspective\" \"fov\" [100]\nTranslate .3 .2 -.4\n";
-    return {"A3_" + name, siUnits, world, {{"view", eye, 1}}, Accuracy::Global, 128};
+    return {"A3_" + name, siUnits, world, {{"view", eye, 1}}, Accuracy::Global, samples};
 }
 
 std::string diffuseSphere(double x, double intensity, double rho) {
@@ -96,17 +98,17 @@ Case offCentreSource() {
 std::vector<Case> furnaceCases() {
     const std::string ball = "Sphere .4 -.4 .4 360\n";
     return {furnace("SphereHalf", 0.5, 1, unitSphere, 64),
-            furnace("SphereEight", 0.8, 1, unitSphere, 128),
-            furnace("SphereNine", 0.9, 1, unitSphere, 256), // only with Russian roulette
-            furnace("BoxEight", 0.8, 1, box, 128),
+            furnace("SphereEight", 0.8, 1, unitSphere, 640),
+            furnace("SphereNine", 0.9, 1, unitSphere, 1024), // only with Russian roulette
+            furnace("BoxEight", 0.8, 1, box, 768),
             truncatedFurnace(1),
             truncatedFurnace(8),
-            insertion("Matte", "Surface \"matte\" \"float Ka\" [0]\n" + ball, 128),
-            insertion("Mirror", "Surface \"mirror\"\n" + ball, 64),
-            insertion("Glass", "Surface \"glass\"\n" + ball, 64),
-            phongFurnace("PhongAllAround", 2, false),
-            phongFurnace("PhongAllAroundNarrow", 10, false),
-            phongFurnace("PhongInFurnace", 10, true),
+            insertion("Matte", "Surface \"matte\" \"float Ka\" [0]\n" + ball, 192),
+            insertion("Mirror", "Surface \"mirror\"\n" + ball, 192),
+            insertion("Glass", "Surface \"glass\"\n" + ball, 192),
+            phongFurnace("PhongAllAround", 2, false, 640),
+            phongFurnace("PhongAllAroundNarrow", 10, false, 128),
+            phongFurnace("PhongInFurnace", 10, true, 128),
             centredSource(),
             offCentreSource()};
 }

@@ -17,7 +17,11 @@ const std::string bulbTwoAbove = "LightSource \"pointlight\" 1 \"point from\" [0
 
 Case litPlate(const std::string &name, const std::string &options, const std::string &light,
               double expected) {
-    return {name, options, light + plate, {{"plate", lookDownAt(0, 0), expected}}, Accuracy::Exact};
+    return {name,
+            options,
+            light + plate,
+            {{"plate", lookDownAt(0, 0, 1e-3), expected}},
+            Accuracy::Exact};
 }
 
 /// I5: irradiance() gathers what the loops of matte would. Without loops, and without emission of
@@ -37,10 +41,10 @@ Case irradianceFurnace() {
 Case phongLobe(int exponent) {
     return {"I6_PhongLobe" + std::to_string(exponent),
             siUnits,
-            "Surface \"constant\"\nSphere 20 -20 20 360\n"
+            "Surface \"constant\"\nSphere 4 -4 4 360\n"
             "Surface \"phong\" \"float Kd\" [0] \"float Ks\" [1] \"float exp\" [" +
                 std::to_string(exponent) + "]\nPolygon \"P\" [-1 -1 0 1 -1 0 1 1 0 -1 1 0]\n",
-            {{"plate", lookDownAt(0, 0), 2.0 / (exponent + 1)}},
+            {{"plate", lookDownAt(0, 0, .5), 2.0 / (exponent + 1)}},
             Accuracy::Global,
             128};
 }

@@ -67,21 +67,18 @@ int ClassicLight::sampleRow(SurfaceVertices &vertices, int row, int light, int r
 
 int ClassicLight::shadowRow(SurfaceVertices &vertices, int row) {
     const LightSamples &samples = light_.samples;
-    const int at = row * lanes_;
-    shadow_.rays.count = 0;
+    std::array<float *, colorSamples> Cl;
+    for (int c = 0; c < colorSamples; ++c)
+        Cl[c] = rows_[3 + c] + row * lanes_;
+    lane_.clear();
     for (int i = 0; i < vertices.count(); ++i) {
         bool lit = false;
         for (int c = 0; c < colorSamples; ++c)
-            lit |= rows_[3 + c][at + i] != 0;
+            lit |= Cl[c][i] != 0;
         if (lit && samples.castsShadow[i])
-            shadow_.add(vertices, i, {samples.L[0][i], samples.L[1][i], samples.L[2][i]},
-                        std::isinf(samples.distance[i]) ? INFINITY : shadowRayEnd);
+            lane_.push_back(i);
     }
-    vertices.scene().transmittance(shadow_.rays, shadow_.transmittancePlanes.data());
-    for (int ray = 0; ray < shadow_.rays.count; ++ray)
-        for (int c = 0; c < colorSamples; ++c)
-            rows_[3 + c][at + shadow_.lane[0][ray]] *= shadow_.transmittance[c][ray];
-    return shadow_.rays.count;
+    return shadow_.attenuate(vertices, samples, int(lane_.size()), lane_.data(), Cl.data());
 }
 
 } // namespace candela

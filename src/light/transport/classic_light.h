@@ -5,6 +5,8 @@
 #include "light/transport/direct_light.h"
 #include "light/transport/surface_vertices.h"
 
+#include <vector>
+
 namespace candela {
 
 class ClassicLight {
@@ -26,6 +28,7 @@ private:
     Planes<float> rows_; ///< L and Cl, each a plane of (row, lane).
     Planes<std::int32_t> rowLights_;
     Planes<float> position_;
+    std::vector<int> lane_;
     int rowCapacity_ = 0, lanes_;
 };
 

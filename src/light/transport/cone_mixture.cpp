@@ -4,6 +4,7 @@
 #include "foundation/base/hot.h"
 #include "foundation/base/vec3.h"
 #include "light/transport/cone.h"
+#include "light/transport/lanes.h"
 #include "light/transport/sincos.h"
 
 #include <algorithm>
@@ -16,10 +17,8 @@ namespace {
 constexpr float coneShare = 0.9f, uniformShare = 0.05f, cosineShare = 0.05f;
 constexpr float pi = float(M_PI);
 
-/// Angle and exponent of the defensive lobes, in the terms of a cone.
-struct LobeShape {
-    float angle, exponent;
-};
+/// How far a cone may reach below the hemisphere, as a cosine, before it counts as leaving it.
+constexpr float rimTolerance = 1e-4f;
 
 /// A cone over the hemisphere with exponent 0 (uniform) or 1 (cosine): what most surfaces state.
 inline bool isSimple(float angle, float exponent) {
@@ -38,9 +37,31 @@ CANDELA_HOT void normalizeAxes(int count, const float *__restrict x, const float
     }
 }
 
-CANDELA_HOT void addTo(int count, const float *__restrict a, float *__restrict sum) {
-    for (int i = 0; i < count; ++i)
-        sum[i] += a[i];
+/// share = the importance where the cone is finite, else 0. True if all are simple.
+CANDELA_HOT bool takeImportance(int count, const float *__restrict importance,
+                                const float *__restrict kindAngle, const float *__restrict angle,
+                                const float *__restrict exponent, float *__restrict share) {
+    int others = 0;
+    for (int i = 0; i < count; ++i) {
+        float r = importance[i];
+        int finite = (kindAngle[i] > 0) & (angle[i] > 0) & (r > 0) & (r * 0 == 0);
+        int simple = (angle[i] == 180) & ((exponent[i] == 0) | (exponent[i] == 1));
+        share[i] = finite ? r : 0.0f;
+        others |= finite & (simple ^ 1);
+    }
+    return others == 0;
+}
+
+CANDELA_HOT void markLeavingHemispheres(int count, const float *__restrict share,
+                                        const float *__restrict ax, const float *__restrict ay,
+                                        const float *__restrict az, const float *__restrict nx,
+                                        const float *__restrict ny, const float *__restrict nz,
+                                        float *__restrict full) {
+    for (int i = 0; i < count; ++i) {
+        float mu = ax[i] * nx[i] + ay[i] * ny[i] + az[i] * nz[i];
+        int leaves = (share[i] > 0) & (mu < 1 - rimTolerance);
+        full[i] = leaves ? 1.0f : full[i];
+    }
 }
 
 CANDELA_HOT void scaleToShares(int count, const float *__restrict total, float *__restrict share) {
@@ -158,7 +179,10 @@ void ConeMixture::state(int count, const std::vector<ConePlanes> &cones,
         cones_.emplace_back(total_.lanes());
     for (int c = 0; c < 3; ++c)
         std::copy_n(facing[c], count, facing_[c]);
-    std::copy_n(transmits, count, fullSphere_[0]);
+    if (transmits)
+        std::copy_n(transmits, count, fullSphere_[0]);
+    else
+        std::fill_n(fullSphere_[0], count, 0.0f);
     std::fill_n(total_[0], count, 0.0f);
     for (int k = 0; k < coneCount_; ++k)
         stateCone(k, cones[k]);
@@ -174,29 +198,25 @@ void ConeMixture::stateCone(int index, const ConePlanes &stated) {
                   cone.axis(1), cone.axis(2));
     std::copy_n(stated.angle, count_, cone.angle());
     std::copy_n(stated.exponent, count_, cone.exponent());
-    cone.simple = true;
-    for (int i = 0; i < count_; ++i) {
-        float r = stated.importance[i];
-        bool finite = stated.kindAngle[i] > 0 && stated.angle[i] > 0;
-        cone.share()[i] = finite && r > 0 && std::isfinite(r) ? r : 0;
-        cone.simple &= cone.share()[i] == 0 || isSimple(stated.angle[i], stated.exponent[i]);
-    }
-    addTo(count_, cone.share(), total_[0]);
+    cone.simple = takeImportance(count_, stated.importance, stated.kindAngle, stated.angle,
+                                 stated.exponent, cone.share());
+    lanes::add(count_, cone.share(), total_[0]);
 }
 
 /// A cone that reaches below the facing hemisphere asks for a defensive lobe there too.
 void ConeMixture::markLeavingCones(int index) {
     const Cone &cone = cones_[index];
-    float *full = fullSphere_[0];
+    if (cone.simple) {
+        markLeavingHemispheres(count_, cone.share(), cone.axis(0), cone.axis(1), cone.axis(2),
+                               facing_[0], facing_[1], facing_[2], fullSphere_[0]);
+        return;
+    }
     for (int i = 0; i < count_; ++i) {
-        if (cone.share()[i] == 0)
-            continue;
         float mu = cone.axis(0)[i] * facing_[0][i] + cone.axis(1)[i] * facing_[1][i] +
                    cone.axis(2)[i] * facing_[2][i];
-        float angle = cone.angle()[i];
-        float reach = angle == 180 ? 1 : std::sin(std::min(angle, 180.0f) * (pi / 360));
-        if (angle > 180 || mu < reach - 1e-4f)
-            full[i] = 1;
+        float reach = std::sin(std::min(cone.angle()[i], 180.0f) * (pi / 360));
+        if (cone.share()[i] > 0 && (cone.angle()[i] > 180 || mu < reach - rimTolerance))
+            fullSphere_[0][i] = 1;
     }
 }
 

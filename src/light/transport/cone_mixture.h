@@ -31,7 +31,7 @@ public:
     explicit ConeMixture(int capacity);
 
     /// Takes the cones of `count` points with unit normals that face the viewer. Where
-    /// `transmits` is non-zero, light from behind matters too.
+    /// `transmits` is non-zero, light from behind matters too (null = nowhere).
     void state(int count, const std::vector<ConePlanes> &cones, const ConstVec3Planes &facing,
                const float *transmits);
     /// Sum of the finite importances of each point; where it is 0, sample() must not be used.

@@ -2,6 +2,7 @@
 #include "light/transport/direct_light.h"
 
 #include "foundation/base/hot.h"
+#include "light/transport/lanes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,23 +39,60 @@ CANDELA_HOT void lightWeights(int count, const float *__restrict lightPdf,
 }
 
 CANDELA_HOT void multiplyThree(int count, const float *__restrict g, const float *__restrict value,
-                               const float *__restrict weight, float *__restrict result) {
+                               const float *__restrict weight,
+                               const std::int32_t *__restrict light, float *__restrict result) {
     for (int i = 0; i < count; ++i)
-        result[i] = weight[i] > 0 ? g[i] * value[i] * weight[i] : 0.0f;
+        result[i] = (weight[i] > 0) & (light[i] != 0) ? g[i] * value[i] * weight[i] : 0.0f;
+}
+
+CANDELA_HOT void markShadowTests(int count, const float *__restrict contribution,
+                                 const std::int32_t *__restrict light,
+                                 const std::uint8_t *__restrict castsShadow,
+                                 int *__restrict test) {
+    for (int i = 0; i < count; ++i)
+        test[i] |= (contribution[i] != 0) & (light[i] != 0) & (castsShadow[i] != 0);
 }
 
 } // namespace
 
-void ShadowRays::add(SurfaceVertices &vertices, int i, Vec3 L, float tMax) {
-    int at = rays.count++;
+ShadowRays::ShadowRays(int capacity)
+    : rays_(capacity), origin_(3, capacity), transmittance_(colorSamples, capacity) {}
+
+int ShadowRays::attenuate(SurfaceVertices &vertices, const LightSamples &samples, int count,
+                          const int *lanes, float *const *light) {
+    MutableVec3Planes origin{origin_[0], origin_[1], origin_[2]};
+    ConstVec3Planes L{samples.L[0], samples.L[1], samples.L[2]};
+    vertices.rayOrigins(L, origin);
+    rays_.count = count;
+    lanes::gather(count, lanes, origin[0], rays_.originX);
+    lanes::gather(count, lanes, origin[1], rays_.originY);
+    lanes::gather(count, lanes, origin[2], rays_.originZ);
+    lanes::gather(count, lanes, L[0], rays_.directionX);
+    lanes::gather(count, lanes, L[1], rays_.directionY);
+    lanes::gather(count, lanes, L[2], rays_.directionZ);
+    lanes::gather(count, lanes, vertices.points.input(int(ShaderInput::time)), rays_.time);
     ConstVec3Planes P = vertices.P();
-    Vec3 origin = Scene::offsetOrigin({P[0][i], P[1][i], P[2][i]}, vertices.facing(i), L,
-                                      vertices.points.offset[i]);
-    rays.originX[at] = origin.x, rays.originY[at] = origin.y, rays.originZ[at] = origin.z;
-    rays.directionX[at] = L.x, rays.directionY[at] = L.y, rays.directionZ[at] = L.z;
-    rays.tMax[at] = tMax;
-    rays.time[at] = vertices.points.input(int(ShaderInput::time))[i];
-    lane[0][at] = i;
+    for (int ray = 0; ray < count; ++ray) {
+        int i = lanes[ray];
+        rays_.tMax[ray] = INFINITY;
+        if (std::isinf(samples.distance[i]))
+            continue;
+        // Towards the same end from the shifted origin: the receiver's offset must not carry the
+        // ray's end into the light.
+        rays_.tMax[ray] = shadowRayEnd;
+        rays_.directionX[ray] += P[0][i] - origin[0][i];
+        rays_.directionY[ray] += P[1][i] - origin[1][i];
+        rays_.directionZ[ray] += P[2][i] - origin[2][i];
+    }
+
+    std::array<float *, colorSamples> transmittance;
+    for (int c = 0; c < colorSamples; ++c)
+        transmittance[c] = transmittance_[c];
+    vertices.scene().transmittance(rays_, transmittance.data());
+    for (int c = 0; c < colorSamples; ++c)
+        for (int ray = 0; ray < count; ++ray)
+            light[c][lanes[ray]] *= transmittance[c][ray];
+    return count;
 }
 
 LightSampleStorage::LightSampleStorage(int capacity)
@@ -70,7 +108,7 @@ LightSampleStorage::LightSampleStorage(int capacity)
 
 DirectLight::DirectLight(int capacity)
     : light_(capacity), shadow_(capacity), unit_(3, capacity), pdf_(2, capacity),
-      g_(colorSamples, capacity), answered_(1, capacity) {
+      g_(colorSamples, capacity), answered_(1, capacity), lanes_(2, capacity) {
     std::fill_n(answered_[0], answered_.lanes(), finiteRequests);
 }
 
@@ -99,25 +137,14 @@ int DirectLight::gather(SurfaceVertices &vertices, ConeMixture &mixture,
     float *weight = pdf_[1];
     lightWeights(count, light.pdfSolidAngle, pdf_[0], finiteProbability, wanted, weight);
     for (int c = 0; c < colorSamples; ++c)
-        multiplyThree(count, g[c], light.value[c], weight, contribution[c]);
+        multiplyThree(count, g[c], light.value[c], weight, light.light, contribution[c]);
 
-    shadow_.rays.count = 0;
-    for (int i = 0; i < count; ++i) {
-        float brightest = 0;
-        for (int c = 0; c < colorSamples; ++c)
-            brightest = std::max(brightest, std::fabs(contribution[c][i]));
-        if (brightest > 0 && light.light[i] > 0 && light.castsShadow[i])
-            shadow_.add(vertices, i, {L[0][i], L[1][i], L[2][i]},
-                        std::isinf(light.distance[i]) ? INFINITY : shadowRayEnd);
-        else if (light.light[i] == 0)
-            for (int c = 0; c < colorSamples; ++c)
-                contribution[c][i] = 0;
-    }
-    vertices.scene().transmittance(shadow_.rays, shadow_.transmittancePlanes.data());
-    for (int ray = 0; ray < shadow_.rays.count; ++ray)
-        for (int c = 0; c < colorSamples; ++c)
-            contribution[c][shadow_.lane[0][ray]] *= shadow_.transmittance[c][ray];
-    return shadow_.rays.count;
+    int *inShadowTest = lanes_[0], *lane = lanes_[1];
+    std::fill_n(inShadowTest, count, 0);
+    for (int c = 0; c < colorSamples; ++c)
+        markShadowTests(count, contribution[c], light.light, light.castsShadow, inShadowTest);
+    int rays = lanes::compact(count, inShadowTest, lane);
+    return shadow_.attenuate(vertices, light, rays, lane, contribution);
 }
 
 } // namespace candela

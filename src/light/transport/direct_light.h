@@ -12,20 +12,19 @@ namespace candela {
 /// A shadow ray stops short of the light by a share of its length, lest it hit the light.
 inline constexpr float shadowRayEnd = 1 - 1e-4f;
 
-/// One ray a lane, packed, with the lane it came from.
-struct ShadowRays {
-    explicit ShadowRays(int capacity)
-        : rays(capacity), lane(1, capacity), transmittance(colorSamples, capacity) {
-        for (int c = 0; c < colorSamples; ++c)
-            transmittancePlanes[c] = transmittance[c];
-    }
-    /// From vertex i along L, up to the light (tMax in multiples of L).
-    void add(SurfaceVertices &, int i, Vec3 L, float tMax);
+/// Rays from some of the vertices to their light samples, packed.
+class ShadowRays {
+public:
+    explicit ShadowRays(int capacity);
 
-    RayBatch rays;
-    Planes<int> lane;
-    Planes<float> transmittance;
-    std::array<float *, colorSamples> transmittancePlanes;
+    /// Traces from the vertices lanes[0..count) along their L and multiplies what each has in
+    /// `light` by what comes through. Returns the number of rays.
+    int attenuate(SurfaceVertices &, const LightSamples &, int count, const int *lanes,
+                  float *const *light);
+
+private:
+    RayBatch rays_;
+    Planes<float> origin_, transmittance_;
 };
 
 /// The light samples of a chunk: storage for Scene::sampleLights.
@@ -52,7 +51,7 @@ private:
     LightSampleStorage light_;
     ShadowRays shadow_;
     Planes<float> unit_, pdf_, g_;
-    Planes<std::int32_t> answered_;
+    Planes<std::int32_t> answered_, lanes_;
 };
 
 } // namespace candela

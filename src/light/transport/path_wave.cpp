@@ -2,11 +2,11 @@
 #include "light/transport/path_wave.h"
 
 #include "foundation/base/hot.h"
+#include "light/transport/lanes.h"
 #include "light/transport/sobol.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace candela {
 
@@ -30,11 +30,78 @@ CANDELA_HOT void emissionWeights(int count, const float *__restrict lastPdf,
                                  const float *__restrict areaPdf, const float *__restrict cosine,
                                  float *__restrict weight) {
     for (int i = 0; i < count; ++i) {
-        float pb = lastPdf[i];
-        float pl = areaPdf[i] * distance[i] * distance[i] / std::max(std::fabs(cosine[i]), 1e-9f);
+        float pb = lastPdf[i], height = std::fabs(cosine[i]);
+        float pl = areaPdf[i] * distance[i] * distance[i] / (height > 1e-9f ? height : 1e-9f);
         float shared = pb * pb / (pb * pb + pl * pl);
         weight[i] = pb > 0 ? shared : 1.0f;
     }
+}
+
+/// Cosine between unit normals and incoming directions of any length.
+CANDELA_HOT void incidentCosines(int count, const float *__restrict nx, const float *__restrict ny,
+                                 const float *__restrict nz, const float *__restrict ix,
+                                 const float *__restrict iy, const float *__restrict iz,
+                                 float *__restrict cosine) {
+    for (int i = 0; i < count; ++i) {
+        float squared = ix[i] * ix[i] + iy[i] * iy[i] + iz[i] * iz[i];
+        float along = nx[i] * ix[i] + ny[i] * iy[i] + nz[i] * iz[i];
+        cosine[i] = along / std::sqrt(squared > 0 ? squared : 1.0f);
+    }
+}
+
+/// What the chosen event makes of a unit of light: 1/(pi pdf) for finite lobes, 1/q else; and
+/// the density that the direction carries, 0 for events without a choice of direction.
+CANDELA_HOT void eventScales(int count, const std::int32_t *__restrict event,
+                             const float *__restrict probability,
+                             const float *__restrict mixturePdf, const int *__restrict depth,
+                             int maxDepth, float *__restrict scale, float *__restrict pdf) {
+    for (int i = 0; i < count; ++i) {
+        bool finite = event[i] == finiteRequests, through = event[i] == straightThrough;
+        bool goesOn = (event[i] != pathEnds) & (through | (depth[i] < maxDepth));
+        float density = finite ? mixturePdf[i] * probability[i] : 0.0f;
+        float divisor = finite ? pi * density : probability[i];
+        pdf[i] = density;
+        scale[i] = goesOn & (divisor > 0) ? 1 / (divisor > 0 ? divisor : 1.0f) : 0.0f;
+    }
+}
+
+CANDELA_HOT void nextThroughput(int count, const float *__restrict throughput,
+                                const float *__restrict g, const float *__restrict opacity,
+                                const std::int32_t *__restrict event,
+                                const float *__restrict scale, float *__restrict next,
+                                float *__restrict brightest) {
+    for (int i = 0; i < count; ++i) {
+        float factor = event[i] == straightThrough ? 1 - opacity[i] : g[i];
+        float value = scale[i] > 0 ? throughput[i] * factor * scale[i] : 0.0f;
+        float size = std::fabs(value);
+        next[i] = value;
+        brightest[i] = size > brightest[i] || size != size ? size : brightest[i];
+    }
+}
+
+/// Russian roulette: survivors[i] != 0 for paths that go on, whose throughput is then to be
+/// multiplied by gain. It divides survivors and is no part of any density.
+CANDELA_HOT void playRoulette(int count, const float *__restrict brightest,
+                              const int *__restrict depth, const float *__restrict chance,
+                              int *__restrict survives, float *__restrict gain) {
+    for (int i = 0; i < count; ++i) {
+        float root = std::sqrt(brightest[i] > 0 ? brightest[i] : 0.0f);
+        float odds = depth[i] >= rouletteDepth ? (root < 0.95f ? root : 0.95f) : 1.0f;
+        survives[i] = (brightest[i] > 0) & (chance[i] < odds);
+        gain[i] = 1 / (odds > 0 ? odds : 1.0f);
+    }
+}
+
+CANDELA_HOT void chooseDirections(int count, const std::int32_t *__restrict event,
+                                  const float *__restrict finite, float *__restrict direction) {
+    for (int i = 0; i < count; ++i)
+        direction[i] = event[i] == finiteRequests ? finite[i] : direction[i];
+}
+
+CANDELA_HOT void markShallow(int count, const int *__restrict depth, int maxDepth,
+                             float *__restrict wanted) {
+    for (int i = 0; i < count; ++i)
+        wanted[i] = depth[i] < maxDepth ? 1.0f : 0.0f;
 }
 
 } // namespace
@@ -46,8 +113,8 @@ PathWave::PathWave(const Scene &scene, const IntegratorSettings &settings,
       statistics_(statistics), nonFinite_(nonFinite), results_(capacity, int(firstHit_.size())),
       active_(capacity), next_(capacity), hits_(capacity), order_(capacity),
       binStart_(scene.codeCount() + 1), vertices_(chunk), mixture_(chunk), events_(chunk),
-      direct_(chunk), classic_(chunk), state_(colorSamples + 2, chunk),
-      stateIntegers_(4, chunk), keys_(2, chunk), random_(2 * vertexPairs, chunk),
+      direct_(chunk), classic_(chunk), state_(2 * colorSamples + 2, chunk),
+      stateIntegers_(6, chunk), keys_(2, chunk), random_(2 * vertexPairs, chunk),
       answers_(3 * colorSamples, chunk), scratch_(8, chunk) {}
 
 // ---- The camera ----
@@ -153,55 +220,78 @@ void PathWave::shadeChunk(int code, const int *order, int count, int iteration) 
         scene_.ambient(count, vertices_.P(), vertices_.points.lightSet, ambient.data());
     vertices_.prepare(lit ? ambient.data() : nullptr);
     addVisible(order);
-    for (int pair = 0; pair < vertexPairs; ++pair)
-        sobolPairs(count, keys_[0], keys_[1], cameraPairs + iteration * vertexPairs + pair,
-                   random_[2 * pair], random_[2 * pair + 1]);
+    iteration_ = iteration;
+    for (int pair : {lightPositionPair, directionPair, lightChoicePair})
+        sampleNumbers(pair);
     if (settings_.kind == IntegratorKind::Classic)
         lightClassic(lit ? ambient.data() : nullptr);
     else
         lightPath();
     scatterOn();
+    deliverLight();
+}
+
+/// The numbers of one of this vertex's dimension pairs, into random_.
+void PathWave::sampleNumbers(int pair) {
+    sobolPairs(vertices_.count(), keys_[0], keys_[1],
+               cameraPairs + iteration_ * vertexPairs + pair, random_[2 * pair],
+               random_[2 * pair + 1]);
 }
 
 void PathWave::gatherState(const int *order, int count) {
-    for (int i = 0; i < count; ++i) {
-        int at = order[i], slot = active_.slot[at];
-        for (int c = 0; c < colorSamples; ++c)
-            state_[c][i] = active_.throughput[c][at];
-        state_[colorSamples][i] = active_.lastPdf[at];
-        state_[colorSamples + 1][i] = active_.travelled[at] + hits_.t[at];
-        stateIntegers_[0][i] = slot;
-        stateIntegers_[1][i] = active_.depth[at];
-        stateIntegers_[2][i] = active_.lightSet[at];
-        stateIntegers_[3][i] = active_.seen[at];
-        keys_[0][i] = results_.keys[0][slot];
-        keys_[1][i] = results_.sampleIndex[slot];
+    for (int c = 0; c < colorSamples; ++c) {
+        lanes::gather(count, order, active_.throughput[c], throughput(c));
+        std::fill_n(gathered(c), count, 0.0f);
+    }
+    lanes::gather(count, order, active_.lastPdf, lastPdf());
+    lanes::gather(count, order, hits_.t, travelled());
+    lanes::gather(count, order, active_.travelled, scratch_[0]);
+    lanes::add(count, scratch_[0], travelled());
+    lanes::gather(count, order, active_.slot, slot());
+    lanes::gather(count, order, active_.depth, depth());
+    lanes::gather(count, order, active_.lightSet, lastLightSet());
+    lanes::gather(count, order, active_.seen, seen());
+    lanes::gather(count, slot(), reinterpret_cast<const int *>(results_.keys[0]),
+                  reinterpret_cast<int *>(keys_[0]));
+    lanes::gather(count, slot(), results_.sampleIndex, reinterpret_cast<int *>(keys_[1]));
+}
+
+/// gathered += throughput * contribution
+void PathWave::gatherLight(const float *const *contribution) {
+    for (int c = 0; c < colorSamples; ++c)
+        lanes::multiplyAdd(vertices_.count(), throughput(c), contribution[c], gathered(c));
+}
+
+/// The light gathered at the vertices joins what their paths have; what is not finite is
+/// reported and left out.
+void PathWave::deliverLight() {
+    const int count = vertices_.count();
+    for (int c = 0; c < colorSamples; ++c)
+        if (!lanes::allFinite(count, gathered(c)))
+            for (int i = 0; i < count; ++i)
+                if (!std::isfinite(gathered(c)[i])) {
+                    reportNonFinite(i);
+                    for (int k = 0; k < colorSamples; ++k)
+                        gathered(k)[i] = 0;
+                }
+    for (int c = 0; c < colorSamples; ++c) {
+        float *radiance = results_.radiance[c];
+        const float *light = gathered(c);
+        for (int i = 0; i < count; ++i)
+            radiance[slot()[i]] += light[i];
     }
 }
 
-/// radiance += throughput * contribution; what is not finite is reported and left out.
-void PathWave::addToRadiance(const float *const *contribution) {
-    const int *slot = stateIntegers_[0];
-    for (int i = 0; i < vertices_.count(); ++i) {
-        float added[colorSamples], sum = 0;
-        for (int c = 0; c < colorSamples; ++c) {
-            added[c] = state_[c][i] * contribution[c][i];
-            sum += added[c];
-        }
-        if (!std::isfinite(sum)) {
-            nonFinite_.found(vertices_.code().name(), results_.x[slot[i]], results_.y[slot[i]],
-                             results_.sampleIndex[slot[i]]);
-            continue;
-        }
-        for (int c = 0; c < colorSamples; ++c)
-            results_.radiance[c][slot[i]] += added[c];
-    }
+void PathWave::reportNonFinite(int i) {
+    int at = slot()[i];
+    nonFinite_.found(vertices_.code().name(), results_.x[at], results_.y[at],
+                     results_.sampleIndex[at]);
 }
 
 void PathWave::addEmission() {
     const int count = vertices_.count();
     const std::int32_t *light = vertices_.points.light;
-    if (std::all_of(light, light + count, [](std::int32_t l) { return l == 0; }))
+    if (lanes::allEqual(count, light, 0))
         return;
     float *radiance[colorSamples];
     for (int c = 0; c < colorSamples; ++c) {
@@ -211,36 +301,34 @@ void PathWave::addEmission() {
     scene_.emission(vertices_.codeIndex(), vertices_.points, radiance);
 
     float *cosine = scratch_[0], *weight = scratch_[1];
-    ConstVec3Planes I = vertices_.input(ShaderInput::I);
-    for (int i = 0; i < count; ++i) {
-        Vec3 direction = normalize({I[0][i], I[1][i], I[2][i]});
-        cosine[i] = dot(direction, vertices_.facing(i));
-    }
-    emissionWeights(count, state_[colorSamples], state_[colorSamples + 1],
-                    vertices_.points.lightPdfArea, cosine, weight);
-    const int *lightSet = stateIntegers_[2];
-    for (int i = 0; i < count; ++i) {
-        bool shinesThere = light[i] == 0 || lightSet[i] < 0 || state_[colorSamples][i] == 0 ||
-                           scene_.lightIsOn(lightSet[i], light[i]);
-        for (int c = 0; c < colorSamples; ++c)
-            radiance[c][i] *= shinesThere ? weight[i] : 0;
-    }
-    addToRadiance(radiance);
+    ConstVec3Planes I = vertices_.input(ShaderInput::I), n = vertices_.facingPlanes();
+    incidentCosines(count, n[0], n[1], n[2], I[0], I[1], I[2], cosine);
+    emissionWeights(count, lastPdf(), travelled(), vertices_.points.lightPdfArea, cosine, weight);
+    for (int i = 0; i < count; ++i)
+        if (light[i] != 0 && lastLightSet()[i] >= 0 && lastPdf()[i] > 0 &&
+            !scene_.lightIsOn(lastLightSet()[i], light[i]))
+            weight[i] = 0;
+    for (int c = 0; c < colorSamples; ++c)
+        for (int i = 0; i < count; ++i)
+            radiance[c][i] *= weight[i];
+    gatherLight(radiance);
 }
 
 /// What the camera sees at first hand: opacity, and the channels of the first surface.
 void PathWave::addVisible(const int *order) {
-    const int *slot = stateIntegers_[0], *seen = stateIntegers_[3];
-    for (int i = 0; i < vertices_.count(); ++i)
-        if (seen[i])
+    const int count = vertices_.count();
+    if (lanes::allEqual(count, seen(), 0))
+        return;
+    for (int i = 0; i < count; ++i)
+        if (seen()[i])
             for (int c = 0; c < colorSamples; ++c)
-                results_.opacity[c][slot[i]] += state_[c][i] * vertices_.Oi(c)[i];
+                results_.opacity[c][slot()[i]] += throughput(c)[i] * vertices_.Oi(c)[i];
     for (std::size_t plane = 0; plane < firstHit_.size(); ++plane) {
         const FirstHitPlane &from = firstHit_[plane];
-        for (int i = 0; i < vertices_.count(); ++i) {
-            if (!seen[i] || active_.travelled[order[i]] != 0)
+        for (int i = 0; i < count; ++i) {
+            if (!seen()[i] || active_.travelled[order[i]] != 0)
                 continue;
-            float &value = results_.channels[int(plane)][slot[i]];
+            float &value = results_.channels[int(plane)][slot()[i]];
             if (from.primitive)
                 value = float(vertices_.points.primitive[i] + 1);
             else if (from.input >= 0)
@@ -262,15 +350,16 @@ void PathWave::lightClassic(const float *const *ambient) {
     statistics_.shadowRays +=
         classic_.shade(vertices_, 1, random_[2 * lightPositionPair],
                        random_[2 * lightPositionPair + 1], ambient, Ci, Oi);
-    addToRadiance(Ci);
+    gatherLight(Ci);
+    events_.look(vertices_);
     float *noFiniteLobe = scratch_[2];
     std::fill_n(noFiniteLobe, vertices_.count(), 0.0f);
+    sampleNumbers(eventPair);
     events_.choose(vertices_, noFiniteLobe, random_[2 * eventPair]);
 }
 
 /// One light by chance, and the choice of the event by which the path goes on.
 void PathWave::lightPath() {
-    const int count = vertices_.count();
     float *contribution[colorSamples];
     std::array<const float *, colorSamples> ambient;
     for (int c = 0; c < colorSamples; ++c) {
@@ -278,23 +367,24 @@ void PathWave::lightPath() {
         ambient[c] = vertices_.Ca(c);
     }
     if (ambient[0])
-        addToRadiance(ambient.data());
+        gatherLight(ambient.data());
+    events_.look(vertices_);
     stateMixture();
+    if (events_.needsChoice())
+        sampleNumbers(eventPair);
     events_.choose(vertices_, mixture_.total(), random_[2 * eventPair]);
     if (!scene_.hasLights())
         return;
     float *wanted = scratch_[2];
-    for (int i = 0; i < count; ++i)
-        wanted[i] = stateIntegers_[1][i] < settings_.maxDepth ? 1 : 0;
+    markShallow(vertices_.count(), depth(), settings_.maxDepth, wanted);
     statistics_.shadowRays += direct_.gather(
         vertices_, mixture_, events_.finiteProbability(), wanted, random_[2 * lightChoicePair],
         random_[2 * lightPositionPair], random_[2 * lightPositionPair + 1], contribution);
-    addToRadiance(contribution);
+    gatherLight(contribution);
 }
 
 void PathWave::stateMixture() {
-    float *transmits = scratch_[3];
-    ScatteringEvents::transmission(vertices_, transmits);
+    const float *transmits = events_.transmission();
     if (!settings_.hemisphereOnly) {
         mixture_.state(vertices_.count(), vertices_.cones(), vertices_.facingPlanes(), transmits);
         return;
@@ -313,83 +403,86 @@ void PathWave::stateMixture() {
 void PathWave::scatterOn() {
     const int count = vertices_.count();
     MutableVec3Planes direction = events_.direction();
+    float *mixturePdf = scratch_[6];
     if (events_.any(finiteRequests, count)) {
         MutableVec3Planes sampled{scratch_[3], scratch_[4], scratch_[5]};
         mixture_.sample(random_[2 * directionPair], random_[2 * directionPair + 1], sampled);
-        for (int i = 0; i < count; ++i)
-            if (events_.event()[i] == finiteRequests)
-                for (int c = 0; c < 3; ++c)
-                    direction[c][i] = sampled[c][i];
-        mixture_.pdf({direction[0], direction[1], direction[2]}, scratch_[6]);
+        for (int c = 0; c < 3; ++c)
+            chooseDirections(count, events_.event(), sampled[c], direction[c]);
+        mixture_.pdf({direction[0], direction[1], direction[2]}, mixturePdf);
     }
-    followEvents(random_[2 * lightChoicePair + 1]);
-}
-
-void PathWave::followEvents(const float *roulette) {
-    const int count = vertices_.count();
-    MutableVec3Planes direction = events_.direction();
     float *g[colorSamples];
     for (int c = 0; c < colorSamples; ++c)
         g[c] = answers_[c];
     vertices_.scatter({direction[0], direction[1], direction[2]}, events_.event(), nullptr, g);
-    const float *mixturePdf = scratch_[6];
-    for (int i = 0; i < count; ++i) {
-        std::int32_t event = events_.event()[i];
-        if (event == pathEnds)
-            continue;
-        bool through = event == straightThrough;
-        if (!through && stateIntegers_[1][i] >= settings_.maxDepth)
-            continue;
-        bool finite = event == finiteRequests;
-        float pdf = finite ? mixturePdf[i] * events_.probability()[i] : 0;
-        float scale = finite ? 1 / (pi * pdf) : 1 / events_.probability()[i];
-        Color throughput;
-        float brightest = 0;
-        for (int c = 0; c < colorSamples; ++c) {
-            float factor = through ? 1 - vertices_.Oi(c)[i] : g[c][i];
-            throughput[c] = state_[c][i] * factor * scale;
-            brightest = std::max(brightest, std::fabs(throughput[c]));
-        }
-        if (!(brightest > 0))
-            continue;
-        if (!std::isfinite(brightest)) {
-            int slot = stateIntegers_[0][i];
-            nonFinite_.found(vertices_.code().name(), results_.x[slot], results_.y[slot],
-                             results_.sampleIndex[slot]);
-            continue;
-        }
-        if (stateIntegers_[1][i] >= rouletteDepth) {
-            float survival = std::min(0.95f, std::sqrt(brightest));
-            if (roulette[i] >= survival)
-                continue;
-            for (int c = 0; c < colorSamples; ++c)
-                throughput[c] /= survival;
-        }
-        append(i, {direction[0][i], direction[1][i], direction[2][i]}, throughput, event, pdf);
-    }
+
+    float *scale = scratch_[3], *pdf = scratch_[4], *brightest = scratch_[5];
+    eventScales(count, events_.event(), events_.probability(), mixturePdf, depth(),
+                settings_.maxDepth, scale, pdf);
+    std::fill_n(brightest, count, 0.0f);
+    for (int c = 0; c < colorSamples; ++c)
+        nextThroughput(count, throughput(c), g[c], vertices_.Oi(c), events_.event(), scale,
+                       answers_[colorSamples + c], brightest);
+    if (!lanes::allFinite(count, brightest))
+        for (int i = 0; i < count; ++i)
+            if (!std::isfinite(brightest[i])) {
+                reportNonFinite(i);
+                brightest[i] = 0;
+            }
+    int *survives = stateIntegers_[4], *lane = stateIntegers_[5];
+    float *gain = scratch_[7];
+    playRoulette(count, brightest, depth(), random_[2 * lightChoicePair + 1], survives, gain);
+    append(lanes::compact(count, survives, lane), lane, gain, pdf);
 }
 
-void PathWave::append(int i, Vec3 direction, const Color &throughput, std::int32_t event,
-                      float pdf) {
-    const int at = next_.count++;
-    const bool through = event == straightThrough;
-    ConstVec3Planes P = vertices_.P();
-    Vec3 unit = normalize(direction);
-    Vec3 origin = Scene::offsetOrigin({P[0][i], P[1][i], P[2][i]}, vertices_.facing(i), unit,
-                                      vertices_.points.offset[i]);
+/// Survivors go on behind those of the chunks before.
+void PathWave::append(int count, const int *lane, const float *gain, const float *pdf) {
+    const int first = next_.count;
+    next_.count += count;
+    MutableVec3Planes direction = events_.direction();
+    MutableVec3Planes origin{scratch_[0], scratch_[1], scratch_[2]};
+    vertices_.rayOrigins({direction[0], direction[1], direction[2]}, origin);
+
     RayBatch &rays = next_.rays;
-    rays.originX[at] = origin.x, rays.originY[at] = origin.y, rays.originZ[at] = origin.z;
-    rays.directionX[at] = unit.x, rays.directionY[at] = unit.y, rays.directionZ[at] = unit.z;
-    rays.tMax[at] = INFINITY;
-    rays.time[at] = vertices_.points.input(int(ShaderInput::time))[i];
-    for (int c = 0; c < colorSamples; ++c)
-        next_.throughput[c][at] = throughput[c];
-    next_.lastPdf[at] = through ? state_[colorSamples][i] : pdf;
-    next_.travelled[at] = through ? state_[colorSamples + 1][i] : 0;
-    next_.slot[at] = stateIntegers_[0][i];
-    next_.depth[at] = stateIntegers_[1][i] + (through ? 0 : 1);
-    next_.lightSet[at] = through ? stateIntegers_[2][i] : vertices_.points.lightSet[i];
-    next_.seen[at] = through ? stateIntegers_[3][i] : 0;
+    auto take = [&](const float *from, float *to) {
+        lanes::gather(count, lane, from, to + first);
+    };
+    take(origin[0], rays.originX), take(origin[1], rays.originY), take(origin[2], rays.originZ);
+    take(direction[0], rays.directionX), take(direction[1], rays.directionY);
+    take(direction[2], rays.directionZ);
+    take(vertices_.points.input(int(ShaderInput::time)), rays.time);
+    std::fill_n(rays.tMax + first, count, INFINITY);
+    for (int c = 0; c < colorSamples; ++c) {
+        float *next = answers_[colorSamples + c];
+        for (int i = 0; i < vertices_.count(); ++i)
+            next[i] *= gain[i];
+        take(next, next_.throughput[c]);
+    }
+    take(pdf, next_.lastPdf);
+    std::fill_n(next_.travelled + first, count, 0.0f);
+    lanes::gather(count, lane, slot(), next_.slot + first);
+    lanes::gather(count, lane, depth(), next_.depth + first);
+    lanes::gather(count, lane, vertices_.points.lightSet, next_.lightSet + first);
+    std::fill_n(next_.seen + first, count, 0);
+
+    // Directions of mirrors and of what passes straight through have any length; and what passes
+    // has not been scattered.
+    const bool allFinite = !events_.needsChoice();
+    for (int k = 0; k < count; ++k) {
+        const int i = lane[k], at = first + k;
+        const bool through = !allFinite && events_.event()[i] == straightThrough;
+        next_.depth[at] += through ? 0 : 1;
+        if (allFinite || events_.event()[i] == finiteRequests)
+            continue;
+        Vec3 unit = normalize({direction[0][i], direction[1][i], direction[2][i]});
+        rays.directionX[at] = unit.x, rays.directionY[at] = unit.y, rays.directionZ[at] = unit.z;
+        if (!through)
+            continue;
+        next_.lastPdf[at] = lastPdf()[i];
+        next_.travelled[at] = travelled()[i];
+        next_.lightSet[at] = lastLightSet()[i];
+        next_.seen[at] = seen()[i];
+    }
 }
 
 } // namespace candela

@@ -42,10 +42,22 @@ private:
     void lightClassic(const float *const *ambient);
     void lightPath();
     void stateMixture();
-    void addToRadiance(const float *const *contribution);
+    void sampleNumbers(int pair);
+    void gatherLight(const float *const *contribution);
+    void deliverLight();
+    void reportNonFinite(int i);
     void scatterOn();
-    void followEvents(const float *roulette);
-    void append(int i, Vec3 direction, const Color &throughput, std::int32_t event, float pdf);
+    void append(int count, const int *lane, const float *gain, const float *pdf);
+
+    // The state of the chunk's paths.
+    float *throughput(int c) const { return state_[c]; }
+    float *gathered(int c) const { return state_[colorSamples + c]; } ///< Light at this vertex.
+    float *lastPdf() const { return state_[2 * colorSamples]; }
+    float *travelled() const { return state_[2 * colorSamples + 1]; } ///< Up to this vertex.
+    int *slot() const { return stateIntegers_[0]; }
+    int *depth() const { return stateIntegers_[1]; }
+    int *lastLightSet() const { return stateIntegers_[2]; }
+    int *seen() const { return stateIntegers_[3]; }
 
     const Scene &scene_;
     const IntegratorSettings &settings_;
@@ -66,12 +78,13 @@ private:
     ScatteringEvents events_;
     DirectLight direct_;
     ClassicLight classic_;
-    Planes<float> state_;        ///< throughput, then lastPdf, travelled.
-    Planes<int> stateIntegers_;  ///< slot, depth, lightSet, seen.
+    int iteration_ = 0;
+    Planes<float> state_;
+    Planes<int> stateIntegers_; ///< As above; then which paths go on, twice.
     Planes<std::uint32_t> keys_; ///< pixel key, sample index.
     Planes<float> random_;       ///< pairs of uniform numbers
-    Planes<float> answers_;      ///< contributions, g, ambient
-    Planes<float> scratch_;      ///< directions and pdfs
+    Planes<float> answers_;      ///< Colours: light or g, next throughput, ambient.
+    Planes<float> scratch_;      ///< Of the step that runs.
 };
 
 } // namespace candela

@@ -1,27 +1,70 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "light/transport/scattering_event.h"
 
+#include "foundation/base/hot.h"
+#include "light/transport/lanes.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace candela {
 
+namespace {
+
+/// Light that less than this share of passes is taken as stopped.
+constexpr float leastTransmission = 1e-6f;
+
+CANDELA_HOT void addTransmission(int count, const float *__restrict opacity, float weight,
+                                 float *__restrict transmission) {
+    for (int i = 0; i < count; ++i) {
+        float through = 1 - opacity[i];
+        through = through > leastTransmission ? through : 0;
+        transmission[i] += weight * (through < 1 ? through : 1);
+    }
+}
+
+/// Where the finite lobes are all there is.
+CANDELA_HOT void followFiniteLobes(int count, const float *__restrict total,
+                                   std::int32_t *__restrict event,
+                                   float *__restrict probability,
+                                   float *__restrict finiteProbability) {
+    for (int i = 0; i < count; ++i) {
+        bool goesOn = total[i] > 0;
+        event[i] = goesOn ? finiteRequests : pathEnds;
+        probability[i] = goesOn ? 1.0f : 0.0f;
+        finiteProbability[i] = goesOn ? 1.0f : 0.0f;
+    }
+}
+
+} // namespace
+
 ScatteringEvents::ScatteringEvents(int capacity)
     : events_(1, capacity), floats_(5, capacity), transmission_(1, capacity) {}
 
-void ScatteringEvents::transmission(const SurfaceVertices &vertices, float *transmission) {
-    for (int i = 0; i < vertices.count(); ++i) {
-        float through = 0;
-        for (int c = 0; c < colorSamples; ++c)
-            through += luminanceWeights[c] * (1 - std::clamp(vertices.Oi(c)[i], 0.0f, 1.0f));
-        transmission[i] = through > 1e-6f ? through : 0;
-    }
+void ScatteringEvents::look(const SurfaceVertices &vertices) {
+    const int count = vertices.count();
+    opaque_ = true;
+    for (int c = 0; c < colorSamples; ++c)
+        opaque_ &= lanes::allEqual(count, vertices.Oi(c), 1);
+    mayBeDelta_ = false;
+    for (const ConePlanes &cone : vertices.cones())
+        mayBeDelta_ |= cone.first && !lanes::allPositive(count, cone.kindAngle);
+    if (opaque_)
+        return;
+    std::fill_n(transmission_[0], count, 0.0f);
+    for (int c = 0; c < colorSamples; ++c)
+        addTransmission(count, vertices.Oi(c), luminanceWeights[c], transmission_[0]);
 }
 
 void ScatteringEvents::choose(SurfaceVertices &vertices, const float *finiteTotal,
                               const float *u) {
     const int count = vertices.count();
-    transmission(vertices, transmission_[0]);
+    if (!needsChoice()) {
+        followFiniteLobes(count, finiteTotal, events_[0], floats_[0], floats_[1]);
+        return;
+    }
+    if (opaque_)
+        std::fill_n(transmission_[0], count, 0.0f);
     ConstVec3Planes incident = vertices.input(ShaderInput::I);
     std::vector<const ConePlanes *> deltas;
     for (const ConePlanes &cone : vertices.cones())

@@ -15,11 +15,15 @@ class ScatteringEvents {
 public:
     explicit ScatteringEvents(int capacity);
 
+    /// Takes the vertices' opacity; must come first. transmission() is then 1 - Oi as luminance,
+    /// or null if all of them are opaque.
+    void look(const SurfaceVertices &);
+    const float *transmission() const { return opaque_ ? nullptr : transmission_[0]; }
+    /// True if a random number is needed: not all lanes have but one event to choose.
+    bool needsChoice() const { return !opaque_ || mayBeDelta_; }
     /// Chooses by the uniform number u of each lane. `finiteTotal` is the mixture's importance.
     /// Direction is filled for delta requests and for straightThrough.
     void choose(SurfaceVertices &, const float *finiteTotal, const float *u);
-    /// Where a surface is not opaque, light passes: 1 - Oi, as luminance.
-    static void transmission(const SurfaceVertices &, float *transmission);
 
     const std::int32_t *event() const { return events_[0]; }
     const float *probability() const { return floats_[0]; } ///< Of the event chosen.
@@ -33,6 +37,7 @@ private:
     Planes<std::int32_t> events_;
     Planes<float> floats_;
     Planes<float> transmission_;
+    bool opaque_ = true, mayBeDelta_ = false;
 };
 
 } // namespace candela

@@ -25,6 +25,23 @@ CANDELA_HOT void faceForward(int count, const float *__restrict nx, const float 
     }
 }
 
+/// Scene::offsetOrigin for unit normals.
+CANDELA_HOT void offsetAlong(int count, const float *__restrict nx, const float *__restrict ny,
+                             const float *__restrict nz, const float *__restrict dx,
+                             const float *__restrict dy, const float *__restrict dz,
+                             const float *__restrict offset, float *__restrict step) {
+    for (int i = 0; i < count; ++i) {
+        float side = nx[i] * dx[i] + ny[i] * dy[i] + nz[i] * dz[i];
+        step[i] = side < 0 ? -offset[i] : offset[i];
+    }
+}
+
+CANDELA_HOT void stepFrom(int count, const float *__restrict P, const float *__restrict n,
+                          const float *__restrict step, float *__restrict origin) {
+    for (int i = 0; i < count; ++i)
+        origin[i] = P[i] + n[i] * step[i];
+}
+
 /// Grows storage to what a question needs; keeps it otherwise.
 void reserve(Planes<float> &planes, int count, int lanes) {
     if (planes.planes() < count)
@@ -35,7 +52,7 @@ void reserve(Planes<float> &planes, int count, int lanes) {
 
 SurfaceVertices::SurfaceVertices(int capacity)
     : points(capacity), capacity_(paddedLanes(capacity)), facing_(3, capacity),
-      direction_(3, capacity) {}
+      step_(1, capacity) {}
 
 ConstVec3Planes SurfaceVertices::input(ShaderInput first) {
     int at = int(first);
@@ -50,6 +67,15 @@ void SurfaceVertices::meet(const Scene &scene, int code, const RayBatch &rays,
     scene.shadingPoints(rays, hits, order, count, points);
     ConstVec3Planes n = input(ShaderInput::Ng), i = input(ShaderInput::I);
     faceForward(count, n[0], n[1], n[2], i[0], i[1], i[2], facing_[0], facing_[1], facing_[2]);
+}
+
+void SurfaceVertices::rayOrigins(const ConstVec3Planes &d, const MutableVec3Planes &origin) {
+    ConstVec3Planes from = P();
+    float *step = step_[0];
+    offsetAlong(count(), facing_[0], facing_[1], facing_[2], d[0], d[1], d[2], points.offset,
+                step);
+    for (int c = 0; c < 3; ++c)
+        stepFrom(count(), from[c], facing_[c], step, origin[c]);
 }
 
 ShaderArgs SurfaceVertices::arguments() const {

@@ -35,6 +35,8 @@ public:
     int lanes() const { return capacity_; }
     Vec3 facing(int i) const { return {facing_[0][i], facing_[1][i], facing_[2][i]}; }
     ConstVec3Planes facingPlanes() const { return {facing_[0], facing_[1], facing_[2]}; }
+    /// Where rays start that leave the vertices along `direction` (docs/ray-offset.md).
+    void rayOrigins(const ConstVec3Planes &direction, const MutableVec3Planes &origin);
     ConstVec3Planes P() { return input(ShaderInput::P); }
     ConstVec3Planes input(ShaderInput first);
 
@@ -51,7 +53,7 @@ private:
     const Scene *scene_ = nullptr;
     const ShaderCode *code_ = nullptr;
     int codeIndex_ = 0, capacity_;
-    Planes<float> facing_, direction_, frame_, outputs_, shadeOutputs_;
+    Planes<float> facing_, step_, frame_, outputs_, shadeOutputs_;
     std::vector<float *> outputTable_;
     std::vector<ConePlanes> cones_;
     std::array<const float *, colorSamples> opacity_{}, ambientAnswer_{};

@@ -1,10 +1,58 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/geometry/polygon_surface.h"
 
+#include "foundation/base/hot.h"
+
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace candela {
+
+namespace {
+
+/// Floats of a Piece, by which the loops below step from one to the next. They read the pieces as
+/// rows of floats, so that a vector of points becomes gathers of one column each.
+constexpr int pieceFloats = 22;
+
+/// origin + a edgeA + b edgeB, one axis.
+CANDELA_HOT void evaluateAffine(int count, const float *__restrict pieces,
+                                const std::uint32_t *__restrict index, const float *__restrict a,
+                                const float *__restrict b, float *__restrict to) {
+    for (int k = 0; k < count; ++k) {
+        int at = int(index[k]) * pieceFloats;
+        to[k] = pieces[at] + pieces[at + 3] * a[k] + pieces[at + 6] * b[k];
+    }
+}
+
+/// edgeA wA + edgeB wB, one axis, for the two weights that stand together.
+CANDELA_HOT void combineEdges(int count, const float *__restrict pieces,
+                              const float *__restrict weights,
+                              const std::uint32_t *__restrict index, float *__restrict to) {
+    for (int k = 0; k < count; ++k) {
+        int at = int(index[k]) * pieceFloats;
+        to[k] = pieces[at + 3] * weights[at] + pieces[at + 6] * weights[at + 1];
+    }
+}
+
+CANDELA_HOT void gatherFrom(int count, const float *__restrict column,
+                            const std::uint32_t *__restrict index, float *__restrict to) {
+    for (int k = 0; k < count; ++k)
+        to[k] = column[int(index[k]) * pieceFloats];
+}
+
+/// From the values at the three corners.
+CANDELA_HOT void interpolate(int count, const float *__restrict corners,
+                             const std::uint32_t *__restrict index, const float *__restrict a,
+                             const float *__restrict b, float *__restrict to) {
+    for (int k = 0; k < count; ++k) {
+        int at = int(index[k]) * pieceFloats;
+        to[k] = corners[at] + a[k] * (corners[at + 1] - corners[at]) +
+                b[k] * (corners[at + 2] - corners[at]);
+    }
+}
+
+} // namespace
 
 PolygonSurface::PolygonSurface(PolygonMesh mesh, const PrimitiveRecord &record,
                                DiagnosticSink &diagnostics)
@@ -51,7 +99,7 @@ void PolygonSurface::addPieces() {
         auto [i0, i1, i2] = mesh_.triangles[k];
         Vec3 p0 = mesh_.points[i0], p1 = mesh_.points[i1], p2 = mesh_.points[i2];
         Piece piece{p0, p1 - p0, p2 - p0, s.corners(mesh_, k, 0), t.corners(mesh_, k, 0), 0,
-                    0,  0,       0};
+                    0,  0,       0,       cross(p1 - p0, p2 - p0)};
         setFrame(piece);
         pieces_.push_back(piece);
         bound_.add(p0), bound_.add(p1), bound_.add(p2);
@@ -95,38 +143,35 @@ DicedMesh PolygonSurface::dice(const DiceRate &) const {
 }
 
 void PolygonSurface::evaluate(const SurfaceQuery &query, const SurfaceAnswer &answer) const {
-    // A loop an answer: what is not wanted is decided once, not at every point.
-    auto fill = [&](Vec3Planes to, auto valueOf) {
-        if (to.x)
-            for (int k = 0; k < query.count; ++k)
-                to.set(k, valueOf(pieces_[query.piece[k]], k));
+    static_assert(sizeof(Piece) == pieceFloats * sizeof(float));
+    const int count = query.count;
+    const float *pieces = reinterpret_cast<const float *>(pieces_.data());
+    auto place = [&](const Vec3Planes &to, int axis) {
+        evaluateAffine(count, pieces + axis, query.piece, query.u, query.v, (&to.x)[axis]);
     };
-    auto normalOf = [](const Piece &piece, int) { return cross(piece.edgeA, piece.edgeB); };
-    fill(answer.P, [&](const Piece &piece, int k) {
-        return piece.origin + piece.edgeA * query.u[k] + piece.edgeB * query.v[k];
-    });
-    fill(answer.Ng, normalOf);
-    if (answer.N.x && answer.Ng.x) {
-        std::copy_n(answer.Ng.x, query.count, answer.N.x);
-        std::copy_n(answer.Ng.y, query.count, answer.N.y);
-        std::copy_n(answer.Ng.z, query.count, answer.N.z);
-    } else {
-        fill(answer.N, normalOf);
+    auto combine = [&](const Vec3Planes &to, int axis, int weights) {
+        combineEdges(count, pieces + axis, pieces + weights, query.piece, (&to.x)[axis]);
+    };
+    for (int axis = 0; axis < 3; ++axis) {
+        if (answer.P.x)
+            place(answer.P, axis);
+        if (answer.dPdu.x)
+            combine(answer.dPdu, axis, offsetof(Piece, aDu) / sizeof(float));
+        if (answer.dPdv.x)
+            combine(answer.dPdv, axis, offsetof(Piece, aDv) / sizeof(float));
+        if (answer.Ng.x)
+            gatherFrom(count, pieces + offsetof(Piece, normal) / sizeof(float) + axis, query.piece,
+                       (&answer.Ng.x)[axis]);
+        if (answer.N.x)
+            gatherFrom(count, pieces + offsetof(Piece, normal) / sizeof(float) + axis, query.piece,
+                       (&answer.N.x)[axis]);
     }
-    fill(answer.dPdu,
-         [](const Piece &piece, int) { return piece.edgeA * piece.aDu + piece.edgeB * piece.bDu; });
-    fill(answer.dPdv,
-         [](const Piece &piece, int) { return piece.edgeA * piece.aDv + piece.edgeB * piece.bDv; });
-    auto interpolate = [&](float *to, auto cornersOf) {
-        for (int k = 0; to && k < query.count; ++k) {
-            const std::array<float, 3> &c = cornersOf(pieces_[query.piece[k]]);
-            to[k] = c[0] + query.u[k] * (c[1] - c[0]) + query.v[k] * (c[2] - c[0]);
-        }
-    };
-    interpolate(
-        answer.u, [](const Piece &piece) -> auto & { return piece.s; });
-    interpolate(
-        answer.v, [](const Piece &piece) -> auto & { return piece.t; });
+    if (answer.u)
+        interpolate(count, pieces + offsetof(Piece, s) / sizeof(float), query.piece, query.u,
+                    query.v, answer.u);
+    if (answer.v)
+        interpolate(count, pieces + offsetof(Piece, t) / sizeof(float), query.piece, query.u,
+                    query.v, answer.v);
     if (answer.N.x && normal_)
         overrideNormals(query, answer.N);
 }

@@ -34,6 +34,7 @@ private:
         Vec3 origin, edgeA, edgeB;
         std::array<float, 3> s, t; ///< At the corners.
         float aDu, bDu, aDv, bDv;  ///< Derivatives of (a,b) along dPdu and dPdv.
+        Vec3 normal{};             ///< edgeA x edgeB
     };
 
     void takeVariables(const PrimitiveRecord &, DiagnosticSink &);

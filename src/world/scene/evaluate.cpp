@@ -279,9 +279,6 @@ void SceneState::evaluate(const TrianglePoints &points, const SceneCode &code,
 
     WantedInputs wanted = code.wanted;
     wanted.dPd |= wanted.footprint;
-    // Emitters with (u,v) need the Jacobian, whoever shades them.
-    for (int i = 0; i < count && !wanted.dPd; ++i)
-        wanted.dPd = out.light[i] != 0 && primitives[points.primitive[i]].uvDensity;
     PlaneSet planes(out, direct, count, own);
     for (int first = 0, last; first < count; first = last) {
         std::uint32_t index = points.primitive[at(first)];
@@ -296,7 +293,10 @@ void SceneState::evaluate(const TrianglePoints &points, const SceneCode &code,
             std::fill_n(pieces + first, n, 0u);
         }
         Run run{primitive, {n, pieces + first, u + first, v + first}, triangles + first, first};
-        evaluateGeometry(run, wanted, planes);
+        WantedInputs wantedHere = wanted;
+        // Emitters with (u,v) need the Jacobian, whoever shades them.
+        wantedHere.dPd |= summaries[index].light != 0 && primitive.uvDensity;
+        evaluateGeometry(run, wantedHere, planes);
         evaluateColors(run, wanted, summaries[index], planes);
         if (wanted.st) {
             evaluateTexture(run, primitive.s, ShaderInput::s, planes);

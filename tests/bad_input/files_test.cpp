@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+// What can be wrong with files and with the command line.
+#include "tests/bad_input/bad_input.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace candela::test {
+
+namespace {
+
+bool crashed(const Outcome &run) { return run.signal != 0 || run.status > 2 || run.status < 0; }
+
+} // namespace
+
+TEST_F(BadInput, MissingRibFile) {
+    Outcome run = runCandela({folder_.path("nosuch.rib"), "--output-dir", folder_.path()});
+    EXPECT_EQ(run.status, 1) << run.text();
+    EXPECT_TRUE(run.says("nosuch.rib")) << run.text();
+}
+
+TEST_F(BadInput, RibFileThatIsAFolder) {
+    Outcome run = runCandela({folder_.path(), "--output-dir", folder_.path()});
+    EXPECT_EQ(run.status, 1) << run.text();
+    EXPECT_TRUE(run.says(folder_.path())) << run.text();
+}
+
+TEST_F(BadInput, EmptyFile) {
+    Outcome run = render("");
+    EXPECT_FALSE(crashed(run)) << run.text();
+    EXPECT_FALSE(folder_.has("out.exr"));
+}
+
+TEST_F(BadInput, BinaryGarbage) {
+    std::string garbage;
+    unsigned state = 12345; // any fixed sequence of bytes
+    for (int i = 0; i < 4096; ++i) {
+        state = state * 1664525u + 1013904223u;
+        garbage += char(state >> 24);
+    }
+    Outcome run = render(garbage);
+    EXPECT_EQ(run.status, 1) << run.signal;
+    EXPECT_TRUE(run.says("scene.rib:")) << run.text();
+}
+
+// Cut anywhere, a file is an error or a smaller scene, and never a crash.
+TEST_F(BadInput, EveryNinetySeventhPrefix) {
+    std::string rib = contentOf(CANDELA_SOURCE_DIR "/tests/determinism/everything.rib");
+    ASSERT_GT(rib.size(), 1000u);
+    for (std::size_t length = 97; length < rib.size(); length += 97) {
+        Outcome run =
+            render(rib.substr(0, length), {"--spp", "1", "--format", "16x12", "--shader-path",
+                                           CANDELA_SOURCE_DIR "/tests/determinism/shaders"});
+        ASSERT_FALSE(crashed(run)) << "cut after " << length << " bytes\n" << run.text();
+    }
+}
+
+TEST_F(BadInput, TruncatedGzip) {
+    folder_.write("scene.rib", std::string("\x1f\x8b\x08\x00\x00\x00\x00\x00\x00\x03\x4b\x4c", 12));
+    Outcome run = runCandela({folder_.path("scene.rib"), "--output-dir", folder_.path()});
+    EXPECT_EQ(run.status, 1) << run.text();
+    EXPECT_TRUE(run.says("scene.rib")) << run.text();
+}
+
+// A regular file stands where a folder should be: not even root can write below it.
+TEST_F(BadInput, OutputBelowARegularFile) {
+    std::string file = folder_.write("file", "in the way");
+    Outcome run =
+        runCandela({folder_.write("scene.rib", sceneWith("")), "--output-dir", file + "/pictures"});
+    EXPECT_EQ(run.status, 1) << run.text();
+    EXPECT_TRUE(run.says("scene.rib:4")) << run.text();
+    EXPECT_TRUE(run.says("cannot write")) << run.text();
+    EXPECT_EQ(folder_.read("file"), "in the way");
+}
+
+// One display cannot be written, the other still is.
+TEST_F(BadInput, OneOfTwoDisplaysCannotBeWritten) {
+    folder_.write("file", "in the way");
+    std::string rib = sceneWith("");
+    rib.insert(rib.find("Option"), "Display \"+file/other.exr\" \"openexr\" \"rgb\"\n");
+    Outcome run = render(rib);
+    EXPECT_EQ(run.status, 1) << run.text();
+    EXPECT_TRUE(run.says("other.exr")) << run.text();
+    expectDisc();
+}
+
+TEST_F(BadInput, OutputOutsideTheFolderNeedsTrust) {
+    ScratchFolder elsewhere;
+    std::string rib = sceneWith("");
+    rib.replace(rib.find("out.exr"), 7, elsewhere.path("out.exr"));
+    Outcome run = render(rib);
+    EXPECT_EQ(run.status, 1) << run.text();
+    EXPECT_FALSE(elsewhere.has("out.exr"));
+    EXPECT_EQ(render(rib, {"--allow-programs"}).status, 0);
+    EXPECT_TRUE(elsewhere.has("out.exr"));
+}
+
+// Whole or not at all: a full disk leaves no broken picture, and an older one stays.
+TEST_F(BadInput, DiskFull) {
+    folder_.write("out.exr", "an older picture");
+    RunSettings full;
+    full.fileSizeLimit = 2048;
+    Outcome run = render(sceneWith(""), {"--format", "200x200"}, full);
+    EXPECT_EQ(run.status, 1) << run.text();
+    EXPECT_TRUE(run.says("out.exr")) << run.text();
+    EXPECT_EQ(folder_.read("out.exr"), "an older picture");
+    auto files = std::filesystem::directory_iterator(folder_.path());
+    EXPECT_EQ(std::distance(begin(files), end(files)), 2) << "something was left behind";
+}
+
+TEST_F(BadInput, UnknownDisplayType) {
+    std::string rib = sceneWith("");
+    rib.insert(rib.find("Option"), "Display \"+b.xyz\" \"hologram\" \"rgb\"\n");
+    Outcome run = render(rib);
+    EXPECT_EQ(run.status, 1) << run.text();
+    EXPECT_TRUE(run.says("hologram")) << run.text();
+    expectDisc();
+}
+
+TEST_F(BadInput, OptionsThatCannotBeUnderstood) {
+    std::string rib = folder_.write("scene.rib", sceneWith(""));
+    const std::vector<std::vector<std::string>> wrong{{rib, "--nosuchoption"},
+                                                      {rib, "--spp", "0"},
+                                                      {rib, "--spp", "many"},
+                                                      {rib, "--format", "640"},
+                                                      {rib, "--format", "0x480"},
+                                                      {rib, "--crop", "0,1"},
+                                                      {rib, "--crop", "1,0,0,1"},
+                                                      {rib, "--lanes", "3"},
+                                                      {rib, "--integrator", "magic"},
+                                                      {rib, "--sampling", "sphere"},
+                                                      {rib, "--threads", "-1"},
+                                                      {rib, "second.rib"},
+                                                      {"diff"},
+                                                      {"diff", "a.exr"}};
+    for (const auto &arguments : wrong) {
+        Outcome run = runCandela(arguments, {.folder = folder_.path()});
+        EXPECT_EQ(run.status, 2) << arguments.back() << "\n" << run.text();
+        EXPECT_NE(run.err, "") << arguments.back();
+        EXPECT_FALSE(folder_.has("out.exr"));
+    }
+}
+
+} // namespace candela::test

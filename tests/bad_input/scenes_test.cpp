@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+// What can be wrong inside a RIB file: said with file and line, and the rest is rendered.
+#include "tests/bad_input/bad_input.h"
+
+namespace candela::test {
+
+// The scene itself must be all right, or the other tests say nothing.
+TEST_F(BadInput, NothingWrong) {
+    Outcome run = render(sceneWith("Color 1 0 0"));
+    EXPECT_EQ(run.status, 0) << run.text();
+    EXPECT_EQ(run.err, "");
+    expectDisc();
+}
+
+TEST_F(BadInput, UnknownRequest) {
+    expectErrorAtTheLine("Frobnicate 1 2 \"string x\" [\"y\"]", {"Frobnicate"});
+}
+
+TEST_F(BadInput, TooFewArguments) {
+    expectErrorAtTheLine("Sphere 1 -1 360 Color 1 1 1", {"Sphere"});
+}
+
+TEST_F(BadInput, TooManyArguments) { expectErrorAtTheLine("Translate 1 2 3 4", {"Translate"}); }
+
+TEST_F(BadInput, WrongTypeOfArgument) {
+    expectErrorAtTheLine("Sphere \"big\" -1 1 360", {"Sphere"});
+}
+
+TEST_F(BadInput, WrongTypeOfParameter) {
+    expectErrorAtTheLine("Polygon \"P\" [\"a\" \"b\"]", {"P"});
+}
+
+TEST_F(BadInput, WrongNumberOfValues) {
+    expectErrorAtTheLine("Polygon \"P\" [0 0 3 1 0 3 1 1]", {"P"});
+}
+
+TEST_F(BadInput, IndexBeyondThePoints) {
+    expectErrorAtTheLine("PointsPolygons [3] [0 1 7] \"P\" [0 0 3 1 0 3 0 1 3]",
+                         {"PointsPolygons"});
+}
+
+TEST_F(BadInput, UnmatchedEnd) { expectErrorAtTheLine("TransformEnd", {"TransformEnd"}); }
+
+// The string takes everything up to the end of the file with it: what came before is rendered.
+TEST_F(BadInput, UnterminatedString) {
+    std::string rib = sceneWith("Color 1 1 1");
+    rib.insert(rib.find("WorldEnd"), "Attribute \"identifier\" \"string name\" [\"no end\n");
+    Outcome run = render(rib);
+    EXPECT_EQ(run.status, 1) << run.text();
+    EXPECT_TRUE(run.says("scene.rib:13")) << run.text();
+    EXPECT_TRUE(run.says("string")) << run.text();
+    expectDisc();
+}
+
+TEST_F(BadInput, MissingShader) {
+    expectErrorAtTheLine("Surface \"nosuchshader\"\nTranslate 9 0 5 Sphere 1 -1 1 360",
+                         {"nosuchshader"});
+}
+
+TEST_F(BadInput, MissingLightShader) {
+    expectErrorAtTheLine("LightSource \"nosuchlight\" 1", {"nosuchlight"});
+}
+
+TEST_F(BadInput, MissingArchive) {
+    expectErrorAtTheLine("ReadArchive \"nosuch.rib\"", {"nosuch.rib"});
+}
+
+TEST_F(BadInput, ErrorInsideAnArchiveHasItsOwnPlace) {
+    folder_.write("part.rib", "# first\nNonsense 1\nSphere .1 -.1 .1 360\n");
+    expectReportedAndRendered("Translate 9 0 5 ReadArchive \"part.rib\"",
+                              {"part.rib:2", "Nonsense"});
+}
+
+TEST_F(BadInput, ArchiveThatReadsItself) {
+    folder_.write("loop.rib", "ReadArchive \"loop.rib\"\n");
+    expectReportedAndRendered("ReadArchive \"loop.rib\"", {"loop.rib:1"});
+}
+
+TEST_F(BadInput, DegenerateSphere) { expectErrorAtTheLine("Sphere 0 0 0 360", {"Sphere"}); }
+
+TEST_F(BadInput, DegeneratePolygon) {
+    expectErrorAtTheLine("Polygon \"P\" [0 0 3 1 0 3]", {"Polygon"});
+}
+
+TEST_F(BadInput, PolygonOnALine) {
+    Outcome run = render(sceneWith("Polygon \"P\" [2 2 3 3 3 3 4 4 3]"));
+    EXPECT_EQ(run.signal, 0) << run.text();
+    expectDisc();
+}
+
+TEST_F(BadInput, VertexThatIsNotANumber) {
+    expectErrorAtTheLine("Polygon \"P\" [0 0 3 nan 0 3 1 1 3]", {});
+}
+
+// A number too large for a float is infinite.
+TEST_F(BadInput, VertexThatIsInfinite) {
+    expectErrorAtTheLine("Polygon \"P\" [0 0 3 1e99 0 3 1 1 3]", {"P"});
+}
+
+TEST_F(BadInput, SingularMatrix) {
+    expectErrorAtTheLine("Translate 9 0 5 ConcatTransform [1 0 0 0 0 1 0 0 0 0 0 0 0 0 0 1] "
+                         "Sphere 1 -1 1 360",
+                         {"singular"});
+}
+
+TEST_F(BadInput, ScaleByZero) {
+    expectErrorAtTheLine("Translate 9 0 5 Scale 1 0 1 Sphere 1 -1 1 360", {"singular"});
+}
+
+TEST_F(BadInput, ShaderParameterOfAnotherType) {
+    expectErrorAtTheLine("Surface \"matte\" \"string Kd\" [\"much\"] Translate 9 0 5 "
+                         "Sphere 1 -1 1 360",
+                         {"Kd"});
+}
+
+// Every error of the file in one run, each with its line and a caret below the place.
+TEST_F(BadInput, ShaderWithErrorsOfSyntaxAndType) {
+    folder_.write("broken.sl", "surface broken(float Kd = 1;)\n"
+                               "{\n"
+                               "    float a = ;\n"
+                               "    color c = nosuchfunction(1);\n"
+                               "    string m = N . N;\n"
+                               "    Ci = undeclared * Cs;\n"
+                               "}\n");
+    expectReportedAndRendered("Surface \"broken\" Translate 9 0 5 Sphere 1 -1 1 360",
+                              {"broken.sl:3:15", "broken.sl:4:15", "nosuchfunction",
+                               "broken.sl:5:", "broken.sl:6:10", "undeclared", "    float a = ;\n",
+                               "    Ci = undeclared * Cs;\n", "         ^",
+                               "scene.rib:" + std::to_string(wrongLine)});
+}
+
+TEST_F(BadInput, ShaderThatDividesByZero) {
+    folder_.write("nan.sl", "surface nan() { float zero = 0; Ci = color(zero / zero); Oi = 1; }\n");
+    Outcome run = render(sceneWith("Surface \"nan\" Translate 0 .75 5 Disk 0 .1 360"));
+    EXPECT_EQ(run.signal, 0) << run.text();
+    EXPECT_TRUE(run.says("nan")) << run.text();
+    expectDisc();
+}
+
+TEST_F(BadInput, ErrorHandlerAbortStops) {
+    Outcome run = render("ErrorHandler \"abort\"\n" + sceneWith("Frobnicate"));
+    EXPECT_EQ(run.status, 1) << run.text();
+    EXPECT_FALSE(folder_.has("out.exr"));
+}
+
+} // namespace candela::test
