@@ -3,8 +3,8 @@
    light matters to it: much in a narrow cone about the mirror direction, a little everywhere. */
 surface plate(float Ks = .72;      /* share that the rough mirror reflects, face on */
               float Kd = .06;      /* albedo of the film */
-              float size = 220;    /* exponent of the lobe */
-              float cone = 40;     /* full angle of its cone, degrees */)
+              float size = 60;     /* exponent of the lobe */
+              float cone = 70;     /* full angle of its cone, degrees */)
 {
     normal facing = faceforward(normalize(N), I);
     vector mirrored = reflect(normalize(I), facing);
