@@ -3,17 +3,14 @@
 // one ray at a time, light sampling only, independent random numbers, no shading system.
 //   yardstick OUTPUT.exr [--spp N] [--seed N] [--threads N]
 #include "cornell_box.h"
-
-#include <ImfChannelList.h>
-#include <ImfFrameBuffer.h>
-#include <ImfHeader.h>
-#include <ImfOutputFile.h>
+#include "image/exr_file.h"
 
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
+#include <fstream>
 #include <pmmintrin.h>
+#include <stdexcept>
 #include <string>
 #include <thread>
 
@@ -136,18 +133,20 @@ std::vector<float> render(const Settings &settings) {
     return picture;
 }
 
-void write(const std::string &file, std::vector<float> &picture) {
+void write(const std::string &file, const std::vector<float> &values) {
     constexpr int size = CornellBox::size;
-    Imf::Header header(size, size);
-    Imf::FrameBuffer frame;
-    for (const char *channel : {"R", "G", "B"}) {
-        header.channels().insert(channel, Imf::Channel(Imf::FLOAT));
-        frame.insert(channel, Imf::Slice(Imf::FLOAT, reinterpret_cast<char *>(picture.data()),
-                                         sizeof(float), size * sizeof(float)));
-    }
-    Imf::OutputFile output(file.c_str(), header);
-    output.setFrameBuffer(frame);
-    output.writePixels(size);
+    Picture picture;
+    picture.window = {size, size, 0, size, 0, size};
+    for (const char *channel : {"R", "G", "B"})
+        picture.channels.push_back({channel, values});
+    std::string problem;
+    auto bytes = encodeExr(picture, problem);
+    if (!bytes)
+        throw std::runtime_error(problem);
+    std::ofstream stream(file, std::ios::binary);
+    stream.write(reinterpret_cast<const char *>(bytes->data()), std::streamsize(bytes->size()));
+    if (!stream.flush())
+        throw std::runtime_error("cannot write " + file);
 }
 
 bool parse(int argc, char **argv, Settings &settings) {
