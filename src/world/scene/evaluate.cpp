@@ -13,8 +13,6 @@ namespace candela {
 
 namespace {
 
-/// Eight roundings of a float, for what evaluation, transformation and intersection lose.
-constexpr float roundingShare = 8 * 0x1p-24f;
 
 struct EvaluationScratch {
     Scratch<std::int32_t> order, starts;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Light samples in batches: first every point chooses its light, then the points are binned by
 // what has to be asked, and each bin is asked at once.
+#include "world/scene/flat_light.h"
 #include "world/scene/light_question.h"
 #include "world/scene/scene_state.h"
 
@@ -214,6 +215,31 @@ void draw(const Job &job, int i, int light, double choice, Drawn &drawn) {
     }
 }
 
+/// The commonest scene: one flat light, on for all. False if it isn't that.
+bool sampleOnlyFlatLight(const SceneState &state, const LightQuery &query, LightSamples &samples) {
+    const int index = state.lights.only;
+    if (index < 0 || !state.lights.lights[index].flat)
+        return false;
+    for (int i = 0; i < query.count; ++i)
+        if (!state.lights.on(query.lightSet[i], index + 1))
+            return false;
+    for (int first = 0; first < query.count; first += lightBatchSize) {
+        const int count = std::min(lightBatchSize, query.count - first);
+        LightQuery part = query;
+        part.count = count;
+        LightSamples to = samples;
+        for (int c = 0; c < 3; ++c)
+            part.P[c] += first, to.L[c] += first;
+        part.position[0] += first, part.position[1] += first, part.time += first;
+        for (int c = 0; c < colorSamples; ++c)
+            to.value[c] += first;
+        to.distance += first, to.pdfSolidAngle += first, to.light += first;
+        to.castsShadow += first;
+        sampleFlatLight(state, index, part, nullptr, query.choice + first, count, true, to);
+    }
+    return true;
+}
+
 void runBin(const Job &job, int bin, const std::int32_t *lanes, int count) {
     SamplingScratch &own = job.own;
     const Drawn *drawn = own.drawn.get(0);
@@ -282,6 +308,8 @@ void Scene::sampleLights(const LightQuery &query, LightSamples &samples) const {
             setBlack(samples, i);
         return;
     }
+    if (sampleOnlyFlatLight(*state_, query, samples))
+        return;
     Drawn *drawn = own.drawn.get(query.count);
     for (int i = 0; i < query.count; ++i) {
         double choice = widened(query, i);

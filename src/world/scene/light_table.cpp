@@ -54,6 +54,10 @@ void LightTable::finish() {
         cumulative.push_back(sum);
     }
     batches = int(batchOf.size());
+    only = -1;
+    for (std::size_t i = 0; i < lights.size() && count == 1; ++i)
+        if (sampled(lights[i]))
+            only = int(i);
     if (sum > 0)
         for (double &share : cumulative)
             share /= sum;

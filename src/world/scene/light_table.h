@@ -22,6 +22,12 @@ enum class LightKind : std::uint8_t {
     Emitter,     ///< A primitive whose surface shader emits.
 };
 
+/// See flat_light.h: a row of floats a triangle, and the running sum of their shares.
+struct FlatLight {
+    std::vector<float> rows, cumulative;
+    explicit operator bool() const { return !rows.empty(); }
+};
+
 struct SceneLight {
     LightKind kind = LightKind::None;
     ShaderInstance shader;
@@ -37,6 +43,7 @@ struct SceneLight {
     std::vector<Triangle> triangles;
     std::vector<double> cumulative; ///< cumulative[i] = share of triangles 0..i; ends with 1.
     double area = 0;                ///< Of all triangles, m^2.
+    FlatLight flat;                 ///< If it can be sampled so.
     int surfaceCode = -1;           ///< The code of all its primitives; -1 = they differ.
     double power = 0;               ///< An estimate; W, or what would be W for classic units.
     float probability = 0;          ///< Of being chosen.
@@ -52,6 +59,7 @@ struct LightTable {
     std::vector<double> cumulative; ///< Over lights that can be sampled (the others' share is 0).
     std::vector<int> ambient;       ///< Indices of the ambient lights.
     int batches = 0;
+    int only = -1; ///< The index of the light, if there is but one to sample.
     std::vector<std::uint8_t> isOn; ///< [lightSet * (lights + 1) + index + 1].
 
     bool any() const { return !cumulative.empty() && cumulative.back() > 0; }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "world/scene/flat_light.h"
 #include "world/scene/light_builder.h"
 #include "world/scene/primitive_builder.h"
 #include "world/scene/scene.h"
@@ -102,6 +103,8 @@ void SceneCompiler::worldEnd() {
     for (const auto &code : state_->library.all())
         code->bindSpaces(state_->systems, state_->sink);
     lights.estimatePowers();
+    for (SceneLight &light : state->lights.lights)
+        light.flat = flatLight(*state, light);
     state->statistics.secondsBuilding = secondsSince(start);
 
     Scene scene(std::move(state));

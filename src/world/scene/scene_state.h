@@ -67,6 +67,9 @@ struct SceneCode {
 /// Instead of a triangle's number: (u,v) are the surface's own.
 inline constexpr std::uint32_t wholeSurface = noTriangle;
 
+/// Eight roundings of a float, for what evaluation, transformation and intersection lose.
+inline constexpr float roundingShare = 8 * 0x1p-24f;
+
 /// Points named by where they lie on the dicing; arrays of `count`.
 struct TrianglePoints {
     int count = 0;
