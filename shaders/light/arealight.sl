@@ -10,7 +10,10 @@ light arealight(float radiance = 1;  /* along the normal */
         float cosine = normalize(L) . normalize(N);
         float height = max(cosine, (1 - onesided) * abs(cosine));
         Cl = 0;
-        if (height > 0)
-            Cl = radiance * lightcolor * pow(height, exponent - 1);
+        if (height > 0) {
+            Cl = radiance * lightcolor;
+            if (exponent != 1)
+                Cl *= pow(height, exponent - 1);
+        }
     }
 }

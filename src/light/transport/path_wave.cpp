@@ -75,7 +75,7 @@ CANDELA_HOT void nextThroughput(int count, const float *__restrict throughput,
         float value = scale[i] > 0 ? throughput[i] * factor * scale[i] : 0.0f;
         float size = std::fabs(value);
         next[i] = value;
-        brightest[i] = size > brightest[i] || size != size ? size : brightest[i];
+        brightest[i] = !(size <= brightest[i]) ? size : brightest[i]; // NaN stays.
     }
 }
 
@@ -98,6 +98,12 @@ CANDELA_HOT void chooseDirections(int count, const std::int32_t *__restrict even
         direction[i] = event[i] == finiteRequests ? finite[i] : direction[i];
 }
 
+CANDELA_HOT void markHits(int count, const std::uint32_t *__restrict primitive,
+                          int *__restrict hit) {
+    for (int i = 0; i < count; ++i)
+        hit[i] = primitive[i] != noHit;
+}
+
 CANDELA_HOT void markShallow(int count, const int *__restrict depth, int maxDepth,
                              float *__restrict wanted) {
     for (int i = 0; i < count; ++i)
@@ -111,7 +117,7 @@ PathWave::PathWave(const Scene &scene, const IntegratorSettings &settings,
                    TransportStatistics &statistics, NonFiniteReporter &nonFinite)
     : scene_(scene), settings_(settings), filter_(filter), firstHit_(firstHitPlanes(channels)),
       statistics_(statistics), nonFinite_(nonFinite), results_(capacity, int(firstHit_.size())),
-      active_(capacity), next_(capacity), hits_(capacity), order_(capacity),
+      active_(capacity), next_(capacity), hits_(capacity), order_(capacity), hitMask_(capacity),
       binStart_(scene.codeCount() + 1), vertices_(chunk), mixture_(chunk), events_(chunk),
       direct_(chunk), classic_(chunk), state_(2 * colorSamples + 2, chunk),
       stateIntegers_(6, chunk), keys_(2, chunk), random_(2 * vertexPairs, chunk),
@@ -189,6 +195,11 @@ void PathWave::traceAndShade(int iteration) {
 /// Counting sort: order_ lists the hits of each code in the order of their rays.
 void PathWave::binByCode() {
     std::fill(binStart_.begin(), binStart_.end(), 0);
+    if (scene_.codeCount() == 1) {
+        markHits(active_.count, hits_.primitive, hitMask_.data());
+        binStart_[1] = lanes::compact(active_.count, hitMask_.data(), order_.data());
+        return;
+    }
     for (int i = 0; i < active_.count; ++i)
         if (hits_.primitive[i] != noHit)
             ++binStart_[scene_.codeOf(hits_.primitive[i]) + 1];

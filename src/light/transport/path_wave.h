@@ -70,7 +70,7 @@ private:
     int slots_ = 0;
     ActivePaths active_, next_;
     HitBatch hits_;
-    std::vector<int> order_, binStart_, binNext_;
+    std::vector<int> order_, hitMask_, binStart_, binNext_;
 
     // One chunk of vertices.
     SurfaceVertices vertices_;

@@ -13,7 +13,6 @@ namespace candela {
 
 namespace {
 
-
 struct EvaluationScratch {
     Scratch<std::int32_t> order, starts;
     Scratch<std::uint64_t> keys;
@@ -259,6 +258,8 @@ void fillSummaries(const std::vector<PrimitiveSummary> &summaries, const Triangl
 
 void SceneState::evaluate(const TrianglePoints &points, const SceneCode &code,
                           ShadingPoints &out) const {
+    if (code.flat)
+        return flatTable.evaluate(*this, points, code, out);
     EvaluationScratch &own = scratch();
     int count = points.count;
     out.count = count;

@@ -18,19 +18,35 @@ constexpr int mostTriangles = 16;
 constexpr int rowFloats = 13, normalAt = 9, offsetAt = 12;
 
 /// A point of the unit square, folded onto a triangle: uniform, and neighbours stay neighbours.
-CANDELA_HOT void place(int count, const float *__restrict cumulative, int triangles,
-                       const float *__restrict choice, const float *__restrict x,
-                       const float *__restrict y, int *__restrict row, float *__restrict u,
-                       float *__restrict v) {
+CANDELA_HOT void fold(int count, const float *__restrict x, const float *__restrict y,
+                      float *__restrict u, float *__restrict v) {
     for (int k = 0; k < count; ++k) {
-        int index = 0;
-        for (int t = 0; t + 1 < triangles; ++t)
-            index += choice[k] >= cumulative[t];
-        row[k] = index * rowFloats;
         bool lower = x[k] > y[k];
         u[k] = lower ? x[k] - y[k] / 2 : x[k] / 2;
         v[k] = lower ? y[k] / 2 : y[k] - x[k] / 2;
     }
+}
+
+/// Those whose choice lies beyond a triangle's share go on to the next row.
+CANDELA_HOT void passTriangle(int count, const float *__restrict choice, float share,
+                              int *__restrict row) {
+    for (int k = 0; k < count; ++k)
+        row[k] += choice[k] >= share ? rowFloats : 0;
+}
+
+CANDELA_HOT void finish(int count, const float *__restrict pdf, std::int32_t light,
+                        std::uint8_t castsShadow, std::int32_t *__restrict lights,
+                        std::uint8_t *__restrict shadows) {
+    for (int k = 0; k < count; ++k) {
+        lights[k] = pdf[k] > 0 ? light : 0;
+        shadows[k] = castsShadow;
+    }
+}
+
+CANDELA_HOT void takeValues(int count, const float *__restrict pdf, const float *__restrict Cl,
+                            float *__restrict value) {
+    for (int k = 0; k < count; ++k)
+        value[k] = pdf[k] > 0 ? Cl[k] : 0.0f;
 }
 
 CANDELA_HOT void positions(int count, const float *__restrict rows, const int *__restrict row,
@@ -71,18 +87,11 @@ CANDELA_HOT void directions(int count, const float *__restrict rows, const int *
     }
 }
 
-CANDELA_HOT void pick(int count, const std::int32_t *__restrict lanes,
-                      const float *__restrict from, float *__restrict to) {
-    for (int k = 0; k < count; ++k)
-        to[k] = from[lanes[k]];
-}
-
 /// The planes of one call.
 struct FlatScratch {
     LightBatch batch{lightBatchSize};
-    Planes<float> floats{7, lightBatchSize};
+    Planes<float> floats{2, lightBatchSize};
     Planes<int> rows{1, lightBatchSize};
-    Planes<float> results{5, lightBatchSize};
 };
 
 FlatScratch &scratch() {
@@ -104,28 +113,14 @@ bool readsOnlyPlace(const ShaderCode &code) {
     return code.variables().empty();
 }
 
-/// Adds a triangle of the table; false if its normals are not those of a plane.
-bool addRow(const SceneState &state, const SceneLight::Triangle &place, FlatLight &flat) {
-    const ScenePrimitive &primitive = state.primitives[place.primitive];
-    const std::uint32_t piece[3] = {place.triangle, place.triangle, place.triangle};
-    const float u[3] = {0, 1, 0}, v[3] = {0, 0, 1};
-    float planes[9][3];
-    auto at = [&](int first) { return Vec3Planes{planes[first], planes[first + 1], planes[first + 2]}; };
-    SurfaceAnswer answer;
-    answer.P = at(0), answer.Ng = at(3), answer.N = at(6);
-    primitive.surface->evaluate({3, piece, u, v}, answer);
-    Vec3 corner[3], normal[3];
-    for (int k = 0; k < 3; ++k) {
-        corner[k] = transformPoint(primitive.currentFromObject, answer.P.get(k));
-        normal[k] = normalize(transformNormal(primitive.objectFromCurrent, answer.N.get(k)));
-        if (dot(normal[k], normal[0]) < 1 - 1e-6f || answer.N.get(k) != answer.Ng.get(k))
-            return false;
-    }
-    Vec3 n = normal[0] * primitive.normalSign;
-    for (Vec3 v3 : {corner[0], corner[1] - corner[0], corner[2] - corner[0], n})
-        for (int c = 0; c < 3; ++c)
-            flat.rows.push_back(v3[c]);
-    flat.rows.push_back(state.summaries[place.primitive].offset);
+/// Adds a triangle to the table; false if it isn't flat.
+bool addRow(const SceneState &state, const SceneLight::Triangle &place, FlatLight &light) {
+    std::optional<FlatTriangle> flat = flatTriangle(state, place.primitive, place.triangle);
+    if (!flat)
+        return false;
+    for (Vec3 v : {flat->origin, flat->edgeA, flat->edgeB, normalize(flat->normal)})
+        light.rows.insert(light.rows.end(), {v.x, v.y, v.z});
+    light.rows.push_back(state.summaries[place.primitive].offset);
     return true;
 }
 
@@ -139,7 +134,6 @@ FlatLight flatLight(const SceneState &state, const SceneLight &light) {
     for (const SceneLight::Triangle &triangle : light.triangles) {
         const SceneCode &surface = state.codes[state.summaries[triangle.primitive].code];
         if (triangle.triangle == wholeSurface || surface.code->facts().emits ||
-            !state.primitives[triangle.primitive].vertexUv.empty() ||
             !addRow(state, triangle, flat))
             return {};
     }
@@ -147,63 +141,42 @@ FlatLight flatLight(const SceneState &state, const SceneLight &light) {
     return flat;
 }
 
-void sampleFlatLight(const SceneState &state, int index, const LightQuery &query,
-                     const std::int32_t *lanes, const float *choice, int count, bool chosen,
+void sampleFlatLight(const SceneState &state, int index, const LightQuery &query, bool chosen,
                      LightSamples &out) {
     FlatScratch &own = scratch();
     const SceneLight &light = state.lights.lights[index];
     const FlatLight &flat = light.flat;
-    auto read = [&](const float *from, int plane) {
-        if (!lanes)
-            return from;
-        pick(count, lanes, from, own.floats[plane]);
-        return static_cast<const float *>(own.floats[plane]);
-    };
-    const float *x = read(query.position[0], 0), *y = read(query.position[1], 1);
-    const float *Ps[3] = {read(query.P[0], 2), read(query.P[1], 3), read(query.P[2], 4)};
-    const float *time = read(query.time, 5);
-
+    const int count = query.count;
     LightBatch &batch = own.batch;
-    float *u = own.results[3], *v = own.results[4];
+    float *u = own.floats[0], *v = own.floats[1];
     int *row = own.rows[0];
-    place(count, flat.cumulative.data(), int(flat.cumulative.size()), choice, x, y, row, u, v);
+    fold(count, query.position[0], query.position[1], u, v);
+    std::fill_n(row, count, 0);
+    for (std::size_t t = 0; t + 1 < flat.cumulative.size(); ++t)
+        passTriangle(count, query.choice, flat.cumulative[t], row);
     float *P[3], *N[3];
     for (int c = 0; c < 3; ++c) {
         P[c] = batch.input(ShaderInput::P, c), N[c] = batch.input(ShaderInput::N, c);
         positions(count, flat.rows.data() + c, row, u, v, P[c], N[c]);
     }
-    // The results stand where they belong at once if the points do.
-    float *L[3], *distance = lanes ? own.results[3] : out.distance;
-    float *pdf = lanes ? own.results[4] : out.pdfSolidAngle;
-    for (int c = 0; c < 3; ++c)
-        L[c] = lanes ? own.results[c] : out.L[c];
     directions(count, flat.rows.data(), row,
                float(1 / light.area) * (chosen ? light.probability : 1), roundingShare, P[0], P[1],
-               P[2], N[0], N[1], N[2], Ps[0], Ps[1], Ps[2], L[0], L[1], L[2], distance, pdf);
+               P[2], N[0], N[1], N[2], query.P[0], query.P[1], query.P[2], out.L[0], out.L[1],
+               out.L[2], out.distance, out.pdfSolidAngle);
 
     batch.count = count;
     batch.readFrom(ShaderInput::Ng, 3, N);
-    batch.readFrom(ShaderInput::Ps, 3, const_cast<float *const *>(Ps));
-    float *times[1] = {const_cast<float *>(time)};
-    batch.readFrom(ShaderInput::time, 1, times);
+    float *Ps[3], *time = const_cast<float *>(query.time);
+    for (int c = 0; c < 3; ++c)
+        Ps[c] = const_cast<float *>(query.P[c]);
+    batch.readFrom(ShaderInput::Ps, 3, Ps);
+    batch.readFrom(ShaderInput::time, 1, &time);
     std::fill_n(batch.parameterOffset, count, light.shader.parameterOffset);
     batch.ask(state, *light.shader.code);
 
-    for (int k = 0; k < count; ++k) {
-        int i = lanes ? lanes[k] : k;
-        bool seen = pdf[k] > 0;
-        if (lanes) {
-            for (int c = 0; c < 3; ++c)
-                out.L[c][i] = L[c][k];
-            out.distance[i] = distance[k];
-            out.pdfSolidAngle[i] = pdf[k];
-        }
-        out.light[i] = seen ? index + 1 : 0;
-        out.castsShadow[i] = light.castsShadow;
-    }
+    finish(count, out.pdfSolidAngle, index + 1, light.castsShadow, out.light, out.castsShadow);
     for (int c = 0; c < colorSamples; ++c)
-        for (int k = 0; k < count; ++k)
-            out.value[c][lanes ? lanes[k] : k] = pdf[k] > 0 ? batch.Cl[c][k] : 0;
+        takeValues(count, out.pdfSolidAngle, batch.Cl[c], out.value[c]);
 }
 
 } // namespace candela

@@ -6,8 +6,6 @@
 #include "world/scene/light_table.h"
 #include "world/scene/lights.h"
 
-#include <cstdint>
-
 namespace candela {
 
 struct SceneState;
@@ -17,10 +15,10 @@ struct SceneState;
 /// more than position, normal and time.
 FlatLight flatLight(const SceneState &, const SceneLight &);
 
-/// As Scene::sampleLights, for points lanes[0..count) (null = 0, 1, ...) that have drawn the light
-/// with index `index`; choice[k] is uniform and chooses the triangle. `chosen`: the density
-/// counts that lights were chosen by power.
-void sampleFlatLight(const SceneState &, int index, const LightQuery &, const std::int32_t *lanes,
-                     const float *choice, int count, bool chosen, LightSamples &);
+/// As Scene::sampleLights, for at most lightBatchSize points that have all drawn the light with
+/// index `index`; the choice is uniform anew and picks the triangle. `chosen`: the density counts
+/// that lights were chosen by power.
+void sampleFlatLight(const SceneState &, int index, const LightQuery &, bool chosen,
+                     LightSamples &);
 
 } // namespace candela

@@ -226,7 +226,7 @@ bool sampleOnlyFlatLight(const SceneState &state, const LightQuery &query, Light
     for (int first = 0; first < query.count; first += lightBatchSize) {
         const int count = std::min(lightBatchSize, query.count - first);
         LightQuery part = query;
-        part.count = count;
+        part.count = count, part.choice += first;
         LightSamples to = samples;
         for (int c = 0; c < 3; ++c)
             part.P[c] += first, to.L[c] += first;
@@ -235,7 +235,7 @@ bool sampleOnlyFlatLight(const SceneState &state, const LightQuery &query, Light
             to.value[c] += first;
         to.distance += first, to.pdfSolidAngle += first, to.light += first;
         to.castsShadow += first;
-        sampleFlatLight(state, index, part, nullptr, query.choice + first, count, true, to);
+        sampleFlatLight(state, index, part, true, to);
     }
     return true;
 }

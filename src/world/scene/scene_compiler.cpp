@@ -89,6 +89,8 @@ void SceneCompiler::worldEnd() {
     state->statistics.secondsDicing = secondsSince(start);
 
     start = std::chrono::steady_clock::now();
+    for (const RayMesh &mesh : meshes)
+        state->triangleCounts.push_back(std::uint32_t(mesh.triangles.size()));
     state->rays = std::make_unique<RayWorld>(meshes);
     LightBuilder lights(*state, state_->library);
     lights.declare(state_->lights);
@@ -105,6 +107,7 @@ void SceneCompiler::worldEnd() {
     lights.estimatePowers();
     for (SceneLight &light : state->lights.lights)
         light.flat = flatLight(*state, light);
+    state->flatTable.build(*state);
     state->statistics.secondsBuilding = secondsSince(start);
 
     Scene scene(std::move(state));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "world/geometry/surface.h"
+#include "world/scene/flat_points.h"
 #include "world/scene/light_table.h"
 #include "world/scene/ray_world.h"
 #include "world/scene/scene.h"
@@ -62,6 +63,7 @@ struct SceneCode {
     std::vector<int> variableName, variableComponent;
     /// What this code reads, and the shaders of area lights on its primitives.
     WantedInputs wanted;
+    bool flat = false; ///< Served by SceneState::flatTable.
 };
 
 /// Instead of a triangle's number: (u,v) are the surface's own.
@@ -90,6 +92,8 @@ struct SceneState {
     std::vector<SceneCode> codes;
     std::vector<std::vector<int>> lightSets; ///< Indices of the lights on, by lightSet.
     std::unique_ptr<RayWorld> rays;
+    std::vector<std::uint32_t> triangleCounts; ///< Of each primitive's dicing.
+    FlatTable flatTable;
     LightTable lights;
     std::vector<const ShaderCode *> areaLightCodes; ///< Distinct shaders of Area lights.
     Scene::Statistics statistics;
