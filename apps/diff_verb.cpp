@@ -47,7 +47,8 @@ void addDiff(CLI::App &app, int &status) {
     diff->add_option("--relative", arguments->settings.relativeTolerance,
                      "The same, relative to the larger value; default 0");
     diff->add_option("--channels", arguments->settings.channels, "Only these channels: R,G,Z...")
-        ->delimiter(',');
+        ->delimiter(',')
+        ->allow_extra_args(false);
     diff->add_flag("--quiet", arguments->quiet, "No report, only the exit status");
     diff->callback([arguments, &status] { status = compareFiles(*arguments); });
 }

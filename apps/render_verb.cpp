@@ -63,12 +63,15 @@ void addRender(CLI::App &app, int &status) {
     app.add_option("--format", a.format, "WxH: resolution in pixels")
         ->check(CLI::Validator(checked(parseFormat, "WIDTHxHEIGHT"), ""));
     app.add_option("--output-dir", s.outputDirectory, "Folder for pictures; default: this one");
-    app.add_option("--shader-path", s.shaderPath, "Folders to look for shaders in")
-        ->delimiter(':');
-    app.add_option("--archive-path", s.archivePath, "Folders to look for archives in")
-        ->delimiter(':');
-    app.add_option("--texture-path", s.texturePath, "Folders to look for textures in")
-        ->delimiter(':');
+    app.add_option("--shader-path", s.shaderPath, "Folders to look for shaders in: a:b:c")
+        ->delimiter(':')
+        ->allow_extra_args(false);
+    app.add_option("--archive-path", s.archivePath, "Folders to look for archives in: a:b:c")
+        ->delimiter(':')
+        ->allow_extra_args(false);
+    app.add_option("--texture-path", s.texturePath, "Folders to look for textures in: a:b:c")
+        ->delimiter(':')
+        ->allow_extra_args(false);
     app.add_flag("--allow-programs", s.allowPrograms,
                  "Trust the RIB: let it write outside the output folder");
     app.add_flag("--quiet", s.quiet, "No progress, only messages");

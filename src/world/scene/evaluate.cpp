@@ -122,11 +122,20 @@ void evaluateNamed(const Run &run, int variable, int components, ShaderInput inp
     run.primitive.surface->evaluateVariable(variable, run.query, to, nullptr, nullptr);
 }
 
-void evaluateTexture(const Run &run, int variable, ShaderInput input, const PlaneSet &planes) {
-    if (variable >= 0)
-        evaluateNamed(run, variable, 1, input, planes);
-    else
-        std::fill_n(planes.plane(input) + run.first, run.query.count, 0.0f);
+/// s or t, and if wanted how it changes with u and v.
+void evaluateTexture(const Run &run, int variable, ShaderInput input, bool derivatives,
+                     ShaderInput byU, ShaderInput byV, const PlaneSet &planes) {
+    float *value = planes.plane(input) + run.first;
+    float *du = derivatives ? planes.plane(byU) + run.first : nullptr;
+    float *dv = derivatives ? planes.plane(byV) + run.first : nullptr;
+    if (variable >= 0) {
+        run.primitive.surface->evaluateVariable(variable, run.query, &value, du ? &du : nullptr,
+                                                dv ? &dv : nullptr);
+        return;
+    }
+    for (float *plane : {value, du, dv})
+        if (plane)
+            std::fill_n(plane, run.query.count, 0.0f);
 }
 
 void evaluateColors(const Run &run, const WantedInputs &wanted, const PrimitiveSummary &summary,
@@ -234,6 +243,10 @@ void scatterInputs(int count, const std::int32_t *order, const WantedInputs &wan
         move(ShaderInput::u, 1), move(ShaderInput::v, 1);
     if (wanted.st)
         move(ShaderInput::s, 1), move(ShaderInput::t, 1);
+    if (wanted.stDerivatives)
+        for (ShaderInput input :
+             {ShaderInput::dsdu, ShaderInput::dsdv, ShaderInput::dtdu, ShaderInput::dtdv})
+            move(input, 1);
     if (wanted.Cs)
         move(ShaderInput::Cs, colorSamples);
     if (wanted.Os)
@@ -298,8 +311,10 @@ void SceneState::evaluate(const TrianglePoints &points, const SceneCode &code,
         evaluateGeometry(run, wantedHere, planes);
         evaluateColors(run, wanted, summaries[index], planes);
         if (wanted.st) {
-            evaluateTexture(run, primitive.s, ShaderInput::s, planes);
-            evaluateTexture(run, primitive.t, ShaderInput::t, planes);
+            evaluateTexture(run, primitive.s, ShaderInput::s, wanted.stDerivatives,
+                            ShaderInput::dsdu, ShaderInput::dsdv, planes);
+            evaluateTexture(run, primitive.t, ShaderInput::t, wanted.stDerivatives,
+                            ShaderInput::dtdu, ShaderInput::dtdv, planes);
         }
         if (summaries[index].light != 0) {
             float *pdf = baryU + first; // The triangle's own coordinates have had their use.
@@ -323,7 +338,9 @@ void WantedInputs::add(const ShaderCode &code) {
     dPd |= code.reads(ShaderInput::dPdu) || code.reads(ShaderInput::dPdv);
     uv |= code.reads(ShaderInput::u) || code.reads(ShaderInput::v);
     footprint |= code.reads(ShaderInput::du) || code.reads(ShaderInput::dv);
-    st |= code.reads(ShaderInput::s) || code.reads(ShaderInput::t);
+    stDerivatives |= code.reads(ShaderInput::dsdu) || code.reads(ShaderInput::dsdv) ||
+                     code.reads(ShaderInput::dtdu) || code.reads(ShaderInput::dtdv);
+    st |= stDerivatives || code.reads(ShaderInput::s) || code.reads(ShaderInput::t);
     Cs |= code.reads(ShaderInput::Cs), Os |= code.reads(ShaderInput::Os);
     time |= code.reads(ShaderInput::time), E |= code.reads(ShaderInput::E);
 }

@@ -102,6 +102,10 @@ void SceneCompiler::worldEnd() {
                                 std::pair{"raster", &state->camera.rasterFromCamera()}})
         if (auto currentFromSpace = inverse(*matrix))
             state_->systems[name] = *currentFromSpace;
+    // What depth() reads: camera space with z from 0 at the near plane to 1 at the far one.
+    const CameraRecord &camera = state->options.camera;
+    state_->systems["depth"] =
+        scaling(1, 1, camera.far - camera.near) * translation(0, 0, camera.near);
     for (const auto &code : state_->library.all())
         code->bindSpaces(state_->systems, state_->sink);
     lights.estimatePowers();

@@ -101,6 +101,11 @@ ShaderLibrary::State::lowerOnce(const sl::TypedShader &shader, const ShaderRecor
 std::optional<ShaderInstance> ShaderLibrary::instance(ShaderKind kind, const ShaderRecord &record,
                                                       const Options &options, ir::LightRule rule,
                                                       const std::set<std::string> &variables) {
+    // The default is lit from the eye under the classic integrator alone: it would be a lamp else.
+    if (kind == ShaderKind::Surface && record.name == "defaultsurface" &&
+        rule == ir::LightRule::Path)
+        return instance(kind, {"paintedmatte", {}, record.currentFromShader}, options, rule,
+                        variables);
     const sl::TypedShader *shader = state_->sources.find(
         kind, record.name, searchFolders(options, "shader"), record.parameters.where);
     std::string key = rule == ir::LightRule::Path ? "path " : "classic ";
