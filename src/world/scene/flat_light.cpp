@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 namespace candela {
@@ -27,11 +28,17 @@ CANDELA_HOT void fold(int count, const float *__restrict x, const float *__restr
     }
 }
 
-/// Those whose choice lies beyond a triangle's share go on to the next row.
-CANDELA_HOT void passTriangle(int count, const float *__restrict choice, float share,
-                              int *__restrict row) {
-    for (int k = 0; k < count; ++k)
-        row[k] += choice[k] >= share ? rowFloats : 0;
+/// Points whose x lies at or beyond `low` belong to the triangle of [low, low + share), or to a
+/// later one; within, x is uniform again. Taking x, and not a number of its own, keeps samples
+/// that are stratified over the square stratified over the light.
+CANDELA_HOT void passTriangle(int count, const float *__restrict x, float low, float share,
+                              int step, int *__restrict row, float *__restrict within) {
+    for (int k = 0; k < count; ++k) {
+        bool reaches = x[k] >= low;
+        row[k] += reaches ? step : 0;
+        float scaled = (x[k] - low) / share;
+        within[k] = reaches ? (scaled < 0x1.fffffep-1f ? scaled : 0x1.fffffep-1f) : within[k];
+    }
 }
 
 CANDELA_HOT void finish(int count, const float *__restrict pdf, std::int32_t light,
@@ -90,7 +97,7 @@ CANDELA_HOT void directions(int count, const float *__restrict rows, const int *
 /// The planes of one call.
 struct FlatScratch {
     LightBatch batch{lightBatchSize};
-    Planes<float> floats{2, lightBatchSize};
+    Planes<float> floats{3, lightBatchSize};
     Planes<int> rows{1, lightBatchSize};
 };
 
@@ -131,13 +138,18 @@ FlatLight flatLight(const SceneState &state, const SceneLight &light) {
     bool few = !light.triangles.empty() && int(light.triangles.size()) <= mostTriangles;
     if (light.kind != LightKind::Area || !few || !readsOnlyPlace(*light.shader.code))
         return {};
+    flat.cumulative.assign(light.cumulative.begin(), light.cumulative.end());
+    // Every triangle must have a share to be found by.
+    if (std::ranges::adjacent_find(flat.cumulative, std::greater_equal{}) !=
+            flat.cumulative.end() ||
+        flat.cumulative.front() <= 0)
+        return {};
     for (const SceneLight::Triangle &triangle : light.triangles) {
         const SceneCode &surface = state.codes[state.summaries[triangle.primitive].code];
         if (triangle.triangle == wholeSurface || surface.code->facts().emits ||
             !addRow(state, triangle, flat))
             return {};
     }
-    flat.cumulative.assign(light.cumulative.begin(), light.cumulative.end());
     return flat;
 }
 
@@ -148,12 +160,14 @@ void sampleFlatLight(const SceneState &state, int index, const LightQuery &query
     const FlatLight &flat = light.flat;
     const int count = query.count;
     LightBatch &batch = own.batch;
-    float *u = own.floats[0], *v = own.floats[1];
+    float *u = own.floats[0], *v = own.floats[1], *within = own.floats[2];
     int *row = own.rows[0];
-    fold(count, query.position[0], query.position[1], u, v);
     std::fill_n(row, count, 0);
-    for (std::size_t t = 0; t + 1 < flat.cumulative.size(); ++t)
-        passTriangle(count, query.choice, flat.cumulative[t], row);
+    float low = 0;
+    for (std::size_t t = 0; t < flat.cumulative.size(); low = flat.cumulative[t++])
+        passTriangle(count, query.position[0], low, flat.cumulative[t] - low, t > 0 ? rowFloats : 0,
+                     row, within);
+    fold(count, within, query.position[1], u, v);
     float *P[3], *N[3];
     for (int c = 0; c < 3; ++c) {
         P[c] = batch.input(ShaderInput::P, c), N[c] = batch.input(ShaderInput::N, c);

@@ -16,8 +16,7 @@ struct SceneState;
 FlatLight flatLight(const SceneState &, const SceneLight &);
 
 /// As Scene::sampleLights, for at most lightBatchSize points that have all drawn the light with
-/// index `index`; the choice is uniform anew and picks the triangle. `chosen`: the density counts
-/// that lights were chosen by power.
+/// index `index`. `chosen`: the density counts that lights were chosen by power.
 void sampleFlatLight(const SceneState &, int index, const LightQuery &, bool chosen,
                      LightSamples &);
 
