@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where the paths of a wave begin.
+#include "light/transport/lanes.h"
 #include "light/transport/path_wave.h"
 #include "light/transport/sobol.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace candela {
 
@@ -50,6 +52,40 @@ void PathWave::startCamera(int pixels, const int *x, const int *y, int first, in
     }
     statistics_.paths += slots_;
     statistics_.cameraRays += slots_;
+}
+
+void PathWave::startGathering(int count, const int *lane, const GatheringRays &from) {
+    slots_ = active_.count = active_.rays.count = count;
+    auto take = [&](const float *plane, float *to) { lanes::gather(count, lane, plane, to); };
+    auto takeInts = [&](const int *plane, int *to) { lanes::gather(count, lane, plane, to); };
+    for (int c = 0; c < colorSamples; ++c) {
+        std::fill_n(results_.radiance[c], count, 0.0f);
+        std::fill_n(active_.throughput[c], count, 1.0f);
+    }
+    takeInts(from.x, results_.x), takeInts(from.y, results_.y);
+    takeInts(reinterpret_cast<const int *>(from.sampleIndex), results_.sampleIndex);
+    takeInts(reinterpret_cast<const int *>(from.pixelKey),
+             reinterpret_cast<int *>(results_.keys[0]));
+
+    RayBatch &rays = active_.rays;
+    take(from.origin[0], rays.originX), take(from.origin[1], rays.originY);
+    take(from.origin[2], rays.originZ);
+    take(from.direction[0], rays.directionX);
+    take(from.direction[1], rays.directionY);
+    take(from.direction[2], rays.directionZ);
+    take(from.time, rays.time);
+    std::fill_n(static_cast<float *>(rays.tMax), count, INFINITY);
+
+    take(from.pdf, active_.lastPdf);
+    takeInts(from.lightSet, active_.lightSet);
+    takeInts(from.depth, active_.depth);
+    std::fill_n(active_.travelled, count, 0.0f);
+    std::fill_n(active_.seen, count, 0);
+    for (int i = 0; i < count; ++i) {
+        active_.slot[i] = i;
+        ++active_.depth[i];
+    }
+    statistics_.bounceRays += count;
 }
 
 } // namespace candela
