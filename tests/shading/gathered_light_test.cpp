@@ -127,8 +127,8 @@ TEST(GatheredLight, WithoutConesToo) {
     expectAll(render(frame(si, world), {"--sampling", "hemisphere"}), .75f);
 }
 
-// Under a distant light at 60 degrees diffuse() is 1/2. As far as can be proved, toon sends light in
-// darkness too, so under path a few of the rounds go to the square as a light: hence the margin.
+// Under a distant light at 60 degrees diffuse() is 1/2. As far as can be proved, toon sends light
+// in darkness too, so under path a few of the rounds go to the square as a light: hence the margin.
 TEST(GatheredLight, ClassicAndPathAgreeWithTheClosedForm) {
     for (const std::string &integrator : {classic, path}) {
         auto tone = [&](const std::string &threshold) {
