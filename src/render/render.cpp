@@ -6,6 +6,7 @@
 #include "interface/ri/graphics_state.h"
 #include "interface/rib/rib_reader.h"
 #include "light/transport/first_hit.h"
+#include "light/transport/shader_warnings.h"
 #include "render/console.h"
 #include "render/shader_folders.h"
 #include "render/statistics.h"
@@ -118,7 +119,9 @@ int renderFile(const std::string &path, const RenderSettings &settings) {
     Statistics statistics;
 
     ShaderLibrary shaders({shaderFolders(path, settings.shaderPath), settings.jit}, console);
+    ShaderWarnings warnings(console);
     SceneCompiler world(shaders, console, [&](const Scene &scene) {
+        warnings.look(scene);
         renderFrame(scene, settings, path, console, statistics);
     });
     GraphicsStateSettings stateSettings;

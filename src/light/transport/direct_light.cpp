@@ -13,6 +13,22 @@ namespace {
 
 constexpr float pi = float(M_PI);
 
+CANDELA_HOT void multiplyThree(int count, const float *__restrict g, const float *__restrict value,
+                               const float *__restrict weight, const std::int32_t *__restrict light,
+                               float *__restrict result) {
+    for (int i = 0; i < count; ++i)
+        result[i] = (weight[i] > 0) & (light[i] != 0) ? g[i] * value[i] * weight[i] : 0.0f;
+}
+
+CANDELA_HOT void markShadowTests(int count, const float *__restrict contribution,
+                                 const std::int32_t *__restrict light,
+                                 const std::uint8_t *__restrict castsShadow, int *__restrict test) {
+    for (int i = 0; i < count; ++i)
+        test[i] |= (contribution[i] != 0) & (light[i] != 0) & (castsShadow[i] != 0);
+}
+
+} // namespace
+
 CANDELA_HOT void unitDirections(int count, const float *__restrict x, const float *__restrict y,
                                 const float *__restrict z, float *__restrict ux,
                                 float *__restrict uy, float *__restrict uz) {
@@ -25,8 +41,6 @@ CANDELA_HOT void unitDirections(int count, const float *__restrict x, const floa
     }
 }
 
-/// What Cl is worth a unit of `value`: L_i / (pi pdf), weighted against the chance of finding
-/// the same direction through the mixture; delta lights come as they are.
 CANDELA_HOT void lightWeights(int count, const float *__restrict lightPdf,
                               const float *__restrict mixturePdf,
                               const float *__restrict finiteProbability,
@@ -37,23 +51,6 @@ CANDELA_HOT void lightWeights(int count, const float *__restrict lightPdf,
         weight[i] = wanted[i] > 0 ? (pl > 0 ? heuristic : 1.0f) : 0.0f;
     }
 }
-
-CANDELA_HOT void multiplyThree(int count, const float *__restrict g, const float *__restrict value,
-                               const float *__restrict weight,
-                               const std::int32_t *__restrict light, float *__restrict result) {
-    for (int i = 0; i < count; ++i)
-        result[i] = (weight[i] > 0) & (light[i] != 0) ? g[i] * value[i] * weight[i] : 0.0f;
-}
-
-CANDELA_HOT void markShadowTests(int count, const float *__restrict contribution,
-                                 const std::int32_t *__restrict light,
-                                 const std::uint8_t *__restrict castsShadow,
-                                 int *__restrict test) {
-    for (int i = 0; i < count; ++i)
-        test[i] |= (contribution[i] != 0) & (light[i] != 0) & (castsShadow[i] != 0);
-}
-
-} // namespace
 
 ShadowRays::ShadowRays(int capacity)
     : rays_(capacity), origin_(3, capacity), transmittance_(colorSamples, capacity) {}

@@ -12,6 +12,14 @@ namespace candela {
 /// A shadow ray stops short of the light by a share of its length, lest it hit the light.
 inline constexpr float shadowRayEnd = 1 - 1e-4f;
 
+/// (ux,uy,uz) = (x,y,z) / its length.
+void unitDirections(int count, const float *x, const float *y, const float *z, float *ux, float *uy,
+                    float *uz);
+/// What Cl is worth a unit of `value`: L_i / (pi pdf), weighted against the chance of finding
+/// the same direction through the mixture; delta lights come as they are. 0 where not wanted.
+void lightWeights(int count, const float *lightPdf, const float *mixturePdf,
+                  const float *finiteProbability, const float *wanted, float *weight);
+
 /// Rays from some of the vertices to their light samples, packed.
 class ShadowRays {
 public:

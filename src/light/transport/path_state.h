@@ -12,6 +12,10 @@
 
 namespace candela {
 
+/// The dimension pairs of a path: three for the camera, then four a vertex.
+enum CameraPair { filterPair, lensPair, timePair, cameraPairs };
+enum VertexPair { lightPositionPair, directionPair, lightChoicePair, eventPair, vertexPairs };
+
 /// What a path has gathered, by slot: one slot a camera sample, fixed while the wave lasts.
 struct PathResults {
     PathResults(int capacity, int channelPlanes)

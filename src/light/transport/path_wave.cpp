@@ -14,10 +14,6 @@ namespace {
 
 constexpr float pi = float(M_PI);
 
-/// The dimension pairs of a path: three for the camera, then four a vertex.
-enum CameraPair { filterPair, lensPair, timePair, cameraPairs };
-enum VertexPair { lightPositionPair, directionPair, lightChoicePair, eventPair, vertexPairs };
-
 /// Roulette begins at this vertex of a path, counted from the first it meets as 1.
 constexpr int rouletteDepth = 3;
 
@@ -26,9 +22,8 @@ constexpr int mostVertices = 1000;
 
 /// The weight of emission that a direction of density lastPdf found, against light sampling.
 CANDELA_HOT void emissionWeights(int count, const float *__restrict lastPdf,
-                                 const float *__restrict distance,
-                                 const float *__restrict areaPdf, const float *__restrict cosine,
-                                 float *__restrict weight) {
+                                 const float *__restrict distance, const float *__restrict areaPdf,
+                                 const float *__restrict cosine, float *__restrict weight) {
     for (int i = 0; i < count; ++i) {
         float pb = lastPdf[i], height = std::fabs(cosine[i]);
         float pl = areaPdf[i] * distance[i] * distance[i] / (height > 1e-9f ? height : 1e-9f);
@@ -67,9 +62,8 @@ CANDELA_HOT void eventScales(int count, const std::int32_t *__restrict event,
 
 CANDELA_HOT void nextThroughput(int count, const float *__restrict throughput,
                                 const float *__restrict g, const float *__restrict opacity,
-                                const std::int32_t *__restrict event,
-                                const float *__restrict scale, float *__restrict next,
-                                float *__restrict brightest) {
+                                const std::int32_t *__restrict event, const float *__restrict scale,
+                                float *__restrict next, float *__restrict brightest) {
     for (int i = 0; i < count; ++i) {
         float factor = event[i] == straightThrough ? 1 - opacity[i] : g[i];
         float value = scale[i] > 0 ? throughput[i] * factor * scale[i] : 0.0f;
@@ -114,61 +108,18 @@ CANDELA_HOT void markShallow(int count, const int *__restrict depth, int maxDept
 
 PathWave::PathWave(const Scene &scene, const IntegratorSettings &settings,
                    const PixelFilterSampler &filter, std::span<const ChannelInfo> channels,
-                   TransportStatistics &statistics, NonFiniteReporter &nonFinite)
-    : scene_(scene), settings_(settings), filter_(filter), firstHit_(firstHitPlanes(channels)),
-      statistics_(statistics), nonFinite_(nonFinite), results_(capacity, int(firstHit_.size())),
-      active_(capacity), next_(capacity), hits_(capacity), order_(capacity), hitMask_(capacity),
-      binStart_(scene.codeCount() + 1), vertices_(chunk), mixture_(chunk), events_(chunk),
-      direct_(chunk), classic_(chunk), state_(2 * colorSamples + 2, chunk),
-      stateIntegers_(6, chunk), keys_(2, chunk), random_(2 * vertexPairs, chunk),
-      answers_(3 * colorSamples, chunk), scratch_(8, chunk) {}
+                   TransportStatistics &statistics, NonFiniteReporter &nonFinite, Purpose purpose)
+    : scene_(scene), settings_(settings), filter_(filter),
+      firstHit_(purpose == Purpose::Camera ? firstHitPlanes(channels)
+                                           : std::vector<FirstHitPlane>()),
+      statistics_(statistics), nonFinite_(nonFinite), purpose_(purpose),
+      results_(capacity, int(firstHit_.size())), active_(capacity), next_(capacity),
+      hits_(capacity), order_(capacity), hitMask_(capacity), binStart_(scene.codeCount() + 1), vertices_(chunk),
+      mixture_(chunk), events_(chunk), direct_(chunk), classic_(chunk),
+      state_(2 * colorSamples + 2, chunk), stateIntegers_(6, chunk), keys_(2, chunk),
+      random_(2 * vertexPairs, chunk), answers_(3 * colorSamples, chunk), scratch_(8, chunk) {}
 
-// ---- The camera ----
-
-void PathWave::startCamera(int pixels, const int *x, const int *y, int first, int last) {
-    slots_ = 0;
-    for (int pixel = 0; pixel < pixels; ++pixel) {
-        std::uint32_t key = pixelKey(x[pixel], y[pixel], settings_.seed);
-        for (int sample = first; sample < last; ++sample, ++slots_) {
-            results_.x[slots_] = x[pixel], results_.y[slots_] = y[pixel];
-            results_.sampleIndex[slots_] = sample;
-            results_.keys[0][slots_] = key;
-        }
-    }
-    for (int c = 0; c < colorSamples; ++c) {
-        std::fill_n(results_.radiance[c], slots_, 0.0f);
-        std::fill_n(results_.opacity[c], slots_, 0.0f);
-    }
-    for (int plane = 0; plane < results_.channels.planes(); ++plane)
-        std::fill_n(results_.channels[plane], slots_, firstHit_[plane].background);
-
-    Planes<float> numbers(8, slots_);
-    const std::uint32_t *samples = reinterpret_cast<const std::uint32_t *>(results_.sampleIndex);
-    for (int pair = 0; pair < cameraPairs; ++pair)
-        sobolPairs(slots_, results_.keys[0], samples, pair, numbers[2 * pair],
-                   numbers[2 * pair + 1]);
-    float *rasterX = numbers[6], *rasterY = numbers[7];
-    for (int i = 0; i < slots_; ++i) {
-        FilterSample at = filter_.sample(numbers[0][i], numbers[1][i]);
-        rasterX[i] = float(results_.x[i]) + 0.5f + at.dx;
-        rasterY[i] = float(results_.y[i]) + 0.5f + at.dy;
-        results_.weight[0][i] = at.weight;
-    }
-    scene_.camera().rays(slots_, rasterX, rasterY, numbers[2], numbers[3], numbers[4],
-                         active_.rays);
-    active_.rays.count = active_.count = slots_;
-    for (int i = 0; i < slots_; ++i) {
-        for (int c = 0; c < colorSamples; ++c)
-            active_.throughput[c][i] = 1;
-        active_.lastPdf[i] = active_.travelled[i] = 0;
-        active_.slot[i] = i;
-        active_.depth[i] = 0;
-        active_.lightSet[i] = -1;
-        active_.seen[i] = 1;
-    }
-    statistics_.paths += slots_;
-    statistics_.cameraRays += slots_;
-}
+// ---- Paths as a whole ----
 
 void PathWave::run() {
     for (int iteration = 0; active_.count > 0 && iteration < mostVertices; ++iteration) {
@@ -181,8 +132,8 @@ void PathWave::run() {
 // ---- One vertex of all paths ----
 
 void PathWave::traceAndShade(int iteration) {
-    scene_.intersect(active_.rays, hits_,
-                     iteration == 0 ? Coherence::Primary : Coherence::Secondary);
+    bool fromCamera = iteration == 0 && purpose_ == Purpose::Camera;
+    scene_.intersect(active_.rays, hits_, fromCamera ? Coherence::Primary : Coherence::Secondary);
     binByCode();
     next_.count = next_.rays.count = 0;
     for (int code = 0; code < scene_.codeCount(); ++code)
@@ -236,6 +187,8 @@ void PathWave::shadeChunk(int code, const int *order, int count, int iteration) 
         sampleNumbers(pair);
     if (settings_.kind == IntegratorKind::Classic)
         lightClassic(lit ? ambient.data() : nullptr);
+    else if (!vertices_.code().facts().affine)
+        lightGathered(lit ? ambient.data() : nullptr);
     else
         lightPath();
     scatterOn();
@@ -244,9 +197,8 @@ void PathWave::shadeChunk(int code, const int *order, int count, int iteration) 
 
 /// The numbers of one of this vertex's dimension pairs, into random_.
 void PathWave::sampleNumbers(int pair) {
-    sobolPairs(vertices_.count(), keys_[0], keys_[1],
-               cameraPairs + iteration_ * vertexPairs + pair, random_[2 * pair],
-               random_[2 * pair + 1]);
+    sobolPairs(vertices_.count(), keys_[0], keys_[1], cameraPairs + iteration_ * vertexPairs + pair,
+               random_[2 * pair], random_[2 * pair + 1]);
 }
 
 void PathWave::gatherState(const int *order, int count) {
@@ -295,8 +247,10 @@ void PathWave::deliverLight() {
 
 void PathWave::reportNonFinite(int i) {
     int at = slot()[i];
-    nonFinite_.found(vertices_.code().name(), results_.x[at], results_.y[at],
-                     results_.sampleIndex[at]);
+    int sample = results_.sampleIndex[at];
+    if (purpose_ == Purpose::Gathering)
+        sample /= GatheredLight::rounds;
+    nonFinite_.found(vertices_.code().name(), results_.x[at], results_.y[at], sample);
 }
 
 void PathWave::addEmission() {
@@ -350,19 +304,22 @@ void PathWave::addVisible(const int *order) {
 
 // ---- Light and the way on ----
 
-/// Every light at once, as RI 3.1 has it; what is left to follow is trace() and what shines
-/// through.
+/// Every light at once, as RI 3.1 has it.
 void PathWave::lightClassic(const float *const *ambient) {
     float *Ci[colorSamples], *Oi[colorSamples];
     for (int c = 0; c < colorSamples; ++c) {
         Ci[c] = answers_[c];
         Oi[c] = answers_[colorSamples + c];
     }
-    statistics_.shadowRays +=
-        classic_.shade(vertices_, 1, random_[2 * lightPositionPair],
-                       random_[2 * lightPositionPair + 1], ambient, Ci, Oi);
+    statistics_.shadowRays += classic_.shade(vertices_, 1, random_[2 * lightPositionPair],
+                                             random_[2 * lightPositionPair + 1], ambient, Ci, Oi);
     gatherLight(Ci);
     events_.look(vertices_);
+    chooseBesidesFiniteLobes();
+}
+
+/// Where all finite light has been given, trace() and what shines through are left to follow.
+void PathWave::chooseBesidesFiniteLobes() {
     float *noFiniteLobe = scratch_[2];
     std::fill_n(noFiniteLobe, vertices_.count(), 0.0f);
     sampleNumbers(eventPair);
@@ -392,6 +349,32 @@ void PathWave::lightPath() {
         vertices_, mixture_, events_.finiteProbability(), wanted, random_[2 * lightChoicePair],
         random_[2 * lightPositionPair], random_[2 * lightPositionPair + 1], contribution);
     gatherLight(contribution);
+}
+
+/// Many samples at once, for shaders that no single one can be asked about.
+void PathWave::lightGathered(const float *const *ambient) {
+    if (!gatheredLight_) {
+        std::unique_ptr<PathWave> wave;
+        if (purpose_ == Purpose::Camera)
+            wave = std::make_unique<PathWave>(scene_, settings_, filter_,
+                                              std::span<const ChannelInfo>(), statistics_,
+                                              nonFinite_, Purpose::Gathering);
+        gatheredLight_ = std::make_unique<GatheredLight>(chunk, std::move(wave));
+    }
+    events_.look(vertices_);
+    int *x = stateIntegers_[4], *y = stateIntegers_[5];
+    lanes::gather(vertices_.count(), slot(), results_.x, x);
+    lanes::gather(vertices_.count(), slot(), results_.y, y);
+    float *Ci[colorSamples];
+    for (int c = 0; c < colorSamples; ++c)
+        Ci[c] = answers_[c];
+    statistics_.shadowRays +=
+        gatheredLight_->gather(vertices_,
+                               {keys_[0], keys_[1], x, y, depth(), settings_.maxDepth, iteration_,
+                                settings_.hemisphereOnly, events_.transmission(), ambient},
+                               Ci);
+    gatherLight(Ci);
+    chooseBesidesFiniteLobes();
 }
 
 void PathWave::stateMixture() {
@@ -455,9 +438,7 @@ void PathWave::append(int count, const int *lane, const float *gain, const float
     vertices_.rayOrigins({direction[0], direction[1], direction[2]}, origin);
 
     RayBatch &rays = next_.rays;
-    auto take = [&](const float *from, float *to) {
-        lanes::gather(count, lane, from, to + first);
-    };
+    auto take = [&](const float *from, float *to) { lanes::gather(count, lane, from, to + first); };
     take(origin[0], rays.originX), take(origin[1], rays.originY), take(origin[2], rays.originZ);
     take(direction[0], rays.directionX), take(direction[1], rays.directionY);
     take(direction[2], rays.directionZ);

@@ -7,13 +7,27 @@
 #include "light/transport/cone_mixture.h"
 #include "light/transport/direct_light.h"
 #include "light/transport/first_hit.h"
+#include "light/transport/gathered_light.h"
 #include "light/transport/integrator.h"
 #include "light/transport/non_finite.h"
 #include "light/transport/path_state.h"
 #include "light/transport/scattering_event.h"
 #include "light/transport/surface_vertices.h"
 
+#include <memory>
+
 namespace candela {
+
+/// Rays that leave surfaces to find the light there, by vertex.
+struct GatheringRays {
+    ConstVec3Planes origin, direction; ///< Unit directions.
+    const float *time;
+    const float *pdf; ///< Of the direction, per steradian.
+    const int *depth; ///< Scatterings up to the vertex; the gathering is one more.
+    const int *lightSet;
+    const int *x, *y;                            ///< The pixel, for messages.
+    const std::uint32_t *pixelKey, *sampleIndex; ///< The address of the paths' random numbers.
+};
 
 class PathWave {
 public:
@@ -21,11 +35,18 @@ public:
     /// rays of a wave and the shading data of a chunk each fit a core's second-level cache.
     static constexpr int capacity = 4096, chunk = 1024;
 
+    /// Camera: paths of pictures. Gathering: paths that find light for a shader that isn't affine
+    /// in it; they end at the next one of that kind with what lights send there.
+    enum class Purpose { Camera, Gathering };
+
     PathWave(const Scene &, const IntegratorSettings &, const PixelFilterSampler &,
-             std::span<const ChannelInfo> channels, TransportStatistics &, NonFiniteReporter &);
+             std::span<const ChannelInfo> channels, TransportStatistics &, NonFiniteReporter &,
+             Purpose = Purpose::Camera);
 
     /// Camera paths for the samples [first, last) of `pixels` pixels (x[i], y[i]), pixel by pixel.
     void startCamera(int pixels, const int *x, const int *y, int first, int last);
+    /// Paths along the rays of vertices lane[0..count), which take slots in this order.
+    void startGathering(int count, const int *lane, const GatheringRays &);
     /// Follows all paths to their ends.
     void run();
 
@@ -41,6 +62,8 @@ private:
     void addVisible(const int *order);
     void lightClassic(const float *const *ambient);
     void lightPath();
+    void lightGathered(const float *const *ambient);
+    void chooseBesidesFiniteLobes();
     void stateMixture();
     void sampleNumbers(int pair);
     void gatherLight(const float *const *contribution);
@@ -65,6 +88,7 @@ private:
     std::vector<FirstHitPlane> firstHit_;
     TransportStatistics &statistics_;
     NonFiniteReporter &nonFinite_;
+    const Purpose purpose_;
 
     PathResults results_;
     int slots_ = 0;
@@ -78,9 +102,10 @@ private:
     ScatteringEvents events_;
     DirectLight direct_;
     ClassicLight classic_;
+    std::unique_ptr<GatheredLight> gatheredLight_; ///< Made when a shader first needs it.
     int iteration_ = 0;
     Planes<float> state_;
-    Planes<int> stateIntegers_; ///< As above; then which paths go on, twice.
+    Planes<int> stateIntegers_;  ///< As above; then two of the step that runs.
     Planes<std::uint32_t> keys_; ///< pixel key, sample index.
     Planes<float> random_;       ///< pairs of uniform numbers
     Planes<float> answers_;      ///< Colours: light or g, next throughput, ambient.

@@ -98,6 +98,8 @@ void SurfaceVertices::prepare(const float *const *ambient) {
         float *const *out = outputTable_.data() + cone.output;
         std::fill_n(out[5], points.count, 0.0f); // Lanes that do not reach the request leave it.
         std::fill_n(out[3], points.count, 180.0f);
+        for (int c = 0; c < 3 && !code_->facts().affine; ++c)
+            std::fill_n(out[c], points.count, 0.0f); // Gathering asks whether there is an axis.
         bool first = cones_.empty() || cones_.back().request != cone.request;
         const float *kindAngle = first ? out[3] : cones_.back().kindAngle;
         cones_.push_back(
