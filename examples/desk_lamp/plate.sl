@@ -2,10 +2,10 @@
    A rolled metal plate, brushed along its length: a rough mirror over a faint diffuse film. It
    says where light matters to it: much in a narrow cone about the mirror direction, a little
    everywhere. */
-surface plate(float Ks = .84;      /* share that the rough mirror reflects, face on */
+surface plate(float Ks = .88;      /* share that the rough mirror reflects, face on */
               float Kd = .04;      /* albedo of the film */
-              float size = 32;     /* exponent of the lobe */
-              float cone = 90;     /* full angle of its cone, degrees */
+              float size = 40;     /* exponent of the lobe */
+              float cone = 80;     /* full angle of its cone, degrees */
               float brush = .22;   /* how much the strokes of the brush change Ks */)
 {
     normal facing = faceforward(normalize(N), I);
