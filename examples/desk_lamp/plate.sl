@@ -25,7 +25,7 @@ surface plate(float Ks = .88;      /* share that the rough mirror reflects, face
         vector toLight = normalize(L);
         float cosine = facing . toLight;
         if (cosine > 0) {
-            /* The lobe's integral against Cl is Ks: (n + 1) / 2 cos^n over the solid angle. */
+            /* The lobe's integral against Cl is 1: (n + 1) / 2 cos^n over the solid angle. */
             float lobe = .5 * (size + 1) * pow(max(mirrored . toLight, 0), size);
             reflected += Cl * (polish * lobe + Kd * cosine);
         }
