@@ -2,7 +2,7 @@
    Glazed ceramic: a diffuse body in the surface's colour, a clear coat that reflects more at
    grazing angles. */
 surface enamel(float Kd = .75;    /* albedo of the body, times the surface's colour */
-               float coat = .05;  /* share that the coat reflects, face on */
+               float coat = .04;  /* share that the coat reflects, face on */
                float size = 160;  /* exponent of its lobe */)
 {
     normal facing = faceforward(normalize(N), I);
