@@ -7,9 +7,10 @@
 int main(int argc, char **argv) {
     CLI::App app{"Candela: a physically based renderer compatible with the RenderMan Interface."};
     app.set_version_flag("--version", std::string("candela ") + CANDELA_VERSION);
-    app.footer("Exit status: 0 all went well; 1 something was wrong and has been reported, the rest "
-               "was rendered; 2 the command line cannot be understood.\n"
-               "See also: candela diff --help");
+    app.footer(
+        "Exit status: 0 all went well; 1 something was wrong and has been reported, the rest "
+        "was rendered; 2 the command line cannot be understood.\n"
+        "See also: candela diff --help");
     app.get_formatter()->column_width(34);
 
     int status = 0;

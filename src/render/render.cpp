@@ -43,9 +43,8 @@ IntegratorSettings integratorSettings(const Scene &scene, const RenderSettings &
     const Options &options = scene.options();
     IntegratorSettings result;
     result.kind = scene.isClassic() ? IntegratorKind::Classic : IntegratorKind::Path;
-    result.samplesPerPixel =
-        std::max(1, int(std::lround(std::max(1.0f, options.xSamples) *
-                                    std::max(1.0f, options.ySamples))));
+    result.samplesPerPixel = std::max(
+        1, int(std::lround(std::max(1.0f, options.xSamples) * std::max(1.0f, options.ySamples))));
     result.seed = settings.seed;
     result.maxDepth = int(options.number("trace:maxdepth", defaultDepth));
     result.hemisphereOnly = settings.hemisphereOnly;
@@ -97,9 +96,8 @@ void renderFrame(const Scene &scene, const RenderSettings &settings, const std::
 
     console.begin("rendering");
     TransportStatistics transport;
-    statistics.measure("render", [&] {
-        integrate(scene, integrator, filter, film, transport, console);
-    });
+    statistics.measure("render",
+                       [&] { integrate(scene, integrator, filter, film, transport, console); });
     statistics.add(scene, transport);
 
     std::vector<std::string> written =

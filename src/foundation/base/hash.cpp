@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "foundation/base/hash.h"
 
-#include <cstdio>
 #include <algorithm>
+#include <cstdio>
 #include <cstring>
 
 namespace candela {

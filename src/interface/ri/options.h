@@ -25,9 +25,9 @@ struct QuantizeRecord {
 };
 
 struct DisplayRecord {
-    std::string name; ///< File name, without the leading '+'.
-    std::string type; ///< "file", "openexr", "png", ...
-    std::string mode; ///< "rgb", "rgba", "z", ... or the name of a channel.
+    std::string name;                       ///< File name, without the leading '+'.
+    std::string type;                       ///< "file", "openexr", "png", ...
+    std::string mode;                       ///< "rgb", "rgba", "z", ... or the name of a channel.
     std::optional<QuantizeRecord> quantize; ///< Given with this display; else Options'.
     ParameterList parameters;
 };

@@ -47,9 +47,9 @@ struct PatchMeshRecord {
     bool uPeriodic = false, vPeriodic = false;
 };
 
-using ShapeRecord = std::variant<SphereRecord, ConeRecord, CylinderRecord, HyperboloidRecord,
-                                 ParaboloidRecord, DiskRecord, TorusRecord, PolygonsRecord,
-                                 PatchMeshRecord>;
+using ShapeRecord =
+    std::variant<SphereRecord, ConeRecord, CylinderRecord, HyperboloidRecord, ParaboloidRecord,
+                 DiskRecord, TorusRecord, PolygonsRecord, PatchMeshRecord>;
 
 /// A shape with its primitive variables. Their counts have been checked against the shape (RI
 /// 3.2, 5): wrong ones were reported and dropped, missing or non-finite P drops the primitive.

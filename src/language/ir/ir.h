@@ -105,10 +105,10 @@ struct Function {
     Region body;               ///< No arguments, no yields: results leave through Output.
     std::vector<Array> arrays;
     std::vector<LightRequest> requests;
-    std::vector<std::string> strings;    ///< By ConstString's immediate.
-    std::vector<std::string> spaces;     ///< Named coordinate systems, by Space's immediate.
-    std::vector<std::string> categories; ///< Of light loops: "a,-b", also "!diffuse", "!specular"
-                                         ///< for what __nondiffuse, __nonspecular exclude.
+    std::vector<std::string> strings;      ///< By ConstString's immediate.
+    std::vector<std::string> spaces;       ///< Named coordinate systems, by Space's immediate.
+    std::vector<std::string> categories;   ///< Of light loops: "a,-b", also "!diffuse", "!specular"
+                                           ///< for what __nondiffuse, __nonspecular exclude.
     std::vector<ParameterSlot> parameters; ///< Floats of the parameter block, in order.
     std::vector<ParameterSlot> variables;  ///< Planes that override parameters.
     std::vector<OutputSlot> outputs;

@@ -20,8 +20,7 @@ void Lowering::error(const sl::Place &where, const std::string &message) {
         sink_.report(sl::diagnosticAt(Severity::Error, where, message));
 }
 
-std::string Lowering::requiredText(ValueId value, const sl::Place &where,
-                                   const std::string &what) {
+std::string Lowering::requiredText(ValueId value, const sl::Place &where, const std::string &what) {
     if (const std::string *known = b.constantText(value))
         return *known;
     error(where, what + " must be known when the shader is compiled; here it depends on what "
@@ -46,8 +45,8 @@ void Lowering::declareParameters(LoweredShader &lowered, const std::vector<Strin
             declare(symbol, initial);
             continue;
         }
-        const bool isVariable = std::find(variables.begin(), variables.end(), parameter.name) !=
-                                variables.end();
+        const bool isVariable =
+            std::find(variables.begin(), variables.end(), parameter.name) != variables.end();
         auto &slots = isVariable ? function_.variables : function_.parameters;
         const int first = int(slots.size());
         for (int c = 0; c < int(parameter.defaults.size()); ++c) {
@@ -64,15 +63,12 @@ namespace {
 std::optional<ShaderInput> inputOf(sl::PredefinedId id) {
     using Id = sl::PredefinedId;
     static const std::map<Id, ShaderInput> table{
-        {Id::P, ShaderInput::P},       {Id::Ps, ShaderInput::Ps},
-        {Id::N, ShaderInput::N},       {Id::Ng, ShaderInput::Ng},
-        {Id::dPdu, ShaderInput::dPdu}, {Id::dPdv, ShaderInput::dPdv},
-        {Id::I, ShaderInput::I},       {Id::E, ShaderInput::E},
-        {Id::Cs, ShaderInput::Cs},     {Id::Os, ShaderInput::Os},
-        {Id::u, ShaderInput::u},       {Id::v, ShaderInput::v},
-        {Id::du, ShaderInput::du},     {Id::dv, ShaderInput::dv},
-        {Id::s, ShaderInput::s},       {Id::t, ShaderInput::t},
-        {Id::time, ShaderInput::time}, {Id::Du, ShaderInput::du},
+        {Id::P, ShaderInput::P},   {Id::Ps, ShaderInput::Ps},     {Id::N, ShaderInput::N},
+        {Id::Ng, ShaderInput::Ng}, {Id::dPdu, ShaderInput::dPdu}, {Id::dPdv, ShaderInput::dPdv},
+        {Id::I, ShaderInput::I},   {Id::E, ShaderInput::E},       {Id::Cs, ShaderInput::Cs},
+        {Id::Os, ShaderInput::Os}, {Id::u, ShaderInput::u},       {Id::v, ShaderInput::v},
+        {Id::du, ShaderInput::du}, {Id::dv, ShaderInput::dv},     {Id::s, ShaderInput::s},
+        {Id::t, ShaderInput::t},   {Id::time, ShaderInput::time}, {Id::Du, ShaderInput::du},
         {Id::Dv, ShaderInput::dv}};
     const auto found = table.find(id);
     return found == table.end() ? std::nullopt : std::optional(found->second);
@@ -86,8 +82,8 @@ Components startOf(Lowering &lowering, const sl::PredefinedVariable &variable) {
     const bool isOi = variable.id == sl::PredefinedId::Oi;
     const auto input = isOi ? std::optional(ShaderInput::Os) : inputOf(variable.id);
     if (!input) {
-        const bool isOne = variable.id == sl::PredefinedId::Ol &&
-                           lowering.shader.kind == sl::ShaderKind::Light;
+        const bool isOne =
+            variable.id == sl::PredefinedId::Ol && lowering.shader.kind == sl::ShaderKind::Light;
         const float start = variable.id == sl::PredefinedId::ncomps ? float(colorSamples)
                             : isOne                                 ? 1.0f
                                                                     : 0.0f;

@@ -60,9 +60,9 @@ struct LoweredShader {
     bool directionOnly = false;
 };
 
-/// Lowers a checked surface or light shader. Output slots: surface "Ci", "Oi"; light "L", "Cl"; then
-/// the paper's bounds ("DCiDu"...) that the text sets, then output parameters. Oi starts as Os, Ci
-/// and Cl as black. Parameters and Space matrices are as of current space: whoever fills the
+/// Lowers a checked surface or light shader. Output slots: surface "Ci", "Oi"; light "L", "Cl";
+/// then the paper's bounds ("DCiDu"...) that the text sets, then output parameters. Oi starts as
+/// Os, Ci and Cl as black. Parameters and Space matrices are as of current space: whoever fills the
 /// parameter block transforms. Hidden parameter slots are appended after the declared ones:
 /// "shader" (32 floats: currentFromShader, shaderFromCurrent) if the text uses that space.
 /// Function::spaces holds names as the text has them, and "depth" for depth(): camera space with z

@@ -44,8 +44,7 @@ Components area(BuiltinCall &call) {
 Components calculatenormal(BuiltinCall &call) {
     Builder &b = call.b;
     const Triple natural = b.cross(b.input3(ShaderInput::dPdu), b.input3(ShaderInput::dPdv));
-    const ValueId turned =
-        b.less(b.dot(natural, b.input3(ShaderInput::Ng)), b.number(0));
+    const ValueId turned = b.less(b.dot(natural, b.input3(ShaderInput::Ng)), b.number(0));
     const Triple normal = sweep(call);
     return componentsOf(b.select(turned, b.neg(normal), normal));
 }
@@ -54,18 +53,12 @@ Components calculatenormal(BuiltinCall &call) {
 
 BuiltinLowering derivativeBuiltin(sl::BuiltinId id) {
     switch (id) {
-    case sl::BuiltinId::Du:
-        return Du;
-    case sl::BuiltinId::Dv:
-        return Dv;
-    case sl::BuiltinId::Deriv:
-        return Deriv;
-    case sl::BuiltinId::area:
-        return area;
-    case sl::BuiltinId::calculatenormal:
-        return calculatenormal;
-    default:
-        return nullptr;
+    case sl::BuiltinId::Du: return Du;
+    case sl::BuiltinId::Dv: return Dv;
+    case sl::BuiltinId::Deriv: return Deriv;
+    case sl::BuiltinId::area: return area;
+    case sl::BuiltinId::calculatenormal: return calculatenormal;
+    default: return nullptr;
     }
 }
 

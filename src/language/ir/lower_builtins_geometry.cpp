@@ -30,8 +30,8 @@ Components comp(BuiltinCall &call) {
 Components setcomp(BuiltinCall &call) {
     Lowering &lowering = call.lowering;
     if (call.count() == 3) {
-        call.assign(0, lowering.replaceComponent(call.arguments[0], call.number(1),
-                                                 call.number(2)));
+        call.assign(0,
+                    lowering.replaceComponent(call.arguments[0], call.number(1), call.number(2)));
         return {};
     }
     Components m = call.arguments[0], row;
@@ -39,8 +39,7 @@ Components setcomp(BuiltinCall &call) {
         row.push_back(lowering.component(column(m, c), call.number(1)));
     row = lowering.replaceComponent(row, call.number(2), call.number(3));
     for (int c = 0; c < 4; ++c) {
-        const Components changed =
-            lowering.replaceComponent(column(m, c), call.number(1), row[c]);
+        const Components changed = lowering.replaceComponent(column(m, c), call.number(1), row[c]);
         for (int r = 0; r < 4; ++r)
             m[4 * r + c] = changed[r];
     }
@@ -50,9 +49,7 @@ Components setcomp(BuiltinCall &call) {
 
 Components length(BuiltinCall &call) { return {call.b.length(call.triple(0))}; }
 
-Components normalize(BuiltinCall &call) {
-    return componentsOf(call.b.normalize(call.triple(0)));
-}
+Components normalize(BuiltinCall &call) { return componentsOf(call.b.normalize(call.triple(0))); }
 
 Components distance(BuiltinCall &call) {
     return {call.b.length(call.b.sub(call.triple(0), call.triple(1)))};
@@ -74,8 +71,7 @@ Components ptlined(BuiltinCall &call) {
 Triple rotated(Builder &b, const Triple &v, ValueId angle, const Triple &axis) {
     const ValueId cosine = b.unary(Op::Cos, angle), sine = b.unary(Op::Sin, angle);
     const ValueId along = b.mul(b.dot(axis, v), b.sub(b.number(1), cosine));
-    return b.add(b.add(b.scale(v, cosine), b.scale(b.cross(axis, v), sine)),
-                 b.scale(axis, along));
+    return b.add(b.add(b.scale(v, cosine), b.scale(b.cross(axis, v), sine)), b.scale(axis, along));
 }
 
 Components rotate(BuiltinCall &call) {
@@ -85,8 +81,7 @@ Components rotate(BuiltinCall &call) {
         const Triple axis = b.normalize(call.triple(2));
         Matrix rotation = identityMatrix(b);
         for (int row = 0; row < 3; ++row) {
-            const Triple image =
-                rotated(b, b.triple(row == 0, row == 1, row == 2), angle, axis);
+            const Triple image = rotated(b, b.triple(row == 0, row == 1, row == 2), angle, axis);
             std::copy(image.begin(), image.end(), rotation.begin() + 4 * row);
         }
         return componentsOf(multiply(b, rotation, matrixOf(call.arguments[0])));
@@ -167,16 +162,24 @@ Components arraylength(BuiltinCall &call) {
 
 BuiltinLowering geometryBuiltin(sl::BuiltinId id) {
     using Id = sl::BuiltinId;
-    static const std::map<Id, BuiltinLowering> table{
-        {Id::xcomp, getComponent<0>},    {Id::ycomp, getComponent<1>},
-        {Id::zcomp, getComponent<2>},    {Id::setxcomp, setComponent<0>},
-        {Id::setycomp, setComponent<1>}, {Id::setzcomp, setComponent<2>},
-        {Id::comp, comp},                {Id::setcomp, setcomp},
-        {Id::length, length},            {Id::normalize, normalize},
-        {Id::distance, distance},        {Id::ptlined, ptlined},
-        {Id::rotate, rotate},            {Id::faceforward, faceforward},
-        {Id::reflect, reflect},          {Id::refract, refract},
-        {Id::fresnel, fresnel},          {Id::arraylength, arraylength}};
+    static const std::map<Id, BuiltinLowering> table{{Id::xcomp, getComponent<0>},
+                                                     {Id::ycomp, getComponent<1>},
+                                                     {Id::zcomp, getComponent<2>},
+                                                     {Id::setxcomp, setComponent<0>},
+                                                     {Id::setycomp, setComponent<1>},
+                                                     {Id::setzcomp, setComponent<2>},
+                                                     {Id::comp, comp},
+                                                     {Id::setcomp, setcomp},
+                                                     {Id::length, length},
+                                                     {Id::normalize, normalize},
+                                                     {Id::distance, distance},
+                                                     {Id::ptlined, ptlined},
+                                                     {Id::rotate, rotate},
+                                                     {Id::faceforward, faceforward},
+                                                     {Id::reflect, reflect},
+                                                     {Id::refract, refract},
+                                                     {Id::fresnel, fresnel},
+                                                     {Id::arraylength, arraylength}};
     const auto found = table.find(id);
     return found == table.end() ? nullptr : found->second;
 }

@@ -36,8 +36,7 @@ Components gather(BuiltinCall &call, const Triple &normal, const char *category,
 Components diffuse(BuiltinCall &call) {
     Builder &b = call.b;
     const Triple normal = b.normalize(call.triple(0));
-    return gather(call, normal, "!diffuse",
-                  [&](const Triple &L) { return b.dot(L, normal); });
+    return gather(call, normal, "!diffuse", [&](const Triple &L) { return b.dot(L, normal); });
 }
 
 /// max(0, N.H)^(1/roughness), with unit vectors.
@@ -50,9 +49,8 @@ ValueId highlight(Builder &b, const Triple &L, const Triple &N, const Triple &V,
 Components specular(BuiltinCall &call) {
     Builder &b = call.b;
     const Triple normal = b.normalize(call.triple(0)), view = b.normalize(call.triple(1));
-    return gather(call, normal, "!specular", [&](const Triple &L) {
-        return highlight(b, L, normal, view, call.number(2));
-    });
+    return gather(call, normal, "!specular",
+                  [&](const Triple &L) { return highlight(b, L, normal, view, call.number(2)); });
 }
 
 Components specularbrdf(BuiltinCall &call) {
@@ -88,10 +86,13 @@ Components irradiance(BuiltinCall &call) {
 
 BuiltinLowering lightBuiltin(sl::BuiltinId id) {
     using Id = sl::BuiltinId;
-    static const std::map<Id, BuiltinLowering> table{
-        {Id::ambient, ambient},   {Id::diffuse, diffuse}, {Id::specular, specular},
-        {Id::phong, phong},       {Id::trace, trace},     {Id::irradiance, irradiance},
-        {Id::specularbrdf, specularbrdf}};
+    static const std::map<Id, BuiltinLowering> table{{Id::ambient, ambient},
+                                                     {Id::diffuse, diffuse},
+                                                     {Id::specular, specular},
+                                                     {Id::phong, phong},
+                                                     {Id::trace, trace},
+                                                     {Id::irradiance, irradiance},
+                                                     {Id::specularbrdf, specularbrdf}};
     const auto found = table.find(id);
     return found == table.end() ? nullptr : found->second;
 }

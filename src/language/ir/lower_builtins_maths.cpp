@@ -17,9 +17,7 @@ Components map(const Components &x, const Components &y, Operation operation) {
     return result;
 }
 
-template <Op op> Components unary(BuiltinCall &call) {
-    return {call.b.unary(op, call.number(0))};
-}
+template <Op op> Components unary(BuiltinCall &call) { return {call.b.unary(op, call.number(0))}; }
 
 Components radians(BuiltinCall &call) {
     return {call.b.mul(call.number(0), call.b.number(pi / 180))};
@@ -57,8 +55,7 @@ Components mod(BuiltinCall &call) {
 Components sign(BuiltinCall &call) {
     Builder &b = call.b;
     const ValueId x = call.number(0), zero = b.number(0);
-    return {b.select(b.less(x, zero), b.number(-1),
-                     b.unary(Op::FloatFromBool, b.less(zero, x)))};
+    return {b.select(b.less(x, zero), b.number(-1), b.unary(Op::FloatFromBool, b.less(zero, x)))};
 }
 
 /// Halves go away from zero.
@@ -81,8 +78,7 @@ Components clamp(BuiltinCall &call) {
     Builder &b = call.b;
     const Components atLeast = map(call.arguments[0], call.arguments[1],
                                    [&](ValueId x, ValueId low) { return b.max(x, low); });
-    return map(atLeast, call.arguments[2],
-               [&](ValueId x, ValueId high) { return b.min(x, high); });
+    return map(atLeast, call.arguments[2], [&](ValueId x, ValueId high) { return b.min(x, high); });
 }
 
 Components step(BuiltinCall &call) {
@@ -94,8 +90,7 @@ Components smoothstep(BuiltinCall &call) {
     Builder &b = call.b;
     const ValueId low = call.number(0), high = call.number(1), x = call.number(2);
     const ValueId t = b.div(b.sub(x, low), b.sub(high, low));
-    const ValueId cubic =
-        b.mul(b.mul(t, t), b.sub(b.number(3), b.mul(b.number(2), t)));
+    const ValueId cubic = b.mul(b.mul(t, t), b.sub(b.number(3), b.mul(b.number(2), t)));
     const ValueId upper = b.select(b.lessEqual(high, x), b.number(1), cubic);
     return {b.select(b.less(x, low), b.number(0), upper)};
 }
@@ -121,20 +116,32 @@ Components random(BuiltinCall &call) {
 
 BuiltinLowering mathsBuiltin(sl::BuiltinId id) {
     using Id = sl::BuiltinId;
-    static const std::map<Id, BuiltinLowering> table{
-        {Id::radians, radians},         {Id::degrees, degrees},
-        {Id::sin, unary<Op::Sin>},      {Id::asin, unary<Op::Asin>},
-        {Id::cos, unary<Op::Cos>},      {Id::acos, unary<Op::Acos>},
-        {Id::tan, unary<Op::Tan>},      {Id::atan, atan},
-        {Id::pow, pow},                 {Id::exp, unary<Op::Exp>},
-        {Id::sqrt, unary<Op::Sqrt>},    {Id::inversesqrt, inversesqrt},
-        {Id::log, log},                 {Id::mod, mod},
-        {Id::abs, unary<Op::Abs>},      {Id::sign, sign},
-        {Id::min, extreme<Op::Min>},    {Id::max, extreme<Op::Max>},
-        {Id::clamp, clamp},             {Id::floor, unary<Op::Floor>},
-        {Id::ceil, unary<Op::Ceil>},    {Id::round, round},
-        {Id::step, step},               {Id::smoothstep, smoothstep},
-        {Id::mix, mix},                 {Id::random, random}};
+    static const std::map<Id, BuiltinLowering> table{{Id::radians, radians},
+                                                     {Id::degrees, degrees},
+                                                     {Id::sin, unary<Op::Sin>},
+                                                     {Id::asin, unary<Op::Asin>},
+                                                     {Id::cos, unary<Op::Cos>},
+                                                     {Id::acos, unary<Op::Acos>},
+                                                     {Id::tan, unary<Op::Tan>},
+                                                     {Id::atan, atan},
+                                                     {Id::pow, pow},
+                                                     {Id::exp, unary<Op::Exp>},
+                                                     {Id::sqrt, unary<Op::Sqrt>},
+                                                     {Id::inversesqrt, inversesqrt},
+                                                     {Id::log, log},
+                                                     {Id::mod, mod},
+                                                     {Id::abs, unary<Op::Abs>},
+                                                     {Id::sign, sign},
+                                                     {Id::min, extreme<Op::Min>},
+                                                     {Id::max, extreme<Op::Max>},
+                                                     {Id::clamp, clamp},
+                                                     {Id::floor, unary<Op::Floor>},
+                                                     {Id::ceil, unary<Op::Ceil>},
+                                                     {Id::round, round},
+                                                     {Id::step, step},
+                                                     {Id::smoothstep, smoothstep},
+                                                     {Id::mix, mix},
+                                                     {Id::random, random}};
     const auto found = table.find(id);
     return found == table.end() ? nullptr : found->second;
 }

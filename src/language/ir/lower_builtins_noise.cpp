@@ -9,7 +9,8 @@ namespace {
 using runtime::RuntimeFunction;
 
 /// In functions.def the functions of two, three and four coordinates follow that of one.
-Components lattice(BuiltinCall &call, RuntimeFunction ofNumber, RuntimeFunction ofTriple, int dimensions) {
+Components lattice(BuiltinCall &call, RuntimeFunction ofNumber, RuntimeFunction ofTriple,
+                   int dimensions) {
     Components coordinates;
     for (const Components &argument : call.arguments)
         coordinates.insert(coordinates.end(), argument.begin(), argument.end());
@@ -29,25 +30,23 @@ Components noise(BuiltinCall &call) {
 }
 
 Components pnoise(BuiltinCall &call) {
-    return lattice(call, RuntimeFunction::pnoise1, RuntimeFunction::vpnoise1, coordinatesOf(call) / 2);
+    return lattice(call, RuntimeFunction::pnoise1, RuntimeFunction::vpnoise1,
+                   coordinatesOf(call) / 2);
 }
 
 Components cellnoise(BuiltinCall &call) {
-    return lattice(call, RuntimeFunction::cellnoise1, RuntimeFunction::vcellnoise1, coordinatesOf(call));
+    return lattice(call, RuntimeFunction::cellnoise1, RuntimeFunction::vcellnoise1,
+                   coordinatesOf(call));
 }
 
 } // namespace
 
 BuiltinLowering noiseBuiltin(sl::BuiltinId id) {
     switch (id) {
-    case sl::BuiltinId::noise:
-        return noise;
-    case sl::BuiltinId::pnoise:
-        return pnoise;
-    case sl::BuiltinId::cellnoise:
-        return cellnoise;
-    default:
-        return nullptr;
+    case sl::BuiltinId::noise: return noise;
+    case sl::BuiltinId::pnoise: return pnoise;
+    case sl::BuiltinId::cellnoise: return cellnoise;
+    default: return nullptr;
     }
 }
 

@@ -65,8 +65,7 @@ ValueId polynomial(Builder &b, const float (&coefficients)[4], ValueId t) {
 }
 
 /// One component of the curve; `knots` are that component of all knots.
-ValueId curve(Builder &b, const Basis &basis, const Components &knots, ValueId segment,
-              ValueId t) {
+ValueId curve(Builder &b, const Basis &basis, const Components &knots, ValueId segment, ValueId t) {
     const int segments = (int(knots.size()) - 4) / basis.step + 1;
     std::optional<ValueId> sum;
     for (int k = 0; k < 4; ++k) {
@@ -101,10 +100,10 @@ Components spline(BuiltinCall &call) {
         values.insert(values.end(), call.arguments[i].begin(), call.arguments[i].end());
     const int knots = int(values.size() / width);
     if (knots < 4 || (knots - 4) % basis->step != 0) {
-        call.lowering.error(call.expr.where,
-                            "a " + name + " spline takes 4 knots, or " +
-                                std::to_string(basis->step) + " more for each further segment; " +
-                                std::to_string(knots) + " are given");
+        call.lowering.error(call.expr.where, "a " + name + " spline takes 4 knots, or " +
+                                                 std::to_string(basis->step) +
+                                                 " more for each further segment; " +
+                                                 std::to_string(knots) + " are given");
         return none;
     }
     const int segments = (knots - 4) / basis->step + 1;

@@ -38,8 +38,14 @@ const Case floats[] = {
     {"mod(5 * u, 1.5)", [](double u, double) { return 5 * u - 1.5 * std::floor(5 * u / 1.5); }},
     {"abs(u)", [](double u, double) { return std::fabs(u); }},
     {"sign(u) + 10 * sign(0)", [](double u, double) { return u < 0 ? -1.0 : 1.0; }},
-    {"min(u, v, 0.25)", [](double u, double v) { return std::min({u, v, 0.25}); }},
-    {"max(u, v, 0.25)", [](double u, double v) { return std::max({u, v, 0.25}); }},
+    {"min(u, v, 0.25)",
+     [](double u, double v) {
+         return std::min({u, v, 0.25});
+     }},
+    {"max(u, v, 0.25)",
+     [](double u, double v) {
+         return std::max({u, v, 0.25});
+     }},
     {"clamp(u, -0.25, 0.5)", [](double u, double) { return clampTo(u, -0.25, 0.5); }},
     {"floor(5 * u)", [](double u, double) { return std::floor(5 * u); }},
     {"ceil(5 * u)", [](double u, double) { return std::ceil(5 * u); }},
@@ -113,8 +119,7 @@ const Case floats[] = {
      [](double u, double v) { return 179 * (0.2126 * u + 0.7152 * v + 0.0722); }},
     {"comp(photometric(color(u, v, 1)), 1)", [](double, double v) { return 179 * v; }},
     {"comp(radiometric(photometric(color(u, v, 1))), 0)", [](double u, double) { return u; }},
-    {"match(\"^a.*c$\", \"abc\") + 2 * match(\"x\", \"abc\")",
-     [](double, double) { return 1.0; }},
+    {"match(\"^a.*c$\", \"abc\") + 2 * match(\"x\", \"abc\")", [](double, double) { return 1.0; }},
     {"concat(\"a\", \"b\", \"c\") == format(\"%s\", \"abc\")", [](double, double) { return 1.0; }},
     {"format(\"%f\", 2) == \"2.000000\"", [](double, double) { return 1.0; }},
     {"comp(ctransform(\"hsv\", color(0.5, 0.25, 0.25)), 1)", [](double, double) { return 0.5; }},
@@ -131,8 +136,8 @@ TEST(LowerBuiltins, Floats) {
         ASSERT_TRUE(run.lowered) << run.diagnostics.text();
         const auto result = run.run().at("result")[0];
         for (int lane = 0; lane < run.batch->count; ++lane) {
-            const double expected = c.expected(run.input(ShaderInput::u, lane),
-                                               run.input(ShaderInput::v, lane));
+            const double expected =
+                c.expected(run.input(ShaderInput::u, lane), run.input(ShaderInput::v, lane));
             EXPECT_NEAR(result[lane], expected, 2e-6 * std::max(1.0, std::fabs(expected)))
                 << "lane " << lane;
         }
@@ -158,10 +163,10 @@ TEST(LowerBuiltins, ColorSpacesInvert) {
 }
 
 TEST(LowerBuiltins, HueOfPrimaries) {
-    const auto out = evaluateBody(
-        "color", "result = color(comp(ctransform(\"hsv\", color(0, 1, 0)), 0), "
-                 "comp(ctransform(\"hsv\", color(0, 0, 1)), 0), "
-                 "comp(ctransform(\"hsl\", color(1, 0, 0.5)), 0));");
+    const auto out =
+        evaluateBody("color", "result = color(comp(ctransform(\"hsv\", color(0, 1, 0)), 0), "
+                              "comp(ctransform(\"hsv\", color(0, 0, 1)), 0), "
+                              "comp(ctransform(\"hsl\", color(1, 0, 0.5)), 0));");
     EXPECT_NEAR(out[0][0], 1.0 / 3, 1e-6);
     EXPECT_NEAR(out[1][0], 2.0 / 3, 1e-6);
     EXPECT_NEAR(out[2][0], 11.0 / 12, 1e-6);
@@ -187,8 +192,9 @@ TEST(LowerBuiltins, MatricesAppend) {
 }
 
 TEST(LowerBuiltins, SetcompOfMatrix) {
-    const auto out = evaluateBody("float", "matrix m = 1; setcomp(m, 1, 2, 5); setcomp(m, 3*abs(u), "
-                                           "3, 7); result = comp(m, 1, 2) + comp(m, 3*abs(u), 3);");
+    const auto out =
+        evaluateBody("float", "matrix m = 1; setcomp(m, 1, 2, 5); setcomp(m, 3*abs(u), "
+                              "3, 7); result = comp(m, 1, 2) + comp(m, 3*abs(u), 3);");
     EXPECT_FLOAT_EQ(out[0][4], 12);
 }
 
@@ -202,9 +208,9 @@ TEST(LowerBuiltins, Fresnel) {
     // Brewster's angle: half of the reflected light is all of one polarisation.
     const double theta = std::atan(1.5), beyond = std::asin(std::sin(theta) / 1.5);
     const double across = std::pow(std::sin(theta - beyond) / std::sin(theta + beyond), 2);
-    const auto brewster = evaluateBody(
-        "float", "float a = atan(1.5), kr, kt; fresnel(vector(sin(a), 0, -cos(a)), "
-                 "normal(0, 0, 1), 1/1.5, kr, kt); result = kr;");
+    const auto brewster =
+        evaluateBody("float", "float a = atan(1.5), kr, kt; fresnel(vector(sin(a), 0, -cos(a)), "
+                              "normal(0, 0, 1), 1/1.5, kr, kt); result = kr;");
     EXPECT_NEAR(brewster[0][0], across / 2, 1e-6);
     const auto total = evaluateBody("float", "float kr, kt; fresnel(normalize(vector(3, 0, -1)), "
                                              "normal(0, 0, 1), 1.5, kr, kt); result = kr + 10*kt;");
@@ -236,8 +242,7 @@ TEST(LowerBuiltins, NoiseCallsTheRuntime) {
     for (int lane = 0; lane < run.batch->count; ++lane) {
         const float u = float(run.input(ShaderInput::u, lane));
         const float v = float(run.input(ShaderInput::v, lane));
-        EXPECT_EQ(out[0][lane],
-                  runtimeNoise(F::noise1, {u}) + 2 * runtimeNoise(F::noise2, {u, v}));
+        EXPECT_EQ(out[0][lane], runtimeNoise(F::noise1, {u}) + 2 * runtimeNoise(F::noise2, {u, v}));
         EXPECT_EQ(out[1][lane], runtimeNoise(F::noise3, {u, v, 2.5f}) +
                                     2 * runtimeNoise(F::noise4, {u, v, 2.5f, v}));
         EXPECT_EQ(out[2][lane], runtimeNoise(F::vnoise3, {u, v, 2.5f}, 1));
@@ -250,7 +255,8 @@ TEST(LowerBuiltins, NoiseCallsTheRuntime) {
 }
 
 TEST(LowerBuiltins, RandomNumbersDiffer) {
-    const auto out = evaluateBody("color", "result = color(random(), random(), comp(color random(), 1));");
+    const auto out =
+        evaluateBody("color", "result = color(random(), random(), comp(color random(), 1));");
     for (int c = 0; c < 3; ++c) {
         EXPECT_GE(out[c][0], 0);
         EXPECT_LT(out[c][0], 1);
@@ -262,8 +268,9 @@ TEST(LowerBuiltins, RandomNumbersDiffer) {
 TEST(LowerBuiltins, SplineOfArrays) {
     const auto list = evaluateBody("color", "color k[5] = {1, color(0, 1, 2), 3, 4, 5}; "
                                             "result = spline(\"catmull-rom\", 0.3, k);");
-    const auto spread = evaluateBody("color", "result = spline(0.3, color 1, color(0, 1, 2), color 3, "
-                                              "color 4, color 5);");
+    const auto spread =
+        evaluateBody("color", "result = spline(0.3, color 1, color(0, 1, 2), color 3, "
+                              "color 4, color 5);");
     for (int c = 0; c < 3; ++c)
         EXPECT_EQ(list[c][0], spread[c][0]);
 }

@@ -55,18 +55,14 @@ bool accepts(char conversion, sl::BaseType base) {
     case 'e':
     case 'g':
     case 'd':
-    case 'i':
-        return base == sl::BaseType::Float;
+    case 'i': return base == sl::BaseType::Float;
     case 'c':
     case 'p':
     case 'v':
     case 'n':
-    case 'h':
-        return sl::isTriple(base);
-    case 'm':
-        return base == sl::BaseType::Matrix;
-    default:
-        return conversion == 's' && base == sl::BaseType::String;
+    case 'h': return sl::isTriple(base);
+    case 'm': return base == sl::BaseType::Matrix;
+    default: return conversion == 's' && base == sl::BaseType::String;
     }
 }
 
@@ -81,9 +77,9 @@ std::optional<Expansion> expand(BuiltinCall &call) {
         }
         if (next >= call.count() ||
             !accepts(piece.conversion, call.expr.operands[next]->type.base)) {
-            const std::string given =
-                next >= call.count() ? "nothing"
-                                     : "a " + sl::shapeOf(call.expr.operands[next]->type);
+            const std::string given = next >= call.count()
+                                          ? "nothing"
+                                          : "a " + sl::shapeOf(call.expr.operands[next]->type);
             call.lowering.error(call.expr.where, piece.text + piece.conversion + " is given " +
                                                      given +
                                                      "; %f, %g and %d print a float, %c a color, "
@@ -152,16 +148,11 @@ Components match(BuiltinCall &call) {
 
 BuiltinLowering textBuiltin(sl::BuiltinId id) {
     switch (id) {
-    case sl::BuiltinId::printf:
-        return printf;
-    case sl::BuiltinId::format:
-        return format;
-    case sl::BuiltinId::concat:
-        return concat;
-    case sl::BuiltinId::match:
-        return match;
-    default:
-        return nullptr;
+    case sl::BuiltinId::printf: return printf;
+    case sl::BuiltinId::format: return format;
+    case sl::BuiltinId::concat: return concat;
+    case sl::BuiltinId::match: return match;
+    default: return nullptr;
     }
 }
 

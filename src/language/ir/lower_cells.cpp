@@ -9,17 +9,12 @@ namespace candela::ir {
 
 int componentCount(sl::BaseType base) {
     switch (base) {
-    case sl::BaseType::Void:
-        return 0;
+    case sl::BaseType::Void: return 0;
     case sl::BaseType::Float:
-    case sl::BaseType::String:
-        return 1;
-    case sl::BaseType::Color:
-        return colorSamples;
-    case sl::BaseType::Matrix:
-        return 16;
-    default:
-        return 3;
+    case sl::BaseType::String: return 1;
+    case sl::BaseType::Color: return colorSamples;
+    case sl::BaseType::Matrix: return 16;
+    default: return 3;
     }
 }
 
@@ -97,8 +92,7 @@ Components Lowering::replaceComponent(Components value, ValueId index, ValueId r
         return value;
     }
     for (int i = 0; i <= last; ++i) {
-        const ValueId notBelow =
-            i == 0 ? b.boolean(true) : b.lessEqual(b.number(float(i)), index);
+        const ValueId notBelow = i == 0 ? b.boolean(true) : b.lessEqual(b.number(float(i)), index);
         const ValueId notAbove =
             i == last ? b.boolean(true) : b.less(index, b.number(float(i + 1)));
         value[i] = b.select(b.both(notBelow, notAbove), replacement, value[i]);

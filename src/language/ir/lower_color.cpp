@@ -24,9 +24,8 @@ constexpr Weights rgbFromXyz = {{3.2409699f, -1.5373832f, -0.4986108f},
 constexpr Weights yiqFromRgb = {{0.299f, 0.587f, 0.114f},
                                 {0.595716f, -0.274453f, -0.321263f},
                                 {0.211456f, -0.522591f, 0.311135f}};
-constexpr Weights rgbFromYiq = {{1, 0.9562948f, 0.6210251f},
-                                {1, -0.2721214f, -0.6473811f},
-                                {1, -1.1069899f, 1.7046149f}};
+constexpr Weights rgbFromYiq = {
+    {1, 0.9562948f, 0.6210251f}, {1, -0.2721214f, -0.6473811f}, {1, -1.1069899f, 1.7046149f}};
 
 Triple linear(Builder &b, const Weights &rows, const Triple &c) {
     Triple result;
@@ -87,10 +86,8 @@ Triple rgbFromHsv(Builder &b, const Triple &c) {
     const float shifts[3] = {5, 3, 1};
     const ValueId zero = b.number(0), one = b.number(1);
     for (int channel = 0; channel < 3; ++channel) {
-        const ValueId k =
-            modulo(b, b.add(b.number(shifts[channel]), b.mul(c[0], b.number(6))), 6);
-        const ValueId shape =
-            b.max(zero, b.min(b.min(k, b.sub(b.number(4), k)), one));
+        const ValueId k = modulo(b, b.add(b.number(shifts[channel]), b.mul(c[0], b.number(6))), 6);
+        const ValueId shape = b.max(zero, b.min(b.min(k, b.sub(b.number(4), k)), one));
         result[channel] = b.sub(c[2], b.mul(b.mul(c[2], c[1]), shape));
     }
     return result;
@@ -134,8 +131,7 @@ const ColorSpace colorSpaces[] = {
     {"hsl", hslFromRgb, rgbFromHsl},
     {"XYZ", [](Builder &b, const Triple &c) { return linear(b, xyzFromRgb, c); },
      [](Builder &b, const Triple &c) { return linear(b, rgbFromXyz, c); }},
-    {"xyY",
-     [](Builder &b, const Triple &c) { return xyYFromXyz(b, linear(b, xyzFromRgb, c)); },
+    {"xyY", [](Builder &b, const Triple &c) { return xyYFromXyz(b, linear(b, xyzFromRgb, c)); },
      [](Builder &b, const Triple &c) { return linear(b, rgbFromXyz, xyzFromXyY(b, c)); }},
     {"YIQ", [](Builder &b, const Triple &c) { return linear(b, yiqFromRgb, c); },
      [](Builder &b, const Triple &c) { return linear(b, rgbFromYiq, c); }},
@@ -200,18 +196,12 @@ Components convertColor(Lowering &lowering, const Components &value, const std::
 
 BuiltinLowering colorBuiltin(sl::BuiltinId id) {
     switch (id) {
-    case sl::BuiltinId::ctransform:
-        return ctransform;
-    case sl::BuiltinId::photometric:
-        return photometric;
-    case sl::BuiltinId::radiometric:
-        return radiometric;
-    case sl::BuiltinId::totalluminance:
-        return totalluminance;
-    case sl::BuiltinId::totalradiance:
-        return totalradiance;
-    default:
-        return nullptr;
+    case sl::BuiltinId::ctransform: return ctransform;
+    case sl::BuiltinId::photometric: return photometric;
+    case sl::BuiltinId::radiometric: return radiometric;
+    case sl::BuiltinId::totalluminance: return totalluminance;
+    case sl::BuiltinId::totalradiance: return totalradiance;
+    default: return nullptr;
     }
 }
 

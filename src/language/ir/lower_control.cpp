@@ -10,16 +10,13 @@ namespace {
 /// One of two bools by a third, without a branch where constants allow it.
 ValueId chooseBool(Builder &b, ValueId condition, ValueId then, ValueId otherwise) {
     if (const auto known = b.constantBool(then))
-        return *known ? b.either(condition, otherwise)
-                      : b.both(b.negate(condition), otherwise);
+        return *known ? b.either(condition, otherwise) : b.both(b.negate(condition), otherwise);
     if (const auto known = b.constantBool(otherwise))
         return *known ? b.either(b.negate(condition), then) : b.both(condition, then);
     return b.select(condition, then, otherwise);
 }
 
-bool isKnownFalse(Builder &b, ValueId flag) {
-    return b.constantBool(flag) == false;
-}
+bool isKnownFalse(Builder &b, ValueId flag) { return b.constantBool(flag) == false; }
 
 } // namespace
 
@@ -97,7 +94,8 @@ void Lowering::whereLive(const std::function<void()> &rest) {
     if (flags.empty())
         rest();
     else
-        branch(isLive(), rest, [] {}, flags);
+        branch(
+            isLive(), rest, [] {}, flags);
 }
 
 /// while (condition) body: the condition is evaluated before the loop and at the end of each

@@ -20,7 +20,9 @@ const Case cases[] = {
     {"localsStartAtZero", "float x; color c[3]; result = x + comp(c[2], 1);",
      [](float, float) { return 0.0f; }},
     {"ifElse", "if (u > 0) result = u; else if (v > 0) result = 2; else result = 3;",
-     [](float u, float v) { return u > 0 ? u : v > 0 ? 2.0f : 3.0f; }},
+     [](float u, float v) { return u > 0   ? u
+                                   : v > 0 ? 2.0f
+                                           : 3.0f; }},
     {"nestedIf", "float a = 1; if (u > 0) { if (v > 0) a = 5; else a += u; a += 1; } result = a;",
      [](float u, float v) {
          float a = 1;
@@ -120,8 +122,9 @@ const Case cases[] = {
          }
          return r + 100;
      }},
-    {"shortCircuit", "float x = 0; if (u > 0 && (x += 1) > 0) result = 10; "
-                     "if (v > 0 || (x += 2) > 0) result += 20; result += x;",
+    {"shortCircuit",
+     "float x = 0; if (u > 0 && (x += 1) > 0) result = 10; "
+     "if (v > 0 || (x += 2) > 0) result += 20; result += x;",
      [](float u, float v) {
          float x = 0, r = 0;
          if (u > 0 && (x += 1) > 0)
@@ -131,7 +134,9 @@ const Case cases[] = {
          return r + x;
      }},
     {"conditional", "result = u > v ? u : v > 0.5 ? 2 : -v;",
-     [](float u, float v) { return u > v ? u : v > 0.5f ? 2 : -v; }},
+     [](float u, float v) { return u > v      ? u
+                                   : v > 0.5f ? 2
+                                              : -v; }},
     {"conditionalEffects", "float x = 1; result = u > 0 ? (x = 5) : (x = v); result += x;",
      [](float u, float v) { return u > 0 ? 10.0f : v + v; }},
     {"truthAsNumber", "result = (u > 0) + 2 * (v <= 0) + 4 * (!(u > 0));",
@@ -156,18 +161,19 @@ const Case cases[] = {
      [](float u, float) {
          return std::array<float, 3>{1, 2, 3}[size_t(std::clamp(int(100 * u), 0, 2))];
      }},
-    {"componentOfPoint", "point p = point(1, u, v); setycomp(p, 3); result = p[0] + ycomp(p) * p[2];",
+    {"componentOfPoint",
+     "point p = point(1, u, v); setycomp(p, 3); result = p[0] + ycomp(p) * p[2];",
      [](float, float v) { return 1 + 3 * v; }},
-    {"computedComponent", "color c = color(1, 2, 4); setcomp(c, 3 * abs(u), v); "
-                          "result = comp(c, 0) + 10 * comp(c, 1) + 100 * comp(c, 3 * abs(v));",
+    {"computedComponent",
+     "color c = color(1, 2, 4); setcomp(c, 3 * abs(u), v); "
+     "result = comp(c, 0) + 10 * comp(c, 1) + 100 * comp(c, 3 * abs(v));",
      [](float u, float v) {
          float c[3] = {1, 2, 4};
          c[std::clamp(int(3 * std::fabs(u)), 0, 2)] = v;
          return c[0] + 10 * c[1] + 100 * c[std::clamp(int(3 * std::fabs(v)), 0, 2)];
      }},
     {"function", "result = twice(u) + twice(twice(v));",
-     [](float u, float v) { return 2 * u + 4 * v; },
-     "float twice(float x) { return 2 * x; } "},
+     [](float u, float v) { return 2 * u + 4 * v; }, "float twice(float x) { return 2 * x; } "},
     {"earlyReturn", "result = pick(u, v);",
      [](float u, float v) {
          if (u > 0)
@@ -182,15 +188,17 @@ const Case cases[] = {
     {"outputArguments", "float a = u, b = v; order(a, b); result = a - 3 * b;",
      [](float u, float v) { return std::min(u, v) - 3 * std::max(u, v); },
      "void order(output float x; output float y) { if (x > y) { float z = x; x = y; y = z; } } "},
-    {"outputElement", "float a[2] = {1, 2}; bump(a[1]); point p = 0; bump(p[2]); "
-                      "result = a[1] + 10 * p[2];",
+    {"outputElement",
+     "float a[2] = {1, 2}; bump(a[1]); point p = 0; bump(p[2]); "
+     "result = a[1] + 10 * p[2];",
      [](float, float) { return 3.0f + 10; }, "void bump(output float x) { x += 1; } "},
     {"arrayArgument", "float a[4] = {1, 2, u, v}; result = total(a);",
      [](float u, float v) { return 1 + 2 + u + v; },
      "float total(float a[4]) { float i, sum = 0; for (i = 0; i < 4; i += 1) sum += a[i]; "
      "return sum; } "},
-    {"compoundOnce", "float i = 0; float a[3] = {1, 2, 3}; a[(i += 1)] += 5; "
-                     "result = a[0] + 10 * a[1] + 100 * i;",
+    {"compoundOnce",
+     "float i = 0; float a[3] = {1, 2, 3}; a[(i += 1)] += 5; "
+     "result = a[0] + 10 * a[1] + 100 * i;",
      [](float, float) { return 1.0f + 70 + 100; }},
     {"whileWithEffects", "float x = 0; while ((x += 1) < 5) result += x;",
      [](float, float) { return 10.0f; }},
@@ -203,8 +211,9 @@ const Case cases[] = {
              r += v;
          return r;
      }},
-    {"constantsInLoops", "string space = \"current\"; float i; "
-                         "for (i = 0; i < 2; i += 1) result += xcomp(transform(space, point(u, 0, 0)));",
+    {"constantsInLoops",
+     "string space = \"current\"; float i; "
+     "for (i = 0; i < 2; i += 1) result += xcomp(transform(space, point(u, 0, 0)));",
      [](float u, float) { return 0 + u + u; }},
 };
 
@@ -235,8 +244,7 @@ TEST(LowerControl, ConstantLoopsStayUniform) {
 TEST(LowerControl, IndicesSurelyOutsideAreErrors) {
     ShaderRun run(surfaceWith("float", "float a[3] = {1, 2, 3}; result = a[3];"));
     EXPECT_FALSE(run.lowered);
-    EXPECT_NE(run.diagnostics.text().find("outside"), std::string::npos)
-        << run.diagnostics.text();
+    EXPECT_NE(run.diagnostics.text().find("outside"), std::string::npos) << run.diagnostics.text();
 }
 
 } // namespace

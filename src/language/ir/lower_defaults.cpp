@@ -40,18 +40,15 @@ bool needsRenderer(const Region &region) {
         case Op::LightLoop:
         case Op::Answer:
         case Op::Ambient:
-        case Op::Irradiance:
-            return true;
-        default:
-            return std::any_of(i.regions.begin(), i.regions.end(), needsRenderer);
+        case Op::Irradiance: return true;
+        default: return std::any_of(i.regions.begin(), i.regions.end(), needsRenderer);
         }
     });
 }
 
 /// Runs a function without inputs; one float an output slot.
 std::vector<float> runConstant(const Function &function) {
-    std::vector<std::vector<float>> planes(function.outputs.size(),
-                                           std::vector<float>(laneBlock));
+    std::vector<std::vector<float>> planes(function.outputs.size(), std::vector<float>(laneBlock));
     std::vector<float *> outputs;
     for (auto &plane : planes)
         outputs.push_back(plane.data());
@@ -170,9 +167,9 @@ private:
 
 } // namespace
 
-std::optional<std::vector<ShaderParameter>>
-parametersOf(const sl::TypedShader &shader, const std::vector<StringValue> &strings,
-             DiagnosticSink &sink) {
+std::optional<std::vector<ShaderParameter>> parametersOf(const sl::TypedShader &shader,
+                                                         const std::vector<StringValue> &strings,
+                                                         DiagnosticSink &sink) {
     Defaults defaults(shader, strings, sink);
     bool good = true;
     for (const sl::Parameter &parameter : shader.parameters)

@@ -57,15 +57,11 @@ private:
     ValueId result() const { return i.results[0]; }
     ValueId number(float value) { return b.number(value); }
 
-    MaybeValue plus(MaybeValue p, MaybeValue q) {
-        return p && q ? b.add(*p, *q) : p ? p : q;
-    }
+    MaybeValue plus(MaybeValue p, MaybeValue q) { return p && q ? b.add(*p, *q) : p ? p : q; }
     MaybeValue minus(MaybeValue p, MaybeValue q) {
         return p && q ? b.sub(*p, *q) : q ? MaybeValue(b.neg(*q)) : p;
     }
-    MaybeValue times(MaybeValue p, ValueId factor) {
-        return p ? MaybeValue(b.mul(*p, factor)) : p;
-    }
+    MaybeValue times(MaybeValue p, ValueId factor) { return p ? MaybeValue(b.mul(*p, factor)) : p; }
     MaybeValue over(MaybeValue p, ValueId divisor) {
         return p ? MaybeValue(b.div(*p, divisor)) : p;
     }
@@ -79,7 +75,7 @@ private:
         const int plane = i.immediate;
         if (plane == int(ShaderInput::u) || plane == int(ShaderInput::v))
             return (plane == int(ShaderInput::u)) == (direction == 0) ? MaybeValue(number(1))
-                                                                       : std::nullopt;
+                                                                      : std::nullopt;
         for (const InputSlope &row : inputSlopes) {
             const bool isScalar = row.of == ShaderInput::s || row.of == ShaderInput::t;
             const int component = plane - int(row.of);
@@ -91,30 +87,19 @@ private:
 
     MaybeValue arithmetic() {
         switch (i.op) {
-        case Op::Add:
-            return plus(slope(0), slope(1));
-        case Op::Sub:
-            return minus(slope(0), slope(1));
-        case Op::Mul:
-            return plus(times(slope(0), y()), times(slope(1), x()));
-        case Op::Div:
-            return over(minus(slope(0), times(slope(1), result())), y());
-        case Op::Neg:
-            return minus(std::nullopt, slope(0));
+        case Op::Add: return plus(slope(0), slope(1));
+        case Op::Sub: return minus(slope(0), slope(1));
+        case Op::Mul: return plus(times(slope(0), y()), times(slope(1), x()));
+        case Op::Div: return over(minus(slope(0), times(slope(1), result())), y());
+        case Op::Neg: return minus(std::nullopt, slope(0));
         case Op::Abs:
             return choose(b.less(x(), number(0)), minus(std::nullopt, slope(0)), slope(0));
-        case Op::Min:
-            return choose(b.less(x(), y()), slope(0), slope(1));
-        case Op::Max:
-            return choose(b.less(y(), x()), slope(0), slope(1));
-        case Op::Select:
-            return choose(i.operands[0], slope(1), slope(2));
-        case Op::Atan2:
-            return atan2();
-        case Op::Pow:
-            return power();
-        default:
-            return slope(0) ? elementary(*slope(0)) : std::nullopt;
+        case Op::Min: return choose(b.less(x(), y()), slope(0), slope(1));
+        case Op::Max: return choose(b.less(y(), x()), slope(0), slope(1));
+        case Op::Select: return choose(i.operands[0], slope(1), slope(2));
+        case Op::Atan2: return atan2();
+        case Op::Pow: return power();
+        default: return slope(0) ? elementary(*slope(0)) : std::nullopt;
         }
     }
 
@@ -124,24 +109,15 @@ private:
         switch (i.op) {
         case Op::Sqrt:
             return choose(b.less(number(0), x()), b.div(dx, b.mul(number(2), result())), {});
-        case Op::Sin:
-            return b.mul(dx, b.unary(Op::Cos, x()));
-        case Op::Cos:
-            return b.neg(b.mul(dx, b.unary(Op::Sin, x())));
-        case Op::Tan:
-            return b.mul(dx, b.add(one, b.mul(result(), result())));
-        case Op::Asin:
-            return b.div(dx, complement());
-        case Op::Acos:
-            return b.neg(b.div(dx, complement()));
-        case Op::Atan:
-            return b.div(dx, b.add(one, b.mul(x(), x())));
-        case Op::Exp:
-            return b.mul(dx, result());
-        case Op::Log:
-            return b.div(dx, x());
-        default:
-            return std::nullopt; // Steps: floor and its like.
+        case Op::Sin: return b.mul(dx, b.unary(Op::Cos, x()));
+        case Op::Cos: return b.neg(b.mul(dx, b.unary(Op::Sin, x())));
+        case Op::Tan: return b.mul(dx, b.add(one, b.mul(result(), result())));
+        case Op::Asin: return b.div(dx, complement());
+        case Op::Acos: return b.neg(b.div(dx, complement()));
+        case Op::Atan: return b.div(dx, b.add(one, b.mul(x(), x())));
+        case Op::Exp: return b.mul(dx, result());
+        case Op::Log: return b.div(dx, x());
+        default: return std::nullopt; // Steps: floor and its like.
         }
     }
 
@@ -220,16 +196,13 @@ std::vector<ValueId> differentiableOperands(const Instruction &i) {
     case Op::Atan2:
     case Op::Exp:
     case Op::Log:
-    case Op::Pow:
-        return i.operands;
-    case Op::Select:
-        return {i.operands[1], i.operands[2]};
+    case Op::Pow: return i.operands;
+    case Op::Select: return {i.operands[1], i.operands[2]};
     case Op::Call:
         if (i.immediate < 0)
             return {};
         return {i.operands.begin(), i.operands.begin() + coordinatesOf(i.immediate)};
-    default:
-        return {};
+    default: return {};
     }
 }
 

@@ -14,8 +14,8 @@ Components derivative(Builder &b, const Components &values, int direction) {
     Components result;
     for (ValueId value : values) {
         result.push_back(b.newValue(Type::Float, Rate::Varying));
-        Instruction placeholder{.op = Op::Call, .operands = {value}, .results = {result.back()},
-                                .regions = {}};
+        Instruction placeholder{
+            .op = Op::Call, .operands = {value}, .results = {result.back()}, .regions = {}};
         placeholder.immediate = direction;
         placeholder.line = b.line();
         b.append(std::move(placeholder));
@@ -106,8 +106,7 @@ private:
     void readLoop(const Instruction &i) {
         const Region &body = i.regions[0];
         for (size_t k = 0; k < i.results.size(); ++k) {
-            const ValueId argument =
-                body.arguments[body.arguments.size() - i.results.size() + k];
+            const ValueId argument = body.arguments[body.arguments.size() - i.results.size() + k];
             const ValueId initial = i.operands[i.operands.size() - i.results.size() + k];
             sources_[argument] = {initial, body.yields[k]};
             sources_[i.results[k]] = {argument, initial, body.yields[k]};
@@ -196,8 +195,8 @@ private:
                 slopes_[i.results[0]][direction] =
                     b_.arrayLoad(shadow->second + direction, i.operands[0]);
         }
-        const bool wanted = std::any_of(i.results.begin(), i.results.end(),
-                                        [&](ValueId v) { return needs(v); });
+        const bool wanted =
+            std::any_of(i.results.begin(), i.results.end(), [&](ValueId v) { return needs(v); });
         if (wanted && i.op != Op::ArrayLoad)
             differentiate(b_, i, slopes_);
     }
@@ -239,8 +238,7 @@ private:
                 carried.push_back({k, direction});
                 const ValueId argument = b_.newValue(Type::Float, Rate::Varying);
                 const ValueId result = b_.newValue(Type::Float, Rate::Varying);
-                i.operands.push_back(
-                    orZero(slopes_[i.operands[firstInitial + k]][direction]));
+                i.operands.push_back(orZero(slopes_[i.operands[firstInitial + k]][direction]));
                 body.arguments.push_back(argument);
                 i.results.push_back(result);
                 slopes_[body.arguments[firstArgument + k]][direction] = argument;

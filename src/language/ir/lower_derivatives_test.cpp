@@ -68,10 +68,9 @@ void compareWithDifferences(const std::string &text, const std::string &before) 
     SCOPED_TRACE(text);
     const double h = 1.0 / 256;
     ShaderRun plain(surfaceWith("float", "float x = 0; " + text + " result = x;", before), 16 * 5);
-    ShaderRun slopes(surfaceWith("color",
-                                 "float x = 0; " + text + " result = color(Du(x), Dv(x), x);",
-                                 before),
-                     16);
+    ShaderRun slopes(
+        surfaceWith("color", "float x = 0; " + text + " result = color(Du(x), Dv(x), x);", before),
+        16);
     ASSERT_TRUE(plain.lowered && slopes.lowered)
         << plain.diagnostics.text() << slopes.diagnostics.text();
     for (int k = 0; k < 16; ++k) {
@@ -142,8 +141,9 @@ TEST(LowerDerivatives, Deriv) {
 }
 
 TEST(LowerDerivatives, OfDerivatives) {
-    EXPECT_NEAR(atPoint("float", "result = Du(Du(u * u * u)) + 10 * Dv(Du(u * v * v));", 0.5, 0.25)[0],
-                3 + 10 * 0.5, 1e-5);
+    EXPECT_NEAR(
+        atPoint("float", "result = Du(Du(u * u * u)) + 10 * Dv(Du(u * v * v));", 0.5, 0.25)[0],
+        3 + 10 * 0.5, 1e-5);
 }
 
 TEST(LowerDerivatives, OnlyWhatReachesAConsumer) {

@@ -25,16 +25,11 @@ ValueId compare(Lowering &lowering, const sl::Expr &expr) {
     const Components y = lowering.evaluate(*expr.operands[1]);
     const bool text = expr.operands[0]->type.base == sl::BaseType::String;
     switch (expr.op) {
-    case sl::BinaryOp::Less:
-        return b.less(x[0], y[0]);
-    case sl::BinaryOp::LessEqual:
-        return b.lessEqual(x[0], y[0]);
-    case sl::BinaryOp::Greater:
-        return b.less(y[0], x[0]);
-    case sl::BinaryOp::GreaterEqual:
-        return b.lessEqual(y[0], x[0]);
-    case sl::BinaryOp::Equal:
-        return compareComponents(b, x, y, text);
+    case sl::BinaryOp::Less: return b.less(x[0], y[0]);
+    case sl::BinaryOp::LessEqual: return b.lessEqual(x[0], y[0]);
+    case sl::BinaryOp::Greater: return b.less(y[0], x[0]);
+    case sl::BinaryOp::GreaterEqual: return b.lessEqual(y[0], x[0]);
+    case sl::BinaryOp::Equal: return compareComponents(b, x, y, text);
     default:
         if (x.size() == 1 && !text)
             return b.notEqual(x[0], y[0]);
@@ -58,7 +53,8 @@ ValueId shortCircuit(Lowering &lowering, const sl::Expr &expr) {
     if (isAnd)
         lowering.branch(left, right, [] {});
     else
-        lowering.branch(left, [] {}, right);
+        lowering.branch(
+            left, [] {}, right);
     return lowering.cells[result];
 }
 
@@ -90,8 +86,7 @@ Components conditional(Lowering &lowering, const sl::Expr &expr) {
 Components byComponents(Builder &b, Op op, const Components &x, const Components &y) {
     Components result;
     for (size_t i = 0; i < std::max(x.size(), y.size()); ++i)
-        result.push_back(
-            b.binary(op, x.size() == 1 ? x[0] : x[i], y.size() == 1 ? y[0] : y[i]));
+        result.push_back(b.binary(op, x.size() == 1 ? x[0] : x[i], y.size() == 1 ? y[0] : y[i]));
     return result;
 }
 
@@ -101,10 +96,8 @@ Components arithmetic(Lowering &lowering, const sl::Expr &expr) {
     const Components y = lowering.evaluate(*expr.operands[1]);
     const bool matrices = x.size() == 16 && y.size() == 16;
     switch (expr.op) {
-    case sl::BinaryOp::Dot:
-        return {b.dot(tripleOf(x), tripleOf(y))};
-    case sl::BinaryOp::Cross:
-        return componentsOf(b.cross(tripleOf(x), tripleOf(y)));
+    case sl::BinaryOp::Dot: return {b.dot(tripleOf(x), tripleOf(y))};
+    case sl::BinaryOp::Cross: return componentsOf(b.cross(tripleOf(x), tripleOf(y)));
     case sl::BinaryOp::Multiply:
         if (matrices)
             return componentsOf(multiply(b, matrixOf(x), matrixOf(y)));
@@ -113,10 +106,8 @@ Components arithmetic(Lowering &lowering, const sl::Expr &expr) {
         if (matrices)
             return componentsOf(multiply(b, matrixOf(x), inverse(b, matrixOf(y))));
         return byComponents(b, Op::Div, x, y);
-    case sl::BinaryOp::Add:
-        return byComponents(b, Op::Add, x, y);
-    default:
-        return byComponents(b, Op::Sub, x, y);
+    case sl::BinaryOp::Add: return byComponents(b, Op::Add, x, y);
+    default: return byComponents(b, Op::Sub, x, y);
     }
 }
 
@@ -224,20 +215,16 @@ Components Lowering::evaluate(const sl::Expr &expr) {
     if (isTruth(expr))
         return {b.unary(Op::FloatFromBool, condition(expr))};
     switch (expr.kind) {
-    case sl::ExprKind::Number:
-        return {b.number(float(expr.number))};
-    case sl::ExprKind::Text:
-        return {b.text(expr.text)};
+    case sl::ExprKind::Number: return {b.number(float(expr.number))};
+    case sl::ExprKind::Text: return {b.text(expr.text)};
     case sl::ExprKind::Tuple: {
         Components result;
         for (const sl::ExprPtr &operand : expr.operands)
             result.push_back(evaluateFloat(*operand));
         return result;
     }
-    case sl::ExprKind::Variable:
-        return load(storageOf(*expr.symbol));
-    case sl::ExprKind::Element:
-        return load(resolve(expr), expr.where);
+    case sl::ExprKind::Variable: return load(storageOf(*expr.symbol));
+    case sl::ExprKind::Element: return load(resolve(expr), expr.where);
     case sl::ExprKind::Component: {
         const Components value = evaluate(*expr.operands[0]);
         return {component(value, evaluateFloat(*expr.operands[1]))};
@@ -248,8 +235,7 @@ Components Lowering::evaluate(const sl::Expr &expr) {
             component = b.neg(component);
         return value;
     }
-    case sl::ExprKind::Conditional:
-        return conditional(*this, expr);
+    case sl::ExprKind::Conditional: return conditional(*this, expr);
     case sl::ExprKind::Assign: {
         const Target target = resolve(*expr.operands[0]);
         targetValues_.push_back(load(target, expr.where));
@@ -258,10 +244,8 @@ Components Lowering::evaluate(const sl::Expr &expr) {
         store(target, value, expr.where);
         return value;
     }
-    case sl::ExprKind::TargetValue:
-        return targetValues_.back();
-    case sl::ExprKind::Convert:
-        return convert(*this, expr);
+    case sl::ExprKind::TargetValue: return targetValues_.back();
+    case sl::ExprKind::Convert: return convert(*this, expr);
     case sl::ExprKind::FromSpace: {
         const Components value = evaluate(*expr.operands[0]);
         const ValueId name = evaluate(*expr.operands[1])[0];
@@ -269,12 +253,9 @@ Components Lowering::evaluate(const sl::Expr &expr) {
                          requiredText(name, expr.operands[1]->where, "the name of a space"),
                          expr.where);
     }
-    case sl::ExprKind::Call:
-        return call(expr);
-    case sl::ExprKind::Builtin:
-        return builtin(expr);
-    default:
-        return arithmetic(*this, expr);
+    case sl::ExprKind::Call: return call(expr);
+    case sl::ExprKind::Builtin: return builtin(expr);
+    default: return arithmetic(*this, expr);
     }
 }
 

@@ -72,14 +72,11 @@ private:
             for (const Region &region : i.regions)
                 visit(region);
             for (size_t k = 0; k < i.results.size(); ++k)
-                set(i.results[k], isSteady(i.operands[0])
-                                      ? merged(degree(i.regions[0].yields[k]),
-                                               degree(i.regions[1].yields[k]))
-                                      : Degree{Degree::Unknown, 0});
+                set(i.results[k], isSteady(i.operands[0]) ? merged(degree(i.regions[0].yields[k]),
+                                                                   degree(i.regions[1].yields[k]))
+                                                          : Degree{Degree::Unknown, 0});
             break;
-        case Op::Loop:
-            visitLoop(i);
-            break;
+        case Op::Loop: visitLoop(i); break;
         default:
             for (ValueId result : i.results)
                 set(result, plain(i));
@@ -88,9 +85,9 @@ private:
 
     void visitLoop(const Instruction &i) {
         const Region &body = i.regions[0];
-        const bool steady = isSteady(i.operands[0]) && (degree(body.arguments[0]).kind ==
-                                                            Degree::Undefined ||
-                                                        isSteady(body.arguments[0]));
+        const bool steady =
+            isSteady(i.operands[0]) &&
+            (degree(body.arguments[0]).kind == Degree::Undefined || isSteady(body.arguments[0]));
         for (size_t k = 0; k < i.results.size(); ++k) {
             const Degree d = merged(degree(i.operands[k]),
                                     body.yields.empty() ? Degree{} : degree(body.yields[k]));
@@ -140,15 +137,11 @@ private:
         case Op::Add:
         case Op::Sub:
         case Op::Min:
-        case Op::Max:
-            return sum(i);
+        case Op::Max: return sum(i);
         case Op::Neg:
-        case Op::Abs:
-            return degree(i.operands[0]);
-        case Op::Mul:
-            return product(i, 1);
-        case Op::Div:
-            return product(i, -1);
+        case Op::Abs: return degree(i.operands[0]);
+        case Op::Mul: return product(i, 1);
+        case Op::Div: return product(i, -1);
         case Op::Sqrt: {
             const Degree d = degree(i.operands[0]);
             return d.kind == Degree::Power ? power(d.power / 2) : d;
@@ -164,18 +157,14 @@ private:
         case Op::Select:
             if (zeroTests_.contains(i.operands[0])) // Guards a division; holds almost nowhere.
                 return degree(i.operands[2]);
-            return isSteady(i.operands[0])
-                       ? merged(degree(i.operands[1]), degree(i.operands[2]))
-                       : Degree{Degree::Unknown, 0};
-        case Op::Pow:
-            return raised(i);
+            return isSteady(i.operands[0]) ? merged(degree(i.operands[1]), degree(i.operands[2]))
+                                           : Degree{Degree::Unknown, 0};
+        case Op::Pow: return raised(i);
         case Op::ArrayLoad:
         case Op::Random:
         case Op::LightLoop:
-        case Op::Answer:
-            return {Degree::Unknown, 0};
-        default:
-            return steady(i);
+        case Op::Answer: return {Degree::Unknown, 0};
+        default: return steady(i);
         }
     }
 

@@ -33,9 +33,9 @@ Components componentsOf(const Matrix &);
 /// Where a variable lives.
 struct Storage {
     sl::BaseType base = sl::BaseType::Float;
-    int length = 0;   ///< 0 = a single value.
-    int cell = -1;    ///< Its first cell; -1 if it is memory.
-    int memory = -1;  ///< First of Function::arrays, one a component.
+    int length = 0;  ///< 0 = a single value.
+    int cell = -1;   ///< Its first cell; -1 if it is memory.
+    int memory = -1; ///< First of Function::arrays, one a component.
 };
 
 /// Something that can be assigned to, its indices evaluated.

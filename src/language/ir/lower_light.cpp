@@ -38,8 +38,7 @@ std::vector<ConeValues> evaluateCones(Lowering &lowering, const sl::LightArgumen
         values.exponent = lowering.evaluateFloat(*cone.exponent);
         values.importance = luminanceOf(b, lowering.evaluate(*cone.importance));
         const ValueId index = b.number(float(cones.size()));
-        values.importance =
-            b.select(b.less(index, count), values.importance, b.number(0));
+        values.importance = b.select(b.less(index, count), values.importance, b.number(0));
         cones.push_back(values);
     }
     if (const float *known = b.constantFloat(count)) {
@@ -119,8 +118,7 @@ void Lowering::lowerIlluminance(const sl::Stmt &statement) {
         for (const ConeValues &cone : evaluateCones(*this, light)) {
             ++request.coneCount;
             coneOperands.insert(coneOperands.end(), cone.axis.begin(), cone.axis.end());
-            coneOperands.insert(coneOperands.end(),
-                                {cone.angle, cone.exponent, cone.importance});
+            coneOperands.insert(coneOperands.end(), {cone.angle, cone.exponent, cone.importance});
         }
     }
 
@@ -174,15 +172,14 @@ Triple directionInCone(Builder &b, const Triple &axis, ValueId angle, ValueId xi
     if (const float *known = b.constantFloat(angle); known && *known <= 0)
         return centre;
     const ValueId one = b.number(1);
-    const ValueId turn = b.mul(b.number(2 * std::numbers::pi_v<float>),
-                               b.input(ShaderInput::lightSample, 1));
+    const ValueId turn =
+        b.mul(b.number(2 * std::numbers::pi_v<float>), b.input(ShaderInput::lightSample, 1));
     const ValueId cosine =
         b.sub(one, b.mul(xi, b.sub(one, b.unary(Op::Cos, b.max(angle, b.number(0))))));
     const ValueId sine = b.sqrt(b.sub(one, b.mul(cosine, cosine)));
     const auto [x, y] = frameAbout(b, centre);
-    return b.add(b.scale(centre, cosine),
-                 b.add(b.scale(x, b.mul(sine, b.unary(Op::Cos, turn))),
-                       b.scale(y, b.mul(sine, b.unary(Op::Sin, turn)))));
+    return b.add(b.scale(centre, cosine), b.add(b.scale(x, b.mul(sine, b.unary(Op::Cos, turn))),
+                                                b.scale(y, b.mul(sine, b.unary(Op::Sin, turn)))));
 }
 
 void openLight(Lowering &lowering, const Triple &L) {

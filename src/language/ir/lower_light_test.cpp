@@ -57,9 +57,8 @@ TEST(LowerLight, ExtendedCullsNothing) {
     EXPECT_EQ(request.coneCount, 2);
     run.setInput(ShaderInput::N, {0, 0, 5});
     run.setSamples(samples);
-    EXPECT_FLOAT_EQ(run.run().at("Ci")[0][0], sumOf([](Vec3 L, float Cl) {
-                        return std::max(0.0f, unit(L).z) * Cl;
-                    }));
+    EXPECT_FLOAT_EQ(run.run().at("Ci")[0][0],
+                    sumOf([](Vec3 L, float Cl) { return std::max(0.0f, unit(L).z) * Cl; }));
     // What the request says of its second cone: axis R, 60 degrees, 20, luminance of red.
     for (const Instruction &i : run.lowered->whole.body.body)
         if (i.op == Op::LightLoop) {
@@ -100,8 +99,7 @@ TEST(LowerLight, RunTimeConeCount) {
 
 TEST(LowerLight, JumpsInLoops) {
     EXPECT_FLOAT_EQ(redUnder("illuminance(P) { if (xcomp(L) > 0) break; Ci += Cl; }"), 1);
-    EXPECT_FLOAT_EQ(redUnder("illuminance(P) { if (xcomp(L) > 0) return; Ci += Cl; } Ci = 50;"),
-                    1);
+    EXPECT_FLOAT_EQ(redUnder("illuminance(P) { if (xcomp(L) > 0) return; Ci += Cl; } Ci = 50;"), 1);
     EXPECT_FLOAT_EQ(redUnder("float i; for (i = 0; i < 3; i += 1) { illuminance(P) { "
                              "if (ycomp(L) > 0) break 2; Ci += Cl; } Ci += 100; }"),
                     2);
@@ -165,15 +163,16 @@ TEST(LowerLight, PointLight) {
 }
 
 TEST(LowerLight, SpotLight) {
-    ShaderRun run("light spotlight(float intensity = 1; color lightcolor = 1;"
-                  "  point from = point \"shader\" (0,0,0); point to = point \"shader\" (0,0,1);"
-                  "  float coneangle = radians(30); float conedeltaangle = radians(5);"
-                  "  float beamdistribution = 2;) {"
-                  "  vector A = normalize(to - from); float outer = cos(coneangle);"
-                  "  float inner = cos(coneangle - conedeltaangle);"
-                  "  illuminate(from, A, coneangle) { float c = L . A / length(L);"
-                  "    float atten = pow(c, beamdistribution) / (L . L);"
-                  "    atten *= smoothstep(outer, inner, c); Cl = atten * intensity * lightcolor; } }");
+    ShaderRun run(
+        "light spotlight(float intensity = 1; color lightcolor = 1;"
+        "  point from = point \"shader\" (0,0,0); point to = point \"shader\" (0,0,1);"
+        "  float coneangle = radians(30); float conedeltaangle = radians(5);"
+        "  float beamdistribution = 2;) {"
+        "  vector A = normalize(to - from); float outer = cos(coneangle);"
+        "  float inner = cos(coneangle - conedeltaangle);"
+        "  illuminate(from, A, coneangle) { float c = L . A / length(L);"
+        "    float atten = pow(c, beamdistribution) / (L . L);"
+        "    atten *= smoothstep(outer, inner, c); Cl = atten * intensity * lightcolor; } }");
     ASSERT_TRUE(run.lowered) << run.diagnostics.text();
     EXPECT_TRUE(run.lowered->inverseSquare);
     run.setInput(ShaderInput::Ps, {0, 0, 2});

@@ -28,8 +28,7 @@ namespace {
 /// The 2x2 minors of rows (r, r+1), for column pairs 01 02 03 12 13 23: all that cofactors need.
 std::array<ValueId, 6> minors(Builder &b, const Matrix &m, int r) {
     const auto minor = [&](int i, int k) {
-        return b.sub(b.mul(m[r * 4 + i], m[r * 4 + 4 + k]),
-                     b.mul(m[r * 4 + k], m[r * 4 + 4 + i]));
+        return b.sub(b.mul(m[r * 4 + i], m[r * 4 + 4 + k]), b.mul(m[r * 4 + k], m[r * 4 + 4 + i]));
     };
     return {minor(0, 1), minor(0, 2), minor(0, 3), minor(1, 2), minor(1, 3), minor(2, 3)};
 }
@@ -54,28 +53,19 @@ Matrix inverse(Builder &b, const Matrix &m) {
     const auto s = minors(b, m, 0), c = minors(b, m, 2);
     const ValueId scale = b.div(b.number(1), determinantOf(b, s, c));
     // (x p - y q + z r), or its negative.
-    const auto cofactor = [&](bool positive, int x, ValueId p, int y, ValueId q, int z,
-                              ValueId r) {
-        const ValueId sum =
-            b.add(b.sub(b.mul(m[x], p), b.mul(m[y], q)), b.mul(m[z], r));
+    const auto cofactor = [&](bool positive, int x, ValueId p, int y, ValueId q, int z, ValueId r) {
+        const ValueId sum = b.add(b.sub(b.mul(m[x], p), b.mul(m[y], q)), b.mul(m[z], r));
         return b.mul(positive ? sum : b.neg(sum), scale);
     };
-    return {cofactor(true, 5, c[5], 6, c[4], 7, c[3]),
-            cofactor(false, 1, c[5], 2, c[4], 3, c[3]),
-            cofactor(true, 13, s[5], 14, s[4], 15, s[3]),
-            cofactor(false, 9, s[5], 10, s[4], 11, s[3]),
-            cofactor(false, 4, c[5], 6, c[2], 7, c[1]),
-            cofactor(true, 0, c[5], 2, c[2], 3, c[1]),
-            cofactor(false, 12, s[5], 14, s[2], 15, s[1]),
-            cofactor(true, 8, s[5], 10, s[2], 11, s[1]),
-            cofactor(true, 4, c[4], 5, c[2], 7, c[0]),
-            cofactor(false, 0, c[4], 1, c[2], 3, c[0]),
-            cofactor(true, 12, s[4], 13, s[2], 15, s[0]),
-            cofactor(false, 8, s[4], 9, s[2], 11, s[0]),
-            cofactor(false, 4, c[3], 5, c[1], 6, c[0]),
-            cofactor(true, 0, c[3], 1, c[1], 2, c[0]),
-            cofactor(false, 12, s[3], 13, s[1], 14, s[0]),
-            cofactor(true, 8, s[3], 9, s[1], 10, s[0])};
+    return {
+        cofactor(true, 5, c[5], 6, c[4], 7, c[3]),     cofactor(false, 1, c[5], 2, c[4], 3, c[3]),
+        cofactor(true, 13, s[5], 14, s[4], 15, s[3]),  cofactor(false, 9, s[5], 10, s[4], 11, s[3]),
+        cofactor(false, 4, c[5], 6, c[2], 7, c[1]),    cofactor(true, 0, c[5], 2, c[2], 3, c[1]),
+        cofactor(false, 12, s[5], 14, s[2], 15, s[1]), cofactor(true, 8, s[5], 10, s[2], 11, s[1]),
+        cofactor(true, 4, c[4], 5, c[2], 7, c[0]),     cofactor(false, 0, c[4], 1, c[2], 3, c[0]),
+        cofactor(true, 12, s[4], 13, s[2], 15, s[0]),  cofactor(false, 8, s[4], 9, s[2], 11, s[0]),
+        cofactor(false, 4, c[3], 5, c[1], 6, c[0]),    cofactor(true, 0, c[3], 1, c[1], 2, c[0]),
+        cofactor(false, 12, s[3], 13, s[1], 14, s[0]), cofactor(true, 8, s[3], 9, s[1], 10, s[0])};
 }
 
 namespace {
@@ -102,14 +92,10 @@ Components scaleBuiltin(BuiltinCall &call) {
 
 BuiltinLowering matrixBuiltin(sl::BuiltinId id) {
     switch (id) {
-    case sl::BuiltinId::determinant:
-        return determinantBuiltin;
-    case sl::BuiltinId::translate:
-        return translateBuiltin;
-    case sl::BuiltinId::scale:
-        return scaleBuiltin;
-    default:
-        return nullptr;
+    case sl::BuiltinId::determinant: return determinantBuiltin;
+    case sl::BuiltinId::translate: return translateBuiltin;
+    case sl::BuiltinId::scale: return scaleBuiltin;
+    default: return nullptr;
     }
 }
 

@@ -122,20 +122,11 @@ protected:
         case sl::StmtKind::Loop:
         case sl::StmtKind::Illuminance:
         case sl::StmtKind::Illuminate:
-        case sl::StmtKind::Solar:
-            inner_.insert(&statement);
-            break;
-        case sl::StmtKind::Break:
-            addOnce(effects_.breaks, statement.target);
-            break;
-        case sl::StmtKind::Continue:
-            addOnce(effects_.continues, statement.target);
-            break;
-        case sl::StmtKind::Return:
-            effects_.returns = true;
-            break;
-        default:
-            break;
+        case sl::StmtKind::Solar: inner_.insert(&statement); break;
+        case sl::StmtKind::Break: addOnce(effects_.breaks, statement.target); break;
+        case sl::StmtKind::Continue: addOnce(effects_.continues, statement.target); break;
+        case sl::StmtKind::Return: effects_.returns = true; break;
+        default: break;
         }
     }
 
@@ -188,8 +179,7 @@ protected:
         } else if (expr.kind == sl::ExprKind::Call) {
             for (size_t i = 0; i < expr.operands.size(); ++i)
                 if (expr.operands[i]->type.isArray())
-                    passings.push_back(
-                        {rootSymbol(*expr.operands[i]), expr.function->formals[i]});
+                    passings.push_back({rootSymbol(*expr.operands[i]), expr.function->formals[i]});
         }
     }
 };

@@ -39,8 +39,10 @@ TEST(LowerSlice, LobesOfBuiltinLoops) {
     run.setInput(ShaderInput::I, {0, 0.6f, -0.8f});
     run.setInput(ShaderInput::Cs, {1, 1, 1});
     run.setInput(ShaderInput::Os, {1, 1, 1});
-    const auto planes = run.batch->run(
-        prepare, [](const Function &function, const ShaderArgs &args) { interpret(function, args); });
+    const auto planes =
+        run.batch->run(prepare, [](const Function &function, const ShaderArgs &args) {
+            interpret(function, args);
+        });
     std::map<std::string, float> stated;
     for (size_t i = 0; i < planes.size(); ++i)
         stated[prepare.outputs[i].name + "." + std::to_string(prepare.outputs[i].component)] =

@@ -37,12 +37,9 @@ namespace {
 Triple transformBy(Builder &b, sl::BaseType base, const Triple &value, const Matrix &m,
                    const Matrix &inverseOfM) {
     switch (base) {
-    case sl::BaseType::Point:
-        return b.transformPoint(m, value);
-    case sl::BaseType::Normal:
-        return b.transformNormal(inverseOfM, value);
-    default:
-        return b.transformVector(m, value);
+    case sl::BaseType::Point: return b.transformPoint(m, value);
+    case sl::BaseType::Normal: return b.transformNormal(inverseOfM, value);
+    default: return b.transformVector(m, value);
     }
 }
 
@@ -99,16 +96,15 @@ Components depthBuiltin(BuiltinCall &call) {
 
 } // namespace
 
-Components Lowering::fromSpace(sl::BaseType base, const Components &value,
-                               const std::string &name, const sl::Place &where) {
+Components Lowering::fromSpace(sl::BaseType base, const Components &value, const std::string &name,
+                               const sl::Place &where) {
     if (base == sl::BaseType::Color)
         return convertColor(*this, value, name, "rgb", where);
     const auto source = space(name, where);
     if (!source)
         return value;
     if (base == sl::BaseType::Matrix)
-        return componentsOf(
-            conjugate(b, source->fromCurrent, matrixOf(value), source->toCurrent));
+        return componentsOf(conjugate(b, source->fromCurrent, matrixOf(value), source->toCurrent));
     return componentsOf(
         transformBy(b, base, tripleOf(value), source->toCurrent, source->fromCurrent));
 }
@@ -117,14 +113,10 @@ BuiltinLowering spaceBuiltin(sl::BuiltinId id) {
     switch (id) {
     case sl::BuiltinId::transform:
     case sl::BuiltinId::vtransform:
-    case sl::BuiltinId::ntransform:
-        return transformBuiltin;
-    case sl::BuiltinId::mtransform:
-        return mtransformBuiltin;
-    case sl::BuiltinId::depth:
-        return depthBuiltin;
-    default:
-        return nullptr;
+    case sl::BuiltinId::ntransform: return transformBuiltin;
+    case sl::BuiltinId::mtransform: return mtransformBuiltin;
+    case sl::BuiltinId::depth: return depthBuiltin;
+    default: return nullptr;
     }
 }
 

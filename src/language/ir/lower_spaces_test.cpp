@@ -55,11 +55,13 @@ TEST(LowerSpaces, TransformFunctions) {
                transformPoint(*inverse(worldMatrix), p));
     expectNear(inSpaces("point", "result = transform(\"world\", \"object\", point(0.5, -2, 3));"),
                transformPoint(worldMatrix * *inverse(objectMatrix), p));
-    expectNear(inSpaces("vector", "result = vtransform(\"shader\", \"current\", vector(0.5, -2, 3));"),
-               transformVector(shaderMatrix, p));
+    expectNear(
+        inSpaces("vector", "result = vtransform(\"shader\", \"current\", vector(0.5, -2, 3));"),
+        transformVector(shaderMatrix, p));
     expectNear(inSpaces("normal", "result = ntransform(\"world\", normal(0.5, -2, 3));"),
                transformNormal(worldMatrix, p));
-    expectNear(inSpaces("point", "result = transform(\"world\", \"world\", point(0.5, -2, 3));"), p);
+    expectNear(inSpaces("point", "result = transform(\"world\", \"world\", point(0.5, -2, 3));"),
+               p);
 }
 
 TEST(LowerSpaces, TransformByMatrices) {
@@ -69,9 +71,9 @@ TEST(LowerSpaces, TransformByMatrices) {
                transformPoint(matrix, p));
     expectNear(inSpaces("normal", std::string(m) + "result = ntransform(m, normal(0.5, -2, 3));"),
                transformNormal(*inverse(matrix), p));
-    expectNear(inSpaces("point", std::string(m) +
-                                     "result = transform(\"world\", m, point(0.5, -2, 3));"),
-               transformPoint(worldMatrix * matrix, p));
+    expectNear(
+        inSpaces("point", std::string(m) + "result = transform(\"world\", m, point(0.5, -2, 3));"),
+        transformPoint(worldMatrix * matrix, p));
 }
 
 /// A projection divides by w.
@@ -83,8 +85,9 @@ TEST(LowerSpaces, HomogeneousDivide) {
 
 TEST(LowerSpaces, MatricesActTheSameElsewhere) {
     // M in world space, applied in current space, is: to world, M, and back.
-    expectNear(inSpaces("point", "matrix m = matrix \"world\" (2,0,0,0, 0,1,0,0, 0,0,1,0, 0,1,0,1); "
-                                 "result = transform(m, point \"world\" (1, 1, 1));"),
+    expectNear(inSpaces("point",
+                        "matrix m = matrix \"world\" (2,0,0,0, 0,1,0,0, 0,0,1,0, 0,1,0,1); "
+                        "result = transform(m, point \"world\" (1, 1, 1));"),
                transformPoint(worldMatrix, {2, 2, 1}));
     const auto back = inSpaces("matrix", "matrix m = matrix(2,0,0,0, 0,1,0,0, 0,0,1,0, 0,1,0,1); "
                                          "result = mtransform(\"object\", \"current\", "

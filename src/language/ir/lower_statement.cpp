@@ -7,8 +7,7 @@ namespace {
 void jump(Lowering &lowering, const sl::Stmt &statement) {
     for (const OpenLoop &loop : lowering.frames.back().loops)
         if (loop.statement == statement.target)
-            lowering.cells[statement.kind == sl::StmtKind::Break ? loop.broken
-                                                                 : loop.continued] =
+            lowering.cells[statement.kind == sl::StmtKind::Break ? loop.broken : loop.continued] =
                 lowering.b.boolean(true);
 }
 
@@ -47,40 +46,22 @@ void Lowering::lower(const std::vector<sl::StmtPtr> &list, size_t first) {
 void Lowering::lower(const sl::Stmt &statement) {
     b.setLine(statement.where.line);
     switch (statement.kind) {
-    case sl::StmtKind::Block:
-        lower(statement.body);
-        break;
-    case sl::StmtKind::Declare:
-        declareLocal(*this, statement);
-        break;
-    case sl::StmtKind::Evaluate:
-        evaluate(*statement.value);
-        break;
+    case sl::StmtKind::Block: lower(statement.body); break;
+    case sl::StmtKind::Declare: declareLocal(*this, statement); break;
+    case sl::StmtKind::Evaluate: evaluate(*statement.value); break;
     case sl::StmtKind::If: {
         const ValueId decision = condition(*statement.value);
         branch(
             decision, [&] { lower(statement.body); }, [&] { lower(statement.otherwise); });
         break;
     }
-    case sl::StmtKind::Loop:
-        lowerLoop(statement);
-        break;
+    case sl::StmtKind::Loop: lowerLoop(statement); break;
     case sl::StmtKind::Break:
-    case sl::StmtKind::Continue:
-        jump(*this, statement);
-        break;
-    case sl::StmtKind::Return:
-        returnFrom(*this, statement);
-        break;
-    case sl::StmtKind::Illuminance:
-        lowerIlluminance(statement);
-        break;
-    case sl::StmtKind::Illuminate:
-        lowerIlluminate(statement);
-        break;
-    case sl::StmtKind::Solar:
-        lowerSolar(statement);
-        break;
+    case sl::StmtKind::Continue: jump(*this, statement); break;
+    case sl::StmtKind::Return: returnFrom(*this, statement); break;
+    case sl::StmtKind::Illuminance: lowerIlluminance(statement); break;
+    case sl::StmtKind::Illuminate: lowerIlluminate(statement); break;
+    case sl::StmtKind::Solar: lowerSolar(statement); break;
     }
 }
 

@@ -101,9 +101,8 @@ TEST(Lower, DefaultsMustBeConstant) {
 }
 
 TEST(Lower, StringsAreFolded) {
-    const std::string source =
-        "surface test(string mode = \"a\"; uniform float k = 2;) "
-        "{ if (mode == \"b\") Ci = k; else Ci = 1; }";
+    const std::string source = "surface test(string mode = \"a\"; uniform float k = 2;) "
+                               "{ if (mode == \"b\") Ci = k; else Ci = 1; }";
     ShaderRun plain(source), given(source, 5, {{"mode", {"b"}}});
     ASSERT_TRUE(plain.lowered && given.lowered);
     EXPECT_EQ(plain.run().at("Ci")[0][0], 1);

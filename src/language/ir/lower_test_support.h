@@ -77,9 +77,10 @@ public:
 
     /// Planes by "name" of an output, one a component.
     std::map<std::string, std::vector<Plane>> run() {
-        const auto planes = batch->run(
-            lowered->whole,
-            [](const Function &function, const ShaderArgs &args) { interpret(function, args); });
+        const auto planes =
+            batch->run(lowered->whole, [](const Function &function, const ShaderArgs &args) {
+                interpret(function, args);
+            });
         std::map<std::string, std::vector<Plane>> result;
         for (size_t i = 0; i < planes.size(); ++i)
             result[lowered->whole.outputs[i].name].push_back(planes[i]);
@@ -102,8 +103,7 @@ inline std::string surfaceWith(const std::string &type, const std::string &body,
 }
 
 /// The numbers that a body gives at each point.
-inline std::vector<ShaderRun::Plane> evaluateBody(const std::string &type,
-                                                  const std::string &body,
+inline std::vector<ShaderRun::Plane> evaluateBody(const std::string &type, const std::string &body,
                                                   const std::string &before = "") {
     ShaderRun run(surfaceWith(type, body, before));
     EXPECT_TRUE(run.lowered) << body << "\n" << run.diagnostics.text();

@@ -45,9 +45,9 @@ struct ConeSlot {
 /// What is known of a surface shader without running it.
 struct SurfaceFacts {
     std::vector<ConeSlot> cones;
-    bool hasLoops = false;     ///< Any light loop, diffuse(), specular() and phong() included.
-    bool readsAmbient = false; ///< ambient() or irradiance() reaches Ci.
-    bool emits = false;        ///< Ce is not provably zero.
+    bool hasLoops = false;      ///< Any light loop, diffuse(), specular() and phong() included.
+    bool readsAmbient = false;  ///< ambient() or irradiance() reaches Ci.
+    bool emits = false;         ///< Ce is not provably zero.
     bool opaqueIfOsIs1 = false; ///< Oi is provably Os (or 1).
     bool affine = true;         ///< Ci is affine in the light, channel by channel.
     int notAffineLine = 0;      ///< The line that makes it not so.

@@ -79,9 +79,9 @@ double ConeLobe::rimTau(double xi) const {
         return -scale * (e + 1) / c * std::expm1(e * std::log1p(x));
     };
     double low = 0, high = delta_;
-    double tau = std::min(
-        -std::expm1(std::log1p(-xi * (1 - std::exp((e + 1) * logCosine_))) / (e + 1)),
-        delta_ * (1 - std::sqrt(1 - xi)));
+    double tau =
+        std::min(-std::expm1(std::log1p(-xi * (1 - std::exp((e + 1) * logCosine_))) / (e + 1)),
+                 delta_ * (1 - std::sqrt(1 - xi)));
     const double root = std::pow(target, 1 / k);
     for (int iteration = 0; iteration < 40; ++iteration) {
         double s = share(tau);

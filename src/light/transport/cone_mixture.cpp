@@ -97,9 +97,8 @@ CANDELA_HOT void takeDefensiveLobes(int count, const float *__restrict u,
                                     const float *__restrict low, const float *__restrict full,
                                     const float *__restrict nx, const float *__restrict ny,
                                     const float *__restrict nz, float *__restrict x,
-                                    float *__restrict y, float *__restrict z,
-                                    float *__restrict xi, float *__restrict angle,
-                                    float *__restrict exponent) {
+                                    float *__restrict y, float *__restrict z, float *__restrict xi,
+                                    float *__restrict angle, float *__restrict exponent) {
     for (int i = 0; i < count; ++i) {
         bool take = u[i] >= low[i];
         float rest = std::min((u[i] - low[i]) / (1 - low[i]), 0x1.fffffep-1f);
@@ -254,8 +253,7 @@ void ConeMixture::lobeHeights() {
 }
 
 void ConeMixture::pdf(const ConstVec3Planes &w, float *pdf) {
-    defensivePdf(count_, facing_[0], facing_[1], facing_[2], fullSphere_[0], w[0], w[1], w[2],
-                 pdf);
+    defensivePdf(count_, facing_[0], facing_[1], facing_[2], fullSphere_[0], w[0], w[1], w[2], pdf);
     for (int k = 0; k < coneCount_; ++k) {
         const Cone &cone = cones_[k];
         if (cone.simple) {
@@ -268,8 +266,8 @@ void ConeMixture::pdf(const ConstVec3Planes &w, float *pdf) {
                 continue;
             double mu = double(cone.axis(0)[i]) * w[0][i] + double(cone.axis(1)[i]) * w[1][i] +
                         double(cone.axis(2)[i]) * w[2][i];
-            pdf[i] += cone.share()[i] *
-                      float(ConeLobe(cone.angle()[i], cone.exponent()[i]).pdf(mu));
+            pdf[i] +=
+                cone.share()[i] * float(ConeLobe(cone.angle()[i], cone.exponent()[i]).pdf(mu));
         }
     }
 }

@@ -16,8 +16,8 @@ using MutableVec3Planes = std::array<float *, 3>;
 
 /// What a shader states of one cone for a batch: planes as Prepare writes them.
 struct ConePlanes {
-    ConstVec3Planes axis{};            ///< Any length.
-    const float *angle = nullptr;      ///< Full opening angle, degrees.
+    ConstVec3Planes axis{};       ///< Any length.
+    const float *angle = nullptr; ///< Full opening angle, degrees.
     const float *exponent = nullptr;
     const float *importance = nullptr; ///< 0 where the cone is absent.
     /// Angle of the first cone of the same request: <= 0 makes the whole request a delta one.
@@ -46,7 +46,7 @@ private:
     struct Cone {
         explicit Cone(int capacity) : planes(6, capacity) {}
         float *axis(int c) const { return planes[c]; }
-        float *share() const { return planes[3]; }    ///< Of all of the mixture.
+        float *share() const { return planes[3]; } ///< Of all of the mixture.
         float *angle() const { return planes[4]; }
         float *exponent() const { return planes[5]; }
         Planes<float> planes;

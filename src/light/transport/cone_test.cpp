@@ -40,8 +40,11 @@ TEST(ConeLobe, pdfIntegratesToOne) { // I7
 }
 
 TEST(ConeLobe, peakAndMeanCosine) { // I7
-    for (auto [alpha, e, peak] : {std::tuple{30., 1., 2.375897}, {30., 2., 2.434152},
-                                  {60., 1., .636620}, {60., 10., 1.759303}, {10., 50., 23.912973}})
+    for (auto [alpha, e, peak] : {std::tuple{30., 1., 2.375897},
+                                  {30., 2., 2.434152},
+                                  {60., 1., .636620},
+                                  {60., 10., 1.759303},
+                                  {10., 50., 23.912973}})
         EXPECT_NEAR(ConeLobe(2 * alpha, e).pdf(1), peak, 1e-6);
     for (auto [alpha, e, mean] :
          {std::tuple{30., 1., .955342}, {60., 1., 5 / 6.}, {60., 10., .917792}}) {

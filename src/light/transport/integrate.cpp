@@ -85,8 +85,7 @@ void deliver(const PathWave &wave, const std::array<int, 4> &crop, int planes, S
 void integrate(const Scene &scene, const IntegratorSettings &settings,
                const PixelFilterSampler &filter, SampleSink &sink, TransportStatistics &statistics,
                DiagnosticSink &diagnostics) {
-    const std::vector<Tile> tiles =
-        tilesOver(settings.crop, tileSize(settings.samplesPerPixel));
+    const std::vector<Tile> tiles = tilesOver(settings.crop, tileSize(settings.samplesPerPixel));
     const int planes = int(firstHitPlanes(sink.channels()).size());
     NonFiniteReporter nonFinite(statistics, diagnostics);
     std::atomic<std::size_t> next{0}, done{0};

@@ -19,9 +19,9 @@ struct IntegratorSettings {
     IntegratorKind kind = IntegratorKind::Path;
     int samplesPerPixel = 4;
     std::uint32_t seed = 0;
-    int maxDepth = 64;            ///< Reflections and refractions along a path.
-    bool hemisphereOnly = false;  ///< --sampling hemisphere: ignore the shaders' cones.
-    std::array<int, 4> crop{};    ///< x0, x1, y0, y1: the pixels to render.
+    int maxDepth = 64;           ///< Reflections and refractions along a path.
+    bool hemisphereOnly = false; ///< --sampling hemisphere: ignore the shaders' cones.
+    std::array<int, 4> crop{};   ///< x0, x1, y0, y1: the pixels to render.
     /// Called after each tile, from any thread, with the share done in [0,1].
     std::function<void(double)> progress;
 };

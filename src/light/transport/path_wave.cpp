@@ -114,8 +114,8 @@ PathWave::PathWave(const Scene &scene, const IntegratorSettings &settings,
                                            : std::vector<FirstHitPlane>()),
       statistics_(statistics), nonFinite_(nonFinite), purpose_(purpose),
       results_(capacity, int(firstHit_.size())), active_(capacity), next_(capacity),
-      hits_(capacity), order_(capacity), hitMask_(capacity), binStart_(scene.codeCount() + 1), vertices_(chunk),
-      mixture_(chunk), events_(chunk), direct_(chunk), classic_(chunk),
+      hits_(capacity), order_(capacity), hitMask_(capacity), binStart_(scene.codeCount() + 1),
+      vertices_(chunk), mixture_(chunk), events_(chunk), direct_(chunk), classic_(chunk),
       state_(2 * colorSamples + 2, chunk), stateIntegers_(6, chunk), keys_(2, chunk),
       random_(2 * vertexPairs, chunk), answers_(3 * colorSamples, chunk), scratch_(8, chunk) {}
 

@@ -25,8 +25,7 @@ CANDELA_HOT void addTransmission(int count, const float *__restrict opacity, flo
 
 /// Where the finite lobes are all there is.
 CANDELA_HOT void followFiniteLobes(int count, const float *__restrict total,
-                                   std::int32_t *__restrict event,
-                                   float *__restrict probability,
+                                   std::int32_t *__restrict event, float *__restrict probability,
                                    float *__restrict finiteProbability) {
     for (int i = 0; i < count; ++i) {
         bool goesOn = total[i] > 0;
@@ -56,8 +55,7 @@ void ScatteringEvents::look(const SurfaceVertices &vertices) {
         addTransmission(count, vertices.Oi(c), luminanceWeights[c], transmission_[0]);
 }
 
-void ScatteringEvents::choose(SurfaceVertices &vertices, const float *finiteTotal,
-                              const float *u) {
+void ScatteringEvents::choose(SurfaceVertices &vertices, const float *finiteTotal, const float *u) {
     const int count = vertices.count();
     if (!needsChoice()) {
         followFiniteLobes(count, finiteTotal, events_[0], floats_[0], floats_[1]);

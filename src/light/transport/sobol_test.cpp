@@ -54,7 +54,8 @@ TEST(Sobol, pairsAreUncorrelated) {
     double sum = 0;
     const int n = 20000;
     for (int key = 0; key < n; ++key) {
-        Points a = pointsOf(1, pixelKey(key, 0, 1), 0, 3), b = pointsOf(1, pixelKey(key, 0, 1), 1, 3);
+        Points a = pointsOf(1, pixelKey(key, 0, 1), 0, 3),
+               b = pointsOf(1, pixelKey(key, 0, 1), 1, 3);
         sum += (a.x[0] - 0.5) * (b.x[0] - 0.5);
     }
     EXPECT_LT(std::fabs(sum / n), 4 / 12.0 / std::sqrt(n));

@@ -51,16 +51,16 @@ void reserve(Planes<float> &planes, int count, int lanes) {
 } // namespace
 
 SurfaceVertices::SurfaceVertices(int capacity)
-    : points(capacity), capacity_(paddedLanes(capacity)), facing_(3, capacity),
-      step_(1, capacity) {}
+    : points(capacity), capacity_(paddedLanes(capacity)), facing_(3, capacity), step_(1, capacity) {
+}
 
 ConstVec3Planes SurfaceVertices::input(ShaderInput first) {
     int at = int(first);
     return {points.input(at), points.input(at + 1), points.input(at + 2)};
 }
 
-void SurfaceVertices::meet(const Scene &scene, int code, const RayBatch &rays,
-                           const HitBatch &hits, const int *order, int count) {
+void SurfaceVertices::meet(const Scene &scene, int code, const RayBatch &rays, const HitBatch &hits,
+                           const int *order, int count) {
     scene_ = &scene;
     codeIndex_ = code;
     code_ = &scene.code(code);
@@ -72,8 +72,7 @@ void SurfaceVertices::meet(const Scene &scene, int code, const RayBatch &rays,
 void SurfaceVertices::rayOrigins(const ConstVec3Planes &d, const MutableVec3Planes &origin) {
     ConstVec3Planes from = P();
     float *step = step_[0];
-    offsetAlong(count(), facing_[0], facing_[1], facing_[2], d[0], d[1], d[2], points.offset,
-                step);
+    offsetAlong(count(), facing_[0], facing_[1], facing_[2], d[0], d[1], d[2], points.offset, step);
     for (int c = 0; c < 3; ++c)
         stepFrom(count(), from[c], facing_[c], step, origin[c]);
 }

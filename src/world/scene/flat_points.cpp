@@ -147,8 +147,8 @@ void FlatTable::evaluate(const SceneState &state, const TrianglePoints &points,
     }
     std::copy_n(points.primitive, count, out.objectIndex);
     std::copy_n(points.primitive, count, out.primitive);
-    addRounding(count, {plane(ShaderInput::P, 0), plane(ShaderInput::P, 1),
-                        plane(ShaderInput::P, 2)},
+    addRounding(count,
+                {plane(ShaderInput::P, 0), plane(ShaderInput::P, 1), plane(ShaderInput::P, 2)},
                 roundingShare, out.offset);
 }
 

@@ -38,7 +38,7 @@ public:
 private:
     bool takePrimitive(const SceneState &, std::uint32_t primitive);
 
-    std::vector<float> rows_;    ///< A row a triangle.
+    std::vector<float> rows_;   ///< A row a triangle.
     std::vector<int> firstRow_; ///< Of each primitive.
 };
 

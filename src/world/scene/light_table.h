@@ -59,7 +59,7 @@ struct LightTable {
     std::vector<double> cumulative; ///< Over lights that can be sampled (the others' share is 0).
     std::vector<int> ambient;       ///< Indices of the ambient lights.
     int batches = 0;
-    int only = -1; ///< The index of the light, if there is but one to sample.
+    int only = -1;                  ///< The index of the light, if there is but one to sample.
     std::vector<std::uint8_t> isOn; ///< [lightSet * (lights + 1) + index + 1].
 
     bool any() const { return !cumulative.empty() && cumulative.back() > 0; }

@@ -22,9 +22,9 @@ struct ChannelInfo {
 /// belongs to the one pixel it was drawn for, with the weight (and sign) of the pixel filter.
 struct SampleBatch {
     int count = 0;
-    const int *x = nullptr, *y = nullptr;  ///< Pixel, absolute raster coordinates.
-    const int *sampleIndex = nullptr;      ///< Even and odd ones fill the two half buffers.
-    const float *weight = nullptr;         ///< Filter weight, of mean 1 over a pixel.
+    const int *x = nullptr, *y = nullptr; ///< Pixel, absolute raster coordinates.
+    const int *sampleIndex = nullptr;     ///< Even and odd ones fill the two half buffers.
+    const float *weight = nullptr;        ///< Filter weight, of mean 1 over a pixel.
     /// Plane per component, channels in the order of SampleSink::channels().
     const float *const *values = nullptr;
 };

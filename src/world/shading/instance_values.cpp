@@ -77,8 +77,7 @@ std::optional<std::vector<float>> givenValues(const ir::LoweredShader &shader,
         diagnostics.error(record.parameters.where,
                           "parameter \"" + parameter.name + "\" of shader \"" + shader.name +
                               "\" is a " + parameter.type + ", but a " +
-                              typeName(given->declaration.type) +
-                              " is given: its default is used");
+                              typeName(given->declaration.type) + " is given: its default is used");
         return std::nullopt;
     }
     std::vector<float> values = given->floats;
@@ -90,13 +89,13 @@ std::optional<std::vector<float>> givenValues(const ir::LoweredShader &shader,
 void reportUnknown(const ir::LoweredShader &shader, const ShaderRecord &record,
                    DiagnosticSink &diagnostics) {
     for (const Parameter &given : record.parameters.all) {
-        bool known = std::ranges::any_of(
-            shader.parameters, [&](const auto &p) { return p.name == given.name; });
+        bool known = std::ranges::any_of(shader.parameters,
+                                         [&](const auto &p) { return p.name == given.name; });
         // Lights may carry parameters for the renderer (RI 3.2: __category and its kin).
         if (!known && !given.name.starts_with("__"))
             diagnostics.warning(record.parameters.where, "shader \"" + shader.name +
-                                                             "\" has no parameter \"" +
-                                                             given.name + "\": it is ignored");
+                                                             "\" has no parameter \"" + given.name +
+                                                             "\": it is ignored");
     }
 }
 
@@ -119,8 +118,7 @@ std::vector<float> parameterBlock(const ir::LoweredShader &shader, const ShaderR
         auto given = givenValues(shader, parameter, record, diagnostics);
         std::vector<float> standing = defaultValues(parameter, record, options);
         if (given)
-            std::copy_n(given->begin(), std::min(given->size(), standing.size()),
-                        standing.begin());
+            std::copy_n(given->begin(), std::min(given->size(), standing.size()), standing.begin());
         values[parameter.name] = std::move(standing);
     }
     Matrix4 currentFromShader = record.currentFromShader.atOpen();

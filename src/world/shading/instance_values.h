@@ -16,7 +16,7 @@ std::vector<ir::StringValue> stringValues(const ShaderRecord &);
 
 /// The instance's parameter block: a float for each of shader.whole.parameters. Values of the
 /// wrong type and parameters that the shader doesn't have are reported; defaults stand in.
-std::vector<float> parameterBlock(const ir::LoweredShader &, const ShaderRecord &,
-                                  const Options &, DiagnosticSink &);
+std::vector<float> parameterBlock(const ir::LoweredShader &, const ShaderRecord &, const Options &,
+                                  DiagnosticSink &);
 
 } // namespace candela

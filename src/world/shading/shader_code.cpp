@@ -57,8 +57,7 @@ void ShaderCode::bindSpaces(const std::map<std::string, Matrix4> &systems,
             diagnostics.warning({}, "shader \"" + name() + "\" asks for the coordinate system \"" +
                                         names[i] +
                                         "\", which the scene does not define: taking \"current\"");
-        storeMatrices(found == systems.end() ? Matrix4{} : found->second,
-                      spaceMatrices_[i].data());
+        storeMatrices(found == systems.end() ? Matrix4{} : found->second, spaceMatrices_[i].data());
         spaces_.push_back(spaceMatrices_[i].data());
     }
 }

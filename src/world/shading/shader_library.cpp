@@ -71,9 +71,10 @@ ShaderLibrary::parametersOf(ShaderKind kind, const std::string &name, const Opti
     return types;
 }
 
-const ir::LoweredShader *
-ShaderLibrary::State::lowerOnce(const sl::TypedShader &shader, const ShaderRecord &record,
-                                const std::set<std::string> &variables, std::string &key) {
+const ir::LoweredShader *ShaderLibrary::State::lowerOnce(const sl::TypedShader &shader,
+                                                         const ShaderRecord &record,
+                                                         const std::set<std::string> &variables,
+                                                         std::string &key) {
     addToKey(key, *shader.where.location().file + ":" + shader.name);
     std::vector<ir::StringValue> strings;
     for (ir::StringValue &value : stringValues(record))

@@ -23,9 +23,7 @@ sl::ShaderKind languageKind(ShaderKind kind) {
     return sl::ShaderKind::Surface;
 }
 
-std::string lastPart(const std::string &name) {
-    return name.substr(name.find_last_of('/') + 1);
-}
+std::string lastPart(const std::string &name) { return name.substr(name.find_last_of('/') + 1); }
 
 } // namespace
 
