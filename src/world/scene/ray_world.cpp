@@ -49,21 +49,25 @@ CANDELA_HOT void findTraceable(const RTCRay16 &rays, int *__restrict valid) {
     }
 }
 
-/// Copies rays first..first+15 in; valid[i] = -1 for those to be traced. False if there are none.
-bool load(const RayBatch &rays, int first, unsigned mask, RTCRay16 &out, int *valid) {
+/// What is the same in all packets of a call; Embree leaves it as it is.
+void prime(unsigned mask, RTCRay16 &out) {
+    for (int i = 0; i < packet; ++i) {
+        out.tnear[i] = 0, out.time[i] = 0;
+        out.mask[i] = mask, out.id[i] = unsigned(i), out.flags[i] = 0;
+    }
+}
+
+/// Copies rays first..first+15 in; valid[i] = -1 for those to be traced.
+void load(const RayBatch &rays, int first, RTCRay16 &out, int *valid) {
     auto copy = [first](float *to, const float *from) {
         std::memcpy(to, from + first, packet * sizeof(float));
     };
     copy(out.org_x, rays.originX), copy(out.org_y, rays.originY), copy(out.org_z, rays.originZ);
     copy(out.dir_x, rays.directionX), copy(out.dir_y, rays.directionY);
     copy(out.dir_z, rays.directionZ), copy(out.tfar, rays.tMax);
-    for (int i = 0; i < packet; ++i) {
-        out.tnear[i] = 0, out.time[i] = 0;
-        out.mask[i] = mask, out.id[i] = unsigned(i), out.flags[i] = 0;
-    }
     findTraceable(out, valid);
-    std::fill(valid + std::min(packet, rays.count - first), valid + packet, 0);
-    return std::any_of(valid, valid + packet, [](int v) { return v != 0; });
+    if (rays.count - first < packet)
+        std::fill(valid + (rays.count - first), valid + packet, 0);
 }
 
 RTCGeometry makeGeometry(RTCDevice device, const RayMesh &mesh) {
@@ -135,12 +139,12 @@ void RayWorld::intersect(const RayBatch &rays, HitBatch &hits, Which which, bool
     unsigned mask = which == Which::All ? opaqueBit | transparentBit : transparentBit;
     alignas(64) RTCRayHit16 bundle;
     alignas(64) int valid[packet];
+    prime(mask, bundle.ray);
+    std::fill_n(bundle.hit.instID[0], packet, noHit);
     for (int first = 0; first < rays.count; first += packet) {
-        bool any = load(rays, first, mask, bundle.ray, valid);
+        load(rays, first, bundle.ray, valid);
         std::fill_n(bundle.hit.geomID, packet, noHit);
-        std::fill_n(bundle.hit.instID[0], packet, noHit);
-        if (any)
-            rtcIntersect16(valid, handles_->scene, &context, &bundle);
+        rtcIntersect16(valid, handles_->scene, &context, &bundle);
         std::size_t bytes = packet * sizeof(float);
         std::memcpy(hits.primitive + first, bundle.hit.geomID, bytes);
         std::memcpy(hits.triangle + first, bundle.hit.primID, bytes);
@@ -157,9 +161,10 @@ void RayWorld::occluded(const RayBatch &rays, std::uint8_t *blocked) const {
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
     alignas(64) RTCRay16 bundle;
     alignas(64) int valid[packet];
+    prime(opaqueBit, bundle);
     for (int first = 0; first < rays.count; first += packet) {
-        if (load(rays, first, opaqueBit, bundle, valid))
-            rtcOccluded16(valid, handles_->scene, &context, &bundle);
+        load(rays, first, bundle, valid);
+        rtcOccluded16(valid, handles_->scene, &context, &bundle);
         int last = std::min(packet, rays.count - first);
         for (int i = 0; i < last; ++i)
             blocked[first + i] = !valid[i] ? 2 : bundle.tfar[i] < 0 ? 1 : 0;
