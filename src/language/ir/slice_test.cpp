@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The slices of random texts against the whole text: every answer must be the same, bit by bit.
+#include "foundation/base/campaign.h"
 #include "language/ir/interpreter.h"
 #include "language/ir/questions.h"
 #include "language/ir/random_text.h"
@@ -147,13 +148,13 @@ void checkQuestions(unsigned seed, bool dynamic) {
 }
 
 TEST(Slice, AnswersAsTheWholeTextDoes) {
-    for (unsigned seed = 0; seed < 70 && !testing::Test::HasFailure(); ++seed)
+    for (unsigned seed = 0; seed < 70 * campaignFactor() && !testing::Test::HasFailure(); ++seed)
         checkQuestions(seed, false);
 }
 
 TEST(Slice, AnswersWithRequestsInLoops) {
-    for (unsigned seed = 1000; seed < 1050 && !testing::Test::HasFailure(); ++seed)
-        checkQuestions(seed, true);
+    for (unsigned k = 0; k < 50 * campaignFactor() && !testing::Test::HasFailure(); ++k)
+        checkQuestions(1000 + k, true);
 }
 
 TEST(Slice, FramesAreUsed) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compiled code against the interpreter, all lanes, bit by bit, on several CPU names.
+#include "foundation/base/campaign.h"
 #include "language/ir/interpreter.h"
 #include "language/ir/test_batch.h"
 #include "language/jit/jit.h"
@@ -137,7 +138,7 @@ TEST_P(Codegen, RandomProgramsEqualTheInterpreterInAllLanes) {
     Jit wide(optionsFor(cpu(), 16), diagnostics_), narrow(optionsFor(cpu(), 1), diagnostics_);
     const bool runs = Jit::hostRuns(cpu());
     // Code without masked memory operations takes LLVM long.
-    const unsigned programs = !runs ? 5 : hasFma() ? 40 : 20;
+    const unsigned programs = (!runs ? 5 : hasFma() ? 40 : 20) * campaignFactor();
     for (unsigned seed = 1; seed <= programs && !HasFailure(); ++seed) {
         ir::Function function;
         RandomProgram(function, seed, hasFma());
