@@ -25,6 +25,19 @@ CANDELA_HOT void faceForward(int count, const float *__restrict nx, const float 
     }
 }
 
+/// Shaders get unit normals: RI leaves their length open, but many (the paper's figure 2 too)
+/// hand N to reflect() as it comes.
+CANDELA_HOT void makeUnit(int count, float *__restrict x, float *__restrict y,
+                          float *__restrict z) {
+    for (int i = 0; i < count; ++i) {
+        float squared = x[i] * x[i] + y[i] * y[i] + z[i] * z[i];
+        float scale = 1 / std::sqrt(squared > 0 ? squared : 1.0f);
+        x[i] *= scale;
+        y[i] *= scale;
+        z[i] *= scale;
+    }
+}
+
 /// Scene::offsetOrigin for unit normals.
 CANDELA_HOT void offsetAlong(int count, const float *__restrict nx, const float *__restrict ny,
                              const float *__restrict nz, const float *__restrict dx,
@@ -65,6 +78,8 @@ void SurfaceVertices::meet(const Scene &scene, int code, const RayBatch &rays, c
     codeIndex_ = code;
     code_ = &scene.code(code);
     scene.shadingPoints(rays, hits, order, count, points);
+    const int N = int(ShaderInput::N);
+    makeUnit(count, points.input(N), points.input(N + 1), points.input(N + 2));
     ConstVec3Planes n = input(ShaderInput::Ng), i = input(ShaderInput::I);
     faceForward(count, n[0], n[1], n[2], i[0], i[1], i[2], facing_[0], facing_[1], facing_[2]);
 }
