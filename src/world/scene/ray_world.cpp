@@ -3,12 +3,14 @@
 
 #include "foundation/base/hot.h"
 #include "foundation/base/parallel.h"
+#include "world/scene/sealed_triangles.h"
 
 #include <embree3/rtcore.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numeric>
 #include <pmmintrin.h>
 
 namespace candela {
@@ -72,13 +74,14 @@ void load(const RayBatch &rays, int first, RTCRay16 &out, int *valid) {
 
 RTCGeometry makeGeometry(RTCDevice device, const RayMesh &mesh) {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    void *positions =
+    auto *corners = static_cast<Vec3 *>(
         rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                sizeof(Vec3), mesh.positions.size());
-    void *triangles = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                              3 * sizeof(std::uint32_t), mesh.triangles.size());
-    std::memcpy(positions, mesh.positions.data(), mesh.positions.size() * sizeof(Vec3));
-    std::memcpy(triangles, mesh.triangles.data(), mesh.triangles.size() * 12);
+                                sizeof(Vec3), 3 * mesh.triangles.size()));
+    auto *indices = static_cast<std::uint32_t *>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                3 * sizeof(std::uint32_t), mesh.triangles.size()));
+    sealTriangles(mesh.positions, mesh.triangles, corners);
+    std::iota(indices, indices + 3 * mesh.triangles.size(), 0u);
     rtcSetGeometryMask(geometry, mesh.opaque ? opaqueBit : transparentBit);
     rtcSetGeometryUserData(geometry, reinterpret_cast<void *>(std::intptr_t(mesh.frontSign)));
     // Filters more than double the time of a ray: only one-sided surfaces have them.
@@ -106,7 +109,6 @@ struct RayWorld::Handles {
 RayWorld::RayWorld(const std::vector<RayMesh> &meshes) : handles_(std::make_unique<Handles>()) {
     handles_->device = rtcNewDevice("set_affinity=0,start_threads=0");
     RTCScene scene = handles_->scene = rtcNewScene(handles_->device);
-    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
     rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
     std::vector<RTCGeometry> geometries(meshes.size());
     parallelFor(meshes.size(), [&](std::size_t i) {

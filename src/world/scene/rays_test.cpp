@@ -130,6 +130,65 @@ TEST(Rays, EquallyNearHitsDoNotDependOnThreads) {
     }
 }
 
+/// A closed sphere of triangles.
+RayMesh ball(Vec3 centre, float radius, int steps) {
+    RayMesh mesh;
+    for (int row = 0; row <= steps; ++row)
+        for (int column = 0; column < steps; ++column) {
+            double polar = M_PI * row / steps, turn = 2 * M_PI * column / steps;
+            double ring = row == 0 || row == steps ? 0 : std::sin(polar);
+            mesh.positions.push_back(centre + Vec3{float(ring * std::cos(turn)),
+                                                   float(ring * std::sin(turn)),
+                                                   float(std::cos(polar))} *
+                                                  radius);
+        }
+    for (int row = 0; row < steps; ++row)
+        for (int column = 0; column < steps; ++column) {
+            auto at = [&](int down, int right) {
+                return std::uint32_t((row + down) * steps + (column + right) % steps);
+            };
+            if (row > 0)
+                mesh.triangles.push_back({at(0, 0), at(0, 1), at(1, 1)});
+            if (row + 1 < steps)
+                mesh.triangles.push_back({at(0, 0), at(1, 1), at(1, 0)});
+        }
+    return mesh;
+}
+
+/// Rays from within closed balls, aimed at the very edges and corners of their triangles.
+TEST(Rays, NoneSlipsBetweenTriangles) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> uniform(0, 1);
+    for (Vec3 centre : {Vec3{0, 0, 0}, Vec3{0.3f, 0.2f, 1}, Vec3{30, -20, 100}})
+        for (int steps : {8, 100}) {
+            RayMesh mesh = ball(centre, 0.5f, steps);
+            RayWorld world({mesh});
+            constexpr int count = 4096;
+            RayBatch rays(count);
+            HitBatch hits(count);
+            std::vector<std::uint8_t> blocked(count);
+            rays.count = count;
+            for (int i = 0; i < count; ++i) {
+                const auto &corners = mesh.triangles[random() % mesh.triangles.size()];
+                int k = int(random() % 3);
+                Vec3 a = mesh.positions[corners[k]], b = mesh.positions[corners[(k + 1) % 3]];
+                Vec3 target = a + (b - a) * (i % 4 == 0 ? 0 : uniform(random));
+                Vec3 from = centre + Vec3{uniform(random), uniform(random), uniform(random)} * 0.2f;
+                setRay(rays, i, from, normalize(target - from));
+            }
+            world.intersect(rays, hits, RayWorld::Which::All, false);
+            world.occluded(rays, blocked.data());
+            for (int i = 0; i < count; ++i) {
+                ASSERT_NE(hits.primitive[i], noHit) << centre.x << " " << steps << " ray " << i;
+                ASSERT_EQ(blocked[i], 1) << centre.x << " " << steps << " ray " << i;
+                Vec3 d{rays.directionX[i], rays.directionY[i], rays.directionZ[i]};
+                Vec3 from{rays.originX[i], rays.originY[i], rays.originZ[i]};
+                float chord = 0.5f - 0.5f * std::cos(float(M_PI) / float(steps)) + 1e-3f;
+                ASSERT_NEAR(length(from + d * hits.t[i] - centre), 0.5f, 2 * chord);
+            }
+        }
+}
+
 TEST(Rays, BadRaysAreNotTraced) {
     RayMesh mesh;
     mesh.positions = {{-9, -9, 1}, {9, -9, 1}, {0, 9, 1}};
