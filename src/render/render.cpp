@@ -12,6 +12,7 @@
 #include "render/statistics.h"
 
 #include <cmath>
+#include <filesystem>
 #include <unistd.h>
 
 namespace candela {
@@ -57,7 +58,7 @@ FrameDescription describe(const Scene &scene, const IntegratorSettings &integrat
     FrameDescription description;
     description.metadata = {
         {"renderer", "Candela"},
-        {"scene", file},
+        {"scene", std::filesystem::path(file).filename().string()},
         {"integrator", integrator.kind == IntegratorKind::Path ? "path" : "classic"},
         {"spp", std::to_string(integrator.samplesPerPixel)},
         {"seed", std::to_string(integrator.seed)},
@@ -116,7 +117,8 @@ int renderFile(const std::string &path, const RenderSettings &settings) {
     ThreadLimit threads(settings.threads);
     Statistics statistics;
 
-    ShaderLibrary shaders({shaderFolders(path, settings.shaderPath), settings.jit}, console);
+    ShaderLibrary shaders({shaderFolders(path, settings.shaderPath, console), settings.jit},
+                          console);
     ShaderWarnings warnings(console);
     SceneCompiler world(shaders, console, [&](const Scene &scene) {
         warnings.look(scene);

@@ -21,33 +21,40 @@ void add(std::vector<std::string> &folders, const fs::path &folder) {
             folders.push_back((folder / kind).string());
 }
 
-/// The library that is shipped with the program: shaders/ beside build/, or share/candela.
-void addShippedLibrary(std::vector<std::string> &folders) {
+/// The library that is shipped with the program: share/candela, or shaders/ beside build/.
+bool addShippedLibrary(std::vector<std::string> &folders) {
     std::error_code error;
     fs::path program = fs::read_symlink("/proc/self/exe", error);
     if (error)
-        return;
+        return false;
     fs::path bin = program.parent_path();
+    const std::size_t before = folders.size();
     add(folders, bin.parent_path() / "share" / "candela" / "shaders");
     add(folders, bin.parent_path().parent_path() / "shaders");
+    return folders.size() > before;
 }
 
 } // namespace
 
 std::vector<std::string> shaderFolders(const std::string &ribFile,
-                                       const std::vector<std::string> &shaderPath) {
+                                       const std::vector<std::string> &shaderPath,
+                                       DiagnosticSink &diagnostics) {
     std::vector<std::string> folders;
     for (const std::string &folder : shaderPath)
         add(folders, folder);
     fs::path beside = fs::path(ribFile).parent_path();
     add(folders, beside.empty() ? "." : beside);
     add(folders, ".");
-    if (const char *listed = std::getenv("CANDELA_SHADERS")) {
+    const char *listed = std::getenv("CANDELA_SHADERS");
+    if (listed) {
         std::istringstream list(listed);
         for (std::string folder; std::getline(list, folder, ':');)
             add(folders, folder);
     }
-    addShippedLibrary(folders);
+    if (!addShippedLibrary(folders) && !listed)
+        diagnostics.warning({}, "the shaders that come with Candela are not where they belong, in "
+                                "../share/candela/shaders beside the program's folder; set "
+                                "CANDELA_SHADERS to where they are");
     return folders;
 }
 

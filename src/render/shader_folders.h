@@ -2,15 +2,19 @@
 // Where shaders are looked for after the RIB's own search path (DESIGN section 9).
 #pragma once
 
+#include "foundation/base/diagnostics.h"
+
 #include <string>
 #include <vector>
 
 namespace candela {
 
 /// --shader-path, the RIB's folder, the current folder, $CANDELA_SHADERS, the shipped library;
-/// each with its sub-folders by kind (surface, light, ...) where these exist.
+/// each with its sub-folders by kind (surface, light, ...) where these exist. Warns if the shipped
+/// library is not to be found and the variable does not say where another one is.
 std::vector<std::string> shaderFolders(const std::string &ribFile,
-                                       const std::vector<std::string> &shaderPath);
+                                       const std::vector<std::string> &shaderPath,
+                                       DiagnosticSink &);
 
 /// "a:b:c"
 std::string joinFolders(const std::vector<std::string> &folders);

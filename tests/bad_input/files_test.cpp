@@ -3,6 +3,7 @@
 #include "tests/bad_input/bad_input.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 
 namespace candela::test {
@@ -115,6 +116,22 @@ TEST_F(BadInput, UnknownDisplayType) {
     EXPECT_EQ(run.status, 1) << run.text();
     EXPECT_TRUE(run.says("hologram")) << run.text();
     expectDisc();
+}
+
+TEST_F(BadInput, ProgramWithoutItsShaders) {
+    RunSettings settings;
+    settings.program = folder_.path("candela");
+    std::filesystem::copy_file(candelaProgram(), settings.program);
+    const char *shaders = std::getenv("CANDELA_SHADERS");
+    std::string before = shaders ? shaders : "";
+    unsetenv("CANDELA_SHADERS");
+    Outcome run = render(sceneWith("Sphere 1 -1 1 360"), {}, settings);
+    if (shaders)
+        setenv("CANDELA_SHADERS", before.c_str(), 1);
+    EXPECT_EQ(run.status, 1) << run.text();
+    EXPECT_TRUE(run.says("\"constant\"")) << run.text();
+    EXPECT_TRUE(run.says("CANDELA_SHADERS")) << run.text();
+    EXPECT_TRUE(folder_.has("out.exr"));
 }
 
 TEST_F(BadInput, OptionsThatCannotBeUnderstood) {

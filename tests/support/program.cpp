@@ -49,9 +49,11 @@ std::string Outcome::text() const {
     return how + "\nstdout:\n" + out + "\nstderr:\n" + err;
 }
 
+std::string candelaProgram() { return CANDELA_BINARY_DIR "/bin/candela"; }
+
 Outcome runCandela(const std::vector<std::string> &arguments, const RunSettings &settings) {
     ScratchFolder said;
-    std::vector<std::string> words{CANDELA_BINARY_DIR "/bin/candela"};
+    std::vector<std::string> words{settings.program.empty() ? candelaProgram() : settings.program};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char *> pointers;
     for (std::string &word : words)

@@ -8,6 +8,7 @@
 namespace candela::test {
 
 struct RunSettings {
+    std::string program{};   ///< Another copy of candela; empty = candelaProgram().
     std::string folder{};    ///< The current folder of the run; empty = that of the test.
     std::string input{};     ///< Path of standard input; empty = /dev/null.
     long fileSizeLimit = -1; ///< Largest file it may write, bytes (RLIMIT_FSIZE); -1 = any.
@@ -24,7 +25,10 @@ struct Outcome {
     std::string text() const;
 };
 
-/// Runs build/bin/candela with these arguments and waits for it.
+/// Path of build/bin/candela.
+std::string candelaProgram();
+
+/// Runs candela with these arguments and waits for it.
 Outcome runCandela(const std::vector<std::string> &arguments, const RunSettings & = {});
 
 } // namespace candela::test

@@ -74,9 +74,9 @@ void load(const RayBatch &rays, int first, RTCRay16 &out, int *valid) {
 
 RTCGeometry makeGeometry(RTCDevice device, const RayMesh &mesh) {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto *corners = static_cast<Vec3 *>(
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                sizeof(Vec3), 3 * mesh.triangles.size()));
+    auto *corners = static_cast<Vec3 *>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
+                                                                RTC_FORMAT_FLOAT3, sizeof(Vec3),
+                                                                3 * mesh.triangles.size()));
     auto *indices = static_cast<std::uint32_t *>(
         rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                 3 * sizeof(std::uint32_t), mesh.triangles.size()));

@@ -46,6 +46,12 @@ std::optional<ValueType> valueTypeOf(sl::BaseType type) {
     return std::nullopt;
 }
 
+/// "defaultsurface" is lit from the eye under the classic integrator alone: it would be a lamp
+/// else.
+const char *defaultSurface(ir::LightRule rule) {
+    return rule == ir::LightRule::Path ? "paintedmatte" : "defaultsurface";
+}
+
 /// Text that tells apart what is compiled apart.
 void addToKey(std::string &key, const std::string &part) {
     key += std::to_string(part.size()) + ":" + part;
@@ -102,10 +108,10 @@ const ir::LoweredShader *ShaderLibrary::State::lowerOnce(const sl::TypedShader &
 std::optional<ShaderInstance> ShaderLibrary::instance(ShaderKind kind, const ShaderRecord &record,
                                                       const Options &options, ir::LightRule rule,
                                                       const std::set<std::string> &variables) {
-    // The default is lit from the eye under the classic integrator alone: it would be a lamp else.
+    const char *defaultName = defaultSurface(rule);
     if (kind == ShaderKind::Surface && record.name == "defaultsurface" &&
-        rule == ir::LightRule::Path)
-        return instance(kind, {"paintedmatte", {}, record.currentFromShader}, options, rule,
+        record.name != defaultName)
+        return instance(kind, {defaultName, {}, record.currentFromShader}, options, rule,
                         variables);
     const sl::TypedShader *shader = state_->sources.find(
         kind, record.name, searchFolders(options, "shader"), record.parameters.where);
@@ -113,9 +119,9 @@ std::optional<ShaderInstance> ShaderLibrary::instance(ShaderKind kind, const Sha
     const ir::LoweredShader *lowered =
         shader ? state_->lowerOnce(*shader, record, variables, key) : nullptr;
     if (!lowered) {
-        if (kind != ShaderKind::Surface || record.name == "defaultsurface")
+        if (kind != ShaderKind::Surface || record.name == defaultName)
             return std::nullopt;
-        return instance(kind, {"defaultsurface", {}, record.currentFromShader}, options, rule, {});
+        return instance(kind, {defaultName, {}, record.currentFromShader}, options, rule, {});
     }
 
     std::vector<float> block = parameterBlock(*lowered, record, options, state_->diagnostics);
