@@ -64,6 +64,80 @@ CANDELA_HOT void markLeavingHemispheres(int count, const float *__restrict share
     }
 }
 
+/// Gathers the shares of cosine lobes about the facing normal, and marks with -1 the points that
+/// have cones of any other kind. What differs from the normal by rounding counts as the normal.
+CANDELA_HOT void lookForRadial(int count, const float *__restrict share,
+                               const float *__restrict angle, const float *__restrict exponent,
+                               const float *__restrict nx, const float *__restrict ny,
+                               const float *__restrict nz, float *__restrict ax,
+                               float *__restrict ay, float *__restrict az,
+                               float *__restrict cosineLobes) {
+    for (int i = 0; i < count; ++i) {
+        float mu = ax[i] * nx[i] + ay[i] * ny[i] + az[i] * nz[i];
+        bool aboutNormal = mu >= 1 - 1e-6f;
+        bool simple = (angle[i] == 180) & ((exponent[i] == 0) | (exponent[i] == 1));
+        bool other = (share[i] > 0) & !(simple & aboutNormal);
+        float sum = cosineLobes[i] + (exponent[i] == 1 ? share[i] : 0.0f);
+        cosineLobes[i] = other | (cosineLobes[i] < 0) ? -1.0f : sum;
+        ax[i] = aboutNormal ? nx[i] : ax[i];
+        ay[i] = aboutNormal ? ny[i] : ay[i];
+        az[i] = aboutNormal ? nz[i] : az[i];
+    }
+}
+
+/// Adds the defensive lobe. True if every point has cones about its normal alone.
+CANDELA_HOT bool finishRadial(int count, const float *__restrict full,
+                              float *__restrict cosineLobes) {
+    int others = 0;
+    for (int i = 0; i < count; ++i) {
+        bool other = (full[i] > 0) | (cosineLobes[i] < 0);
+        cosineLobes[i] = other ? -1.0f : cosineLobes[i] + cosineShare;
+        others |= other;
+    }
+    return others == 0;
+}
+
+/// Where all lobes lie about the normal the density depends on the height mu alone: with a the
+/// share of cosine lobes and b that of uniform ones, a mu^2 + b mu = 1 - xi finds mu for the
+/// whole mixture at once. (xi, turn) come from the area-preserving map of the square to the disc
+/// (Shirley and Chiu 1997), so that samples stratified over the square stay so.
+CANDELA_HOT void radialHeights(int count, const float *__restrict cosineLobes,
+                               const float *__restrict u, const float *__restrict v,
+                               float *__restrict tau, float *__restrict turn) {
+    for (int i = 0; i < count; ++i) {
+        float x = 2 * u[i] - 1, y = 2 * v[i] - 1;
+        bool wide = std::fabs(x) > std::fabs(y);
+        float r = wide ? x : y, other = wide ? y : x;
+        float eighths = r != 0 ? other / (r != 0 ? r : 1.0f) * 0.125f : 0.0f;
+        float angle = wide ? eighths : 0.25f - eighths;
+        angle += r < 0 ? 0.5f : 0.0f;
+        angle += angle < 0 ? 1.0f : 0.0f;
+
+        float a = cosineLobes[i], b = 1 - a, rest = 1 - r * r;
+        float mu = 2 * rest / (b + std::sqrt(b * b + 4 * a * rest));
+        tau[i] = a >= 0 ? 1 - mu : tau[i];
+        turn[i] = a >= 0 ? angle : turn[i];
+    }
+}
+
+CANDELA_HOT void radialPdf(int count, const float *__restrict cosineLobes,
+                           const float *__restrict nx, const float *__restrict ny,
+                           const float *__restrict nz, const float *__restrict x,
+                           const float *__restrict y, const float *__restrict z,
+                           float *__restrict pdf) {
+    for (int i = 0; i < count; ++i) {
+        float mu = nx[i] * x[i] + ny[i] * y[i] + nz[i] * z[i], a = cosineLobes[i];
+        float density = a * mu * (1 / pi) + (1 - a) * (1 / (2 * pi));
+        pdf[i] = a >= 0 ? (mu > 0 ? density : 0.0f) : pdf[i];
+    }
+}
+
+CANDELA_HOT void chooseNormals(int count, const float *__restrict cosineLobes,
+                               const float *__restrict normal, float *__restrict axis) {
+    for (int i = 0; i < count; ++i)
+        axis[i] = cosineLobes[i] >= 0 ? normal[i] : axis[i];
+}
+
 CANDELA_HOT void scaleToShares(int count, const float *__restrict total, float *__restrict share) {
     for (int i = 0; i < count; ++i)
         share[i] = total[i] > 0 ? share[i] * (coneShare / total[i]) : 0.0f;
@@ -168,7 +242,8 @@ CANDELA_HOT void addSimplePdf(int count, const float *__restrict ax, const float
 } // namespace
 
 ConeMixture::ConeMixture(int capacity)
-    : total_(1, capacity), facing_(3, capacity), fullSphere_(1, capacity), chosen_(8, capacity) {}
+    : total_(1, capacity), fullSphere_(1, capacity), cosineLobes_(1, capacity),
+      chosen_(9, capacity) {}
 
 void ConeMixture::state(int count, const std::vector<ConePlanes> &cones,
                         const ConstVec3Planes &facing, const float *transmits) {
@@ -176,8 +251,7 @@ void ConeMixture::state(int count, const std::vector<ConePlanes> &cones,
     coneCount_ = int(cones.size());
     while (int(cones_.size()) < coneCount_)
         cones_.emplace_back(total_.lanes());
-    for (int c = 0; c < 3; ++c)
-        std::copy_n(facing[c], count, facing_[c]);
+    facing_ = facing;
     if (transmits)
         std::copy_n(transmits, count, fullSphere_[0]);
     else
@@ -189,6 +263,13 @@ void ConeMixture::state(int count, const std::vector<ConePlanes> &cones,
         markLeavingCones(k);
         scaleToShares(count, total_[0], cones_[k].share());
     }
+    std::fill_n(cosineLobes_[0], count, 0.0f);
+    for (int k = 0; k < coneCount_; ++k) {
+        const Cone &cone = cones_[k];
+        lookForRadial(count, cone.share(), cone.angle(), cone.exponent(), facing[0], facing[1],
+                      facing[2], cone.axis(0), cone.axis(1), cone.axis(2), cosineLobes_[0]);
+    }
+    allRadial_ = finishRadial(count, fullSphere_[0], cosineLobes_[0]);
 }
 
 void ConeMixture::stateCone(int index, const ConePlanes &stated) {
@@ -220,10 +301,19 @@ void ConeMixture::markLeavingCones(int index) {
 }
 
 void ConeMixture::sample(const float *u, const float *v, const MutableVec3Planes &direction) {
-    chooseLobe(u);
-    lobeHeights();
-    directionsAbout(count_, chosen_[0], chosen_[1], chosen_[2], chosen_[6], v, direction[0],
-                    direction[1], direction[2]);
+    float *tau = chosen_[6], *turn = chosen_[8];
+    ConstVec3Planes axis = facing_;
+    if (!allRadial_) {
+        chooseLobe(u);
+        lobeHeights();
+        std::copy_n(v, count_, turn);
+        for (int c = 0; c < 3; ++c)
+            chooseNormals(count_, cosineLobes_[0], facing_[c], chosen_[c]);
+        axis = {chosen_[0], chosen_[1], chosen_[2]};
+    }
+    radialHeights(count_, cosineLobes_[0], u, v, tau, turn);
+    directionsAbout(count_, axis[0], axis[1], axis[2], tau, turn, direction[0], direction[1],
+                    direction[2]);
 }
 
 void ConeMixture::chooseLobe(const float *u) {
@@ -253,6 +343,13 @@ void ConeMixture::lobeHeights() {
 }
 
 void ConeMixture::pdf(const ConstVec3Planes &w, float *pdf) {
+    if (!allRadial_)
+        lobesPdf(w, pdf);
+    radialPdf(count_, cosineLobes_[0], facing_[0], facing_[1], facing_[2], w[0], w[1], w[2], pdf);
+}
+
+/// The sum of all lobes, one by one.
+void ConeMixture::lobesPdf(const ConstVec3Planes &w, float *pdf) {
     defensivePdf(count_, facing_[0], facing_[1], facing_[2], fullSphere_[0], w[0], w[1], w[2], pdf);
     for (int k = 0; k < coneCount_; ++k) {
         const Cone &cone = cones_[k];

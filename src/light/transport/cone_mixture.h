@@ -31,7 +31,8 @@ public:
     explicit ConeMixture(int capacity);
 
     /// Takes the cones of `count` points with unit normals that face the viewer. Where
-    /// `transmits` is non-zero, light from behind matters too (null = nowhere).
+    /// `transmits` is non-zero, light from behind matters too (null = nowhere). `facing` is kept
+    /// by pointer until the next call.
     void state(int count, const std::vector<ConePlanes> &cones, const ConstVec3Planes &facing,
                const float *transmits);
     /// Sum of the finite importances of each point; where it is 0, sample() must not be used.
@@ -56,11 +57,17 @@ private:
     void markLeavingCones(int index);
     void chooseLobe(const float *u);
     void lobeHeights();
+    void lobesPdf(const ConstVec3Planes &direction, float *pdf);
 
     int count_ = 0, coneCount_ = 0;
     std::vector<Cone> cones_;
-    Planes<float> total_, facing_, fullSphere_;
-    Planes<float> chosen_; ///< axis x y z, xi, angle, exponent, 1 - mu
+    ConstVec3Planes facing_{};
+    Planes<float> total_, fullSphere_;
+    /// Share of the cosine lobes where all lobes are simple and lie about the facing normal, so
+    /// that they can be sampled as one; -1 elsewhere.
+    Planes<float> cosineLobes_;
+    bool allRadial_ = false;
+    Planes<float> chosen_; ///< axis x y z, xi, angle, exponent, 1 - mu, low end, turn
 };
 
 } // namespace candela

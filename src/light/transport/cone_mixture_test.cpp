@@ -5,6 +5,7 @@
 #include "light/transport/sobol.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <vector>
@@ -83,6 +84,7 @@ private:
 const std::vector<std::vector<Stated>> mixtures = {
     {{{0, 0, 1}, 180, 1, .7f}},
     {{{0, 0, 1}, 180, 0, .7f}},
+    {{{0, 0, 2}, 180, 1, .3f}, {{0, 0, 1}, 180, 0, .2f}},
     {{{0, 0, 3}, 180, 1, .3f}, {{1, 0, 1}, 180, 20, .6f}},
     {{{1, 1, 1}, 60, 2, .2f}, {{0, 0, 1}, 180, 1, .1f}, {{0, 1, .2f}, 90, 10, .3f}},
     {{{0, 0, -1}, 120, 3, 1}},
@@ -140,6 +142,42 @@ TEST(ConeMixture, samplesFollowTheDensity) { // I7: chi-square on 32 x 64 cells.
             }
         EXPECT_LT(chiSquare, freedom + 5 * std::sqrt(2.0 * freedom));
     }
+}
+
+/// What a point gets must not depend on the others of its batch.
+TEST(ConeMixture, pointsDoNotDependOnTheirNeighbours) {
+    constexpr int count = 64;
+    std::vector<float> zero(count, 0), one(count, 1), flat(count, 180), tilt(count, 0),
+        narrow = flat;
+    std::vector<float> u(count), v(count);
+    for (int i = 0; i < count; ++i) {
+        u[i] = (float(i) + 0.5f) / count, v[i] = float(i * 37 % count) / count;
+        if (i % 4 == 1)
+            tilt[i] = 0.5f;
+        if (i % 4 == 2)
+            narrow[i] = 40;
+    }
+    auto answer = [&](const std::vector<float> &axisX, const std::vector<float> &angle) {
+        ConeMixture mixture(count);
+        ConstVec3Planes facing{zero.data(), zero.data(), one.data()};
+        ConePlanes cone{{axisX.data(), zero.data(), one.data()},
+                        angle.data(),
+                        one.data(),
+                        one.data(),
+                        angle.data(),
+                        0,
+                        true};
+        mixture.state(count, {cone}, facing, nullptr);
+        std::vector<float> x(count), y(count), z(count), pdf(count);
+        mixture.sample(u.data(), v.data(), {x.data(), y.data(), z.data()});
+        mixture.pdf({x.data(), y.data(), z.data()}, pdf.data());
+        return std::array{x, y, z, pdf};
+    };
+    auto alike = answer(zero, flat), mixed = answer(tilt, narrow);
+    for (int i = 0; i < count; ++i)
+        for (int plane = 0; plane < 4; ++plane)
+            if (i % 4 == 0 || i % 4 == 3)
+                EXPECT_EQ(alike[plane][i], mixed[plane][i]) << i;
 }
 
 TEST(ConeMixture, defensiveShareKeepsTheVarianceFinite) { // I8

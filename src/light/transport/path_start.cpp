@@ -5,51 +5,58 @@
 #include "light/transport/sobol.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 
 namespace candela {
 
 void PathWave::startCamera(int pixels, const int *x, const int *y, int first, int last) {
-    slots_ = 0;
+    const int samples = last - first;
+    slots_ = pixels * samples;
     for (int pixel = 0; pixel < pixels; ++pixel) {
-        std::uint32_t key = pixelKey(x[pixel], y[pixel], settings_.seed);
-        for (int sample = first; sample < last; ++sample, ++slots_) {
-            results_.x[slots_] = x[pixel], results_.y[slots_] = y[pixel];
-            results_.sampleIndex[slots_] = sample;
-            results_.keys[0][slots_] = key;
-        }
+        const int slot = pixel * samples;
+        std::fill_n(results_.x + slot, samples, x[pixel]);
+        std::fill_n(results_.y + slot, samples, y[pixel]);
+        std::fill_n(results_.keys[0] + slot, samples, pixelKey(x[pixel], y[pixel], settings_.seed));
+        std::iota(results_.sampleIndex + slot, results_.sampleIndex + slot + samples, first);
     }
     for (int c = 0; c < colorSamples; ++c) {
         std::fill_n(results_.radiance[c], slots_, 0.0f);
         std::fill_n(results_.opacity[c], slots_, 0.0f);
+        std::fill_n(active_.throughput[c], slots_, 1.0f);
     }
     for (int plane = 0; plane < results_.channels.planes(); ++plane)
         std::fill_n(results_.channels[plane], slots_, firstHit_[plane].background);
 
-    Planes<float> numbers(8, slots_);
-    const std::uint32_t *samples = reinterpret_cast<const std::uint32_t *>(results_.sampleIndex);
-    for (int pair = 0; pair < cameraPairs; ++pair)
-        sobolPairs(slots_, results_.keys[0], samples, pair, numbers[2 * pair],
-                   numbers[2 * pair + 1]);
-    float *rasterX = numbers[6], *rasterY = numbers[7];
+    const Camera &camera = scene_.camera();
+    std::array<float *, 2 * cameraPairs> numbers;
+    for (int pair = 0; pair < cameraPairs; ++pair) {
+        numbers[2 * pair] = cameraNumbers_[2 * pair];
+        numbers[2 * pair + 1] = cameraNumbers_[2 * pair + 1];
+        if (pair == filterPair || (pair == lensPair && camera.hasLens()) ||
+            (pair == timePair && camera.hasShutterInterval()))
+            sobolPairs(slots_, results_.keys[0],
+                       reinterpret_cast<const std::uint32_t *>(results_.sampleIndex), pair,
+                       numbers[2 * pair], numbers[2 * pair + 1]);
+    }
+    float *rasterX = numbers[2 * filterPair], *rasterY = numbers[2 * filterPair + 1];
+    float *weight = results_.weight[0];
     for (int i = 0; i < slots_; ++i) {
-        FilterSample at = filter_.sample(numbers[0][i], numbers[1][i]);
+        FilterSample at = filter_.sample(rasterX[i], rasterY[i]);
         rasterX[i] = float(results_.x[i]) + 0.5f + at.dx;
         rasterY[i] = float(results_.y[i]) + 0.5f + at.dy;
-        results_.weight[0][i] = at.weight;
+        weight[i] = at.weight;
     }
-    scene_.camera().rays(slots_, rasterX, rasterY, numbers[2], numbers[3], numbers[4],
-                         active_.rays);
+    camera.rays(slots_, rasterX, rasterY, numbers[2 * lensPair], numbers[2 * lensPair + 1],
+                numbers[2 * timePair], active_.rays);
     active_.rays.count = active_.count = slots_;
-    for (int i = 0; i < slots_; ++i) {
-        for (int c = 0; c < colorSamples; ++c)
-            active_.throughput[c][i] = 1;
-        active_.lastPdf[i] = active_.travelled[i] = 0;
-        active_.slot[i] = i;
-        active_.depth[i] = 0;
-        active_.lightSet[i] = -1;
-        active_.seen[i] = 1;
-    }
+    std::fill_n(active_.lastPdf, slots_, 0.0f);
+    std::fill_n(active_.travelled, slots_, 0.0f);
+    std::iota(active_.slot, active_.slot + slots_, 0);
+    std::fill_n(active_.depth, slots_, 0);
+    std::fill_n(active_.lightSet, slots_, -1);
+    std::fill_n(active_.seen, slots_, 1);
     statistics_.paths += slots_;
     statistics_.cameraRays += slots_;
 }

@@ -114,10 +114,11 @@ PathWave::PathWave(const Scene &scene, const IntegratorSettings &settings,
                                            : std::vector<FirstHitPlane>()),
       statistics_(statistics), nonFinite_(nonFinite), purpose_(purpose),
       results_(capacity, int(firstHit_.size())), active_(capacity), next_(capacity),
-      hits_(capacity), order_(capacity), hitMask_(capacity), binStart_(scene.codeCount() + 1),
-      vertices_(chunk), mixture_(chunk), events_(chunk), direct_(chunk), classic_(chunk),
-      state_(2 * colorSamples + 2, chunk), stateIntegers_(6, chunk), keys_(2, chunk),
-      random_(2 * vertexPairs, chunk), answers_(3 * colorSamples, chunk), scratch_(8, chunk) {}
+      hits_(capacity), cameraNumbers_(2 * cameraPairs, capacity), order_(capacity),
+      hitMask_(capacity), binStart_(scene.codeCount() + 1), vertices_(chunk), mixture_(chunk),
+      events_(chunk), direct_(chunk), classic_(chunk), state_(2 * colorSamples + 2, chunk),
+      stateIntegers_(6, chunk), keys_(2, chunk), random_(2 * vertexPairs, chunk),
+      answers_(3 * colorSamples, chunk), scratch_(8, chunk) {}
 
 // ---- Paths as a whole ----
 
@@ -183,8 +184,11 @@ void PathWave::shadeChunk(int code, const int *order, int count, int iteration) 
     vertices_.prepare(lit ? ambient.data() : nullptr);
     addVisible(order);
     iteration_ = iteration;
-    for (int pair : {lightPositionPair, directionPair, lightChoicePair})
+    for (int pair : {lightPositionPair, directionPair})
         sampleNumbers(pair);
+    // One light needs no choice; and no camera path is deeper than the wave.
+    if (scene_.lightCount() > 1 || iteration + 1 >= rouletteDepth || purpose_ != Purpose::Camera)
+        sampleNumbers(lightChoicePair);
     if (settings_.kind == IntegratorKind::Classic)
         lightClassic(lit ? ambient.data() : nullptr);
     else if (!vertices_.code().facts().affine)

@@ -94,6 +94,7 @@ private:
     int slots_ = 0;
     ActivePaths active_, next_;
     HitBatch hits_;
+    Planes<float> cameraNumbers_; ///< Camera pairs of the wave's samples.
     std::vector<int> order_, hitMask_, binStart_, binNext_;
 
     // One chunk of vertices.

@@ -19,11 +19,10 @@ inline std::uint32_t mix(std::uint32_t x) {
 }
 
 inline std::uint32_t reverseBits(std::uint32_t x) {
-    x = ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
-    x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
+    x = __builtin_bswap32(x); // One shuffle of bytes for a whole vector.
     x = ((x >> 4) & 0x0f0f0f0fu) | ((x & 0x0f0f0f0fu) << 4);
-    x = ((x >> 8) & 0x00ff00ffu) | ((x & 0x00ff00ffu) << 8);
-    return (x >> 16) | (x << 16);
+    x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
+    return ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
 }
 
 /// Multiplying by an even number and xoring moves information upwards only; so does adding and
@@ -63,7 +62,7 @@ CANDELA_HOT void sobolPairs(int count, const std::uint32_t *__restrict key,
     std::uint32_t salt = pair * 0x9e3779b9u + 0x85ebca6bu;
     for (int i = 0; i < count; ++i) {
         std::uint32_t shuffle = mix(key[i] ^ salt);
-        std::uint32_t xSeed = mix(shuffle + 0x68bc21ebu), ySeed = mix(shuffle + 0x02e5be93u);
+        std::uint32_t xSeed = shuffle * 0x68bc21ebu, ySeed = shuffle * 0x02e5be93u;
         std::uint32_t index = reverseBits(scrambleReversed(reverseBits(sample[i]), shuffle));
         x[i] = unitFloat(reverseBits(scrambleReversed(index, xSeed)));
         y[i] = unitFloat(reverseBits(scrambleReversed(sobolSecondReversed(index), ySeed)));

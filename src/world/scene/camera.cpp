@@ -130,14 +130,16 @@ void Camera::rays(int count, const float *x, const float *y, const float *lensU,
             parallelRays(n, x + first, y + first, plane, near_, far_, planes);
             continue;
         }
-        if (lensRadius_ > 0)
+        if (hasLens())
             for (int i = 0; i < n; ++i)
                 onDisc(lensU[first + i], lensV[first + i], lensRadius_, lensX[i], lensY[i]);
         perspectiveRays(n, x + first, y + first, lensX, lensY, plane, focalDistance_, near_, far_,
                         planes);
     }
-    for (int i = 0; i < count; ++i)
-        batch.time[i] = shutterOpen_ + time01[i] * (shutterClose_ - shutterOpen_);
+    std::fill_n(static_cast<float *>(batch.time), count, shutterOpen_);
+    if (hasShutterInterval())
+        for (int i = 0; i < count; ++i)
+            batch.time[i] += time01[i] * (shutterClose_ - shutterOpen_);
 }
 
 float Camera::pixelSize(float z) const {

@@ -16,9 +16,13 @@ public:
 
     /// Rays through raster positions (x right, y down, pixels; centre of pixel 0 at 0.5), from
     /// the near to the far clipping plane. Directions are of unit length. lensU, lensV in [0,1)
-    /// choose the point on the lens, time01 the moment of the shutter interval.
+    /// choose the point on the lens, time01 the moment of the shutter interval; they are read if
+    /// there is a lens, or an interval.
     void rays(int count, const float *x, const float *y, const float *lensU, const float *lensV,
               const float *time01, RayBatch &) const;
+
+    bool hasLens() const { return lensRadius_ > 0; }
+    bool hasShutterInterval() const { return shutterClose_ != shutterOpen_; }
 
     /// "screen", "NDC" and "raster" seen from camera space (homogeneous; RI 3.2, 4.1.1).
     const Matrix4 &screenFromCamera() const { return screenFromCamera_; }

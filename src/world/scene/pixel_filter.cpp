@@ -189,9 +189,7 @@ PixelFilterSampler::PixelFilterSampler(const PixelFilterRecord &asked, Diagnosti
     y_ = axis(record_.yWidth / 2.0);
 }
 
-FilterSample PixelFilterSampler::sample(float u, float v) const {
-    if (uniform_)
-        return {(u - 0.5f) * record_.xWidth, (v - 0.5f) * record_.yWidth, 1};
+FilterSample PixelFilterSampler::sampleTables(float u, float v) const {
     if (!radial_)
         return {x_.at(u), y_.at(v), x_.signAt(u) * y_.signAt(v) * x_.scale * y_.scale};
     // The square is folded onto the disc ring by ring (Shirley and Chiu 1997), so that strips of

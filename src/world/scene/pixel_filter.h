@@ -36,7 +36,11 @@ public:
 
     /// Maps (u, v) of [0,1)^2 by a continuous map with constant |weight|: stratification of the
     /// unit square becomes stratification under the filter.
-    FilterSample sample(float u, float v) const;
+    FilterSample sample(float u, float v) const {
+        if (uniform_)
+            return {(u - 0.5f) * record_.xWidth, (v - 0.5f) * record_.yWidth, 1};
+        return sampleTables(u, v);
+    }
 
     /// True if some weights are negative (all are 1 otherwise).
     bool hasNegativeLobes() const { return x_.flips.size() + y_.flips.size() > 0; }
@@ -48,6 +52,8 @@ public:
     static std::vector<std::string_view> knownNames();
 
 private:
+    FilterSample sampleTables(float u, float v) const;
+
     /// The integral of |f| over an interval in equal cells, normalised to 1 at the end and
     /// inverted by a guide from the integral to the cell; and where on that scale f changes sign.
     struct Axis {
