@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "image/film.h"
 
+#include "foundation/base/hot.h"
 #include "foundation/units/color.h"
 
 #include <algorithm>
@@ -17,6 +18,37 @@ std::vector<ChannelInfo> withColorAndOpacity(const std::vector<ChannelInfo> &wan
         if (std::ranges::find(channels, channel.name, &ChannelInfo::name) == channels.end())
             channels.push_back(channel);
     return channels;
+}
+
+/// The sum of value(0) to value(count - 1), kept in eight parts that vectors add side by side: the
+/// same on every machine, and with less rounding than one long sum.
+template <class Value> inline double sumInParts(int count, const Value &value) {
+    constexpr int parts = 8;
+    double sums[parts] = {};
+    int i = 0;
+    for (; i + parts <= count; i += parts)
+        for (int k = 0; k < parts; ++k)
+            sums[k] += value(i + k);
+    for (int k = 0; i + k < count; ++k)
+        sums[k] += value(i + k);
+    return ((sums[0] + sums[1]) + (sums[2] + sums[3])) +
+           ((sums[4] + sums[5]) + (sums[6] + sums[7]));
+}
+
+CANDELA_HOT double sumOf(int count, const float *values) {
+    return sumInParts(count, [&](int i) { return double(values[i]); });
+}
+
+CANDELA_HOT double sumOfProducts(int count, const float *a, const float *b) {
+    return sumInParts(count, [&](int i) { return double(a[i]) * double(b[i]); });
+}
+
+/// Of the products that are finite.
+CANDELA_HOT double sumOfSquares(int count, const float *a, const float *b) {
+    return sumInParts(count, [&](int i) {
+        double value = double(a[i]) * double(b[i]);
+        return value * 0 == 0 ? value * value : 0.0;
+    });
 }
 
 } // namespace
@@ -64,14 +96,16 @@ void Film::addRun(double *pixel, const Run &run) {
 }
 
 void Film::addToBlock(double *block, const Run &run, bool evenOnly) {
-    double count = block[0], weights = block[1];
-    for (int i = run.first; i < run.last; ++i)
-        if (!evenOnly || run.batch.sampleIndex[i] % 2 == 0) {
-            count += 1;
-            weights += run.batch.weight[i];
-        }
-    block[0] = count;
-    block[1] = weights;
+    if (!evenOnly) {
+        block[0] += run.last - run.first;
+        block[1] += sumOf(run.last - run.first, run.batch.weight + run.first);
+    } else {
+        for (int i = run.first; i < run.last; ++i)
+            if (run.batch.sampleIndex[i] % 2 == 0) {
+                block[0] += 1;
+                block[1] += run.batch.weight[i];
+            }
+    }
     double *weighted = block + 2, *plain = weighted + components_;
     for (int c = 0; c < components_; ++c) {
         if (c == depthComponent_) {
@@ -91,15 +125,14 @@ double Film::nearest(double depth, const Run &run, int component) {
     return depth;
 }
 
-/// The sum with a run's values added one after the other. No sum of floats overflows a double, so
+/// The sum with a run's values. No sum of floats overflows a double, so
 /// a sum that is not finite tells that some value was not, and only then is each one looked at.
 double Film::addComponent(double sum, const Run &run, int component, bool evenOnly, bool weighted) {
     const float *values = run.batch.values[component], *weights = run.batch.weight;
     const int *index = run.batch.sampleIndex;
     const double before = sum;
     if (!evenOnly && weighted)
-        for (int i = run.first; i < run.last; ++i)
-            sum += double(weights[i]) * values[i];
+        sum += sumOfProducts(run.last - run.first, weights + run.first, values + run.first);
     else
         for (int i = run.first; i < run.last; ++i)
             if (!evenOnly || index[i] % 2 == 0)
@@ -119,20 +152,11 @@ double Film::addComponent(double sum, const Run &run, int component, bool evenOn
 }
 
 void Film::addSquares(double *squares, const Run &run) {
-    const float *weights = run.batch.weight;
-    double sum = squares[0];
-    for (int i = run.first; i < run.last; ++i)
-        sum += double(weights[i]) * weights[i];
-    squares[0] = sum;
-    for (int c = 0; c < colorSamples; ++c) {
-        const float *values = run.batch.values[c];
-        sum = squares[1 + c];
-        for (int i = run.first; i < run.last; ++i) {
-            const double value = double(weights[i]) * values[i];
-            sum += std::isfinite(value) ? value * value : 0;
-        }
-        squares[1 + c] = sum;
-    }
+    const int count = run.last - run.first;
+    const float *weights = run.batch.weight + run.first;
+    squares[0] += sumOfProducts(count, weights, weights);
+    for (int c = 0; c < colorSamples; ++c)
+        squares[1 + c] += sumOfSquares(count, weights, run.batch.values[c] + run.first);
 }
 
 Film::Moments Film::moments(const double *pixel, int component, FilmHalf half) const {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where samples become pixels. Sums are double, a pixel's samples are added in the order of their
-// index and pixels share nothing, so a pixel depends on its own samples alone.
+// Where samples become pixels. Sums are double, a pixel's batches are added in the order of their
+// samples and pixels share nothing, so a pixel depends on its own samples and batches alone.
 #pragma once
 
 #include "image/picture.h"

@@ -2,9 +2,9 @@
 #include "light/transport/cone_mixture.h"
 
 #include "foundation/base/hot.h"
+#include "foundation/base/lanes.h"
 #include "foundation/base/vec3.h"
 #include "light/transport/cone.h"
-#include "light/transport/lanes.h"
 #include "light/transport/sincos.h"
 
 #include <algorithm>

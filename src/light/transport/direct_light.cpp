@@ -2,7 +2,7 @@
 #include "light/transport/direct_light.h"
 
 #include "foundation/base/hot.h"
-#include "light/transport/lanes.h"
+#include "foundation/base/lanes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,6 +25,18 @@ CANDELA_HOT void markShadowTests(int count, const float *__restrict contribution
                                  const std::uint8_t *__restrict castsShadow, int *__restrict test) {
     for (int i = 0; i < count; ++i)
         test[i] |= (contribution[i] != 0) & (light[i] != 0) & (castsShadow[i] != 0);
+}
+
+/// A component of the way from the shifted origin to the same end as L from P: the receiver's
+/// offset must not carry the ray's end into the light. Distant light is away from everywhere.
+CANDELA_HOT void towardsLight(int count, const float *__restrict P, const float *__restrict origin,
+                              const float *__restrict L, const float *__restrict distance,
+                              float *__restrict direction, float *__restrict end) {
+    for (int i = 0; i < count; ++i) {
+        bool distant = distance[i] == INFINITY;
+        direction[i] = distant ? L[i] : L[i] + (P[i] - origin[i]);
+        end[i] = distant ? INFINITY : shadowRayEnd;
+    }
 }
 
 } // namespace
@@ -53,42 +65,38 @@ CANDELA_HOT void lightWeights(int count, const float *__restrict lightPdf,
 }
 
 ShadowRays::ShadowRays(int capacity)
-    : rays_(capacity), origin_(3, capacity), transmittance_(colorSamples, capacity) {}
+    : rays_(capacity), planes_(5, capacity), transmittance_(colorSamples, capacity) {}
 
 int ShadowRays::attenuate(SurfaceVertices &vertices, const LightSamples &samples, int count,
                           const int *lanes, float *const *light) {
-    MutableVec3Planes origin{origin_[0], origin_[1], origin_[2]};
-    ConstVec3Planes L{samples.L[0], samples.L[1], samples.L[2]};
+    const int all = vertices.count();
+    ConstVec3Planes L{samples.L[0], samples.L[1], samples.L[2]}, P = vertices.P();
+    MutableVec3Planes origin{planes_[0], planes_[1], planes_[2]};
+    float *direction = planes_[3], *end = planes_[4];
     vertices.rayOrigins(L, origin);
     rays_.count = count;
-    lanes::gather(count, lanes, origin[0], rays_.originX);
-    lanes::gather(count, lanes, origin[1], rays_.originY);
-    lanes::gather(count, lanes, origin[2], rays_.originZ);
-    lanes::gather(count, lanes, L[0], rays_.directionX);
-    lanes::gather(count, lanes, L[1], rays_.directionY);
-    lanes::gather(count, lanes, L[2], rays_.directionZ);
-    lanes::gather(count, lanes, vertices.points.input(int(ShaderInput::time)), rays_.time);
-    ConstVec3Planes P = vertices.P();
-    for (int ray = 0; ray < count; ++ray) {
-        int i = lanes[ray];
-        rays_.tMax[ray] = INFINITY;
-        if (std::isinf(samples.distance[i]))
-            continue;
-        // Towards the same end from the shifted origin: the receiver's offset must not carry the
-        // ray's end into the light.
-        rays_.tMax[ray] = shadowRayEnd;
-        rays_.directionX[ray] += P[0][i] - origin[0][i];
-        rays_.directionY[ray] += P[1][i] - origin[1][i];
-        rays_.directionZ[ray] += P[2][i] - origin[2][i];
+    float *origins[3] = {rays_.originX, rays_.originY, rays_.originZ};
+    float *directions[3] = {rays_.directionX, rays_.directionY, rays_.directionZ};
+    for (int c = 0; c < 3; ++c) {
+        towardsLight(all, P[c], origin[c], L[c], samples.distance, direction, end);
+        lanes::take(count, lanes, origin[c], origins[c]);
+        lanes::take(count, lanes, direction, directions[c]);
     }
+    lanes::take(count, lanes, end, rays_.tMax);
+    lanes::take(count, lanes, vertices.points.input(int(ShaderInput::time)), rays_.time);
 
     std::array<float *, colorSamples> transmittance;
     for (int c = 0; c < colorSamples; ++c)
         transmittance[c] = transmittance_[c];
-    vertices.scene().transmittance(rays_, transmittance.data());
-    for (int c = 0; c < colorSamples; ++c)
-        for (int ray = 0; ray < count; ++ray)
-            light[c][lanes[ray]] *= transmittance[c][ray];
+    const bool colored = vertices.scene().transmittance(rays_, transmittance.data());
+    float *factor = planes_[3];
+    std::fill_n(factor, all, 1.0f);
+    for (int c = 0; c < colorSamples; ++c) {
+        if (c == 0 || colored)
+            for (int ray = 0; ray < count; ++ray)
+                factor[lanes[ray]] = transmittance[c][ray];
+        lanes::multiply(all, factor, light[c]);
+    }
     return count;
 }
 
@@ -140,7 +148,7 @@ int DirectLight::gather(SurfaceVertices &vertices, ConeMixture &mixture,
     std::fill_n(inShadowTest, count, 0);
     for (int c = 0; c < colorSamples; ++c)
         markShadowTests(count, contribution[c], light.light, light.castsShadow, inShadowTest);
-    int rays = lanes::compact(count, inShadowTest, lane);
+    int rays = lanes::compactUnequal(count, inShadowTest, 0, lane);
     return shadow_.attenuate(vertices, light, rays, lane, contribution);
 }
 

@@ -32,7 +32,8 @@ public:
 
 private:
     RayBatch rays_;
-    Planes<float> origin_, transmittance_;
+    Planes<float> planes_; ///< Origins, then what the step at hand needs.
+    Planes<float> transmittance_;
 };
 
 /// The light samples of a chunk: storage for Scene::sampleLights.

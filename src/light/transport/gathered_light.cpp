@@ -2,7 +2,7 @@
 #include "light/transport/gathered_light.h"
 
 #include "foundation/base/hash.h"
-#include "light/transport/lanes.h"
+#include "foundation/base/lanes.h"
 #include "light/transport/path_wave.h"
 #include "light/transport/sobol.h"
 

@@ -51,8 +51,7 @@ void pixelsOf(const Tile &tile, std::vector<int> &x, std::vector<int> &y) {
     }
 }
 
-/// Hands the samples of the pixels inside the crop window to the sink.
-void deliver(const PathWave &wave, const std::array<int, 4> &crop, int planes, SampleSink &sink) {
+void deliver(const PathWave &wave, int planes, SampleSink &sink) {
     const PathResults &results = wave.results();
     std::vector<const float *> values;
     for (int c = 0; c < colorSamples; ++c)
@@ -61,23 +60,8 @@ void deliver(const PathWave &wave, const std::array<int, 4> &crop, int planes, S
         values.push_back(results.opacity[c]);
     for (int plane = 0; plane < planes; ++plane)
         values.push_back(results.channels[plane]);
-    auto inside = [&](int i) {
-        return results.x[i] >= crop[0] && results.x[i] < crop[1] && results.y[i] >= crop[2] &&
-               results.y[i] < crop[3];
-    };
-    for (int first = 0; first < wave.slots();) {
-        int last = first;
-        while (last < wave.slots() && inside(last) == inside(first))
-            ++last;
-        if (inside(first)) {
-            std::vector<const float *> from;
-            for (const float *plane : values)
-                from.push_back(plane + first);
-            sink.add({last - first, results.x + first, results.y + first,
-                      results.sampleIndex + first, results.weight[0] + first, from.data()});
-        }
-        first = last;
-    }
+    sink.add({wave.slots(), results.x, results.y, results.sampleIndex, results.weight[0],
+              values.data()});
 }
 
 } // namespace
@@ -100,7 +84,7 @@ void integrate(const Scene &scene, const IntegratorSettings &settings,
                 wave.startCamera(pixels, x.data(), y.data(), first,
                                  std::min(first + pass, settings.samplesPerPixel));
                 wave.run();
-                deliver(wave, settings.crop, planes, sink);
+                deliver(wave, planes, sink);
             }
             if (settings.progress)
                 settings.progress(double(++done) / double(tiles.size()));

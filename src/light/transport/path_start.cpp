@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where the paths of a wave begin.
-#include "light/transport/lanes.h"
+#include "foundation/base/lanes.h"
 #include "light/transport/path_wave.h"
 #include "light/transport/sobol.h"
 

@@ -2,7 +2,7 @@
 #include "light/transport/path_wave.h"
 
 #include "foundation/base/hot.h"
-#include "light/transport/lanes.h"
+#include "foundation/base/lanes.h"
 #include "light/transport/sobol.h"
 
 #include <algorithm>
@@ -92,12 +92,6 @@ CANDELA_HOT void chooseDirections(int count, const std::int32_t *__restrict even
         direction[i] = event[i] == finiteRequests ? finite[i] : direction[i];
 }
 
-CANDELA_HOT void markHits(int count, const std::uint32_t *__restrict primitive,
-                          int *__restrict hit) {
-    for (int i = 0; i < count; ++i)
-        hit[i] = primitive[i] != noHit;
-}
-
 CANDELA_HOT void markShallow(int count, const int *__restrict depth, int maxDepth,
                              float *__restrict wanted) {
     for (int i = 0; i < count; ++i)
@@ -114,11 +108,10 @@ PathWave::PathWave(const Scene &scene, const IntegratorSettings &settings,
                                            : std::vector<FirstHitPlane>()),
       statistics_(statistics), nonFinite_(nonFinite), purpose_(purpose),
       results_(capacity, int(firstHit_.size())), active_(capacity), next_(capacity),
-      hits_(capacity), cameraNumbers_(2 * cameraPairs, capacity), order_(capacity),
-      hitMask_(capacity), binStart_(scene.codeCount() + 1), vertices_(chunk), mixture_(chunk),
-      events_(chunk), direct_(chunk), classic_(chunk), state_(2 * colorSamples + 2, chunk),
-      stateIntegers_(6, chunk), keys_(2, chunk), random_(2 * vertexPairs, chunk),
-      answers_(3 * colorSamples, chunk), scratch_(8, chunk) {}
+      hits_(capacity), cameraNumbers_(2 * cameraPairs, capacity), bins_(scene, capacity),
+      vertices_(chunk), mixture_(chunk), events_(chunk), direct_(chunk), classic_(chunk),
+      state_(2 * colorSamples + 2, chunk), stateIntegers_(6, chunk), keys_(2, chunk),
+      random_(2 * vertexPairs, chunk), answers_(3 * colorSamples, chunk), scratch_(8, chunk) {}
 
 // ---- Paths as a whole ----
 
@@ -135,32 +128,15 @@ void PathWave::run() {
 void PathWave::traceAndShade(int iteration) {
     bool fromCamera = iteration == 0 && purpose_ == Purpose::Camera;
     scene_.intersect(active_.rays, hits_, fromCamera ? Coherence::Primary : Coherence::Secondary);
-    binByCode();
+    bins_.sort(active_.count, hits_.primitive);
     next_.count = next_.rays.count = 0;
-    for (int code = 0; code < scene_.codeCount(); ++code)
-        for (int at = binStart_[code]; at < binStart_[code + 1]; at += chunk)
-            shadeChunk(code, order_.data() + at, std::min(chunk, binStart_[code + 1] - at),
+    for (int bin = 0; bin < bins_.count(); ++bin) {
+        std::span<const int> rays = bins_.rays(bin);
+        for (; !rays.empty(); rays = rays.subspan(std::min<std::size_t>(chunk, rays.size())))
+            shadeChunk(scene_.codeOfBin(bin), rays.data(), std::min<int>(chunk, int(rays.size())),
                        iteration);
-    next_.rays.count = next_.count;
-}
-
-/// Counting sort: order_ lists the hits of each code in the order of their rays.
-void PathWave::binByCode() {
-    std::fill(binStart_.begin(), binStart_.end(), 0);
-    if (scene_.codeCount() == 1) {
-        markHits(active_.count, hits_.primitive, hitMask_.data());
-        binStart_[1] = lanes::compact(active_.count, hitMask_.data(), order_.data());
-        return;
     }
-    for (int i = 0; i < active_.count; ++i)
-        if (hits_.primitive[i] != noHit)
-            ++binStart_[scene_.codeOf(hits_.primitive[i]) + 1];
-    for (std::size_t code = 1; code < binStart_.size(); ++code)
-        binStart_[code] += binStart_[code - 1];
-    binNext_ = binStart_;
-    for (int i = 0; i < active_.count; ++i)
-        if (hits_.primitive[i] != noHit)
-            order_[binNext_[scene_.codeOf(hits_.primitive[i])]++] = i;
+    next_.rays.count = next_.count;
 }
 
 void PathWave::shadeChunk(int code, const int *order, int count, int iteration) {
@@ -207,17 +183,17 @@ void PathWave::sampleNumbers(int pair) {
 
 void PathWave::gatherState(const int *order, int count) {
     for (int c = 0; c < colorSamples; ++c) {
-        lanes::gather(count, order, active_.throughput[c], throughput(c));
+        lanes::take(count, order, active_.throughput[c], throughput(c));
         std::fill_n(gathered(c), count, 0.0f);
     }
-    lanes::gather(count, order, active_.lastPdf, lastPdf());
-    lanes::gather(count, order, hits_.t, travelled());
-    lanes::gather(count, order, active_.travelled, scratch_[0]);
+    lanes::take(count, order, active_.lastPdf, lastPdf());
+    lanes::take(count, order, hits_.t, travelled());
+    lanes::take(count, order, active_.travelled, scratch_[0]);
     lanes::add(count, scratch_[0], travelled());
-    lanes::gather(count, order, active_.slot, slot());
-    lanes::gather(count, order, active_.depth, depth());
-    lanes::gather(count, order, active_.lightSet, lastLightSet());
-    lanes::gather(count, order, active_.seen, seen());
+    lanes::take(count, order, active_.slot, slot());
+    lanes::take(count, order, active_.depth, depth());
+    lanes::take(count, order, active_.lightSet, lastLightSet());
+    lanes::take(count, order, active_.seen, seen());
     lanes::gather(count, slot(), reinterpret_cast<const int *>(results_.keys[0]),
                   reinterpret_cast<int *>(keys_[0]));
     lanes::gather(count, slot(), results_.sampleIndex, reinterpret_cast<int *>(keys_[1]));
@@ -430,7 +406,7 @@ void PathWave::scatterOn() {
     int *survives = stateIntegers_[4], *lane = stateIntegers_[5];
     float *gain = scratch_[7];
     playRoulette(count, brightest, depth(), random_[2 * lightChoicePair + 1], survives, gain);
-    append(lanes::compact(count, survives, lane), lane, gain, pdf);
+    append(lanes::compactUnequal(count, survives, 0, lane), lane, gain, pdf);
 }
 
 /// Survivors go on behind those of the chunks before.
@@ -442,7 +418,7 @@ void PathWave::append(int count, const int *lane, const float *gain, const float
     vertices_.rayOrigins({direction[0], direction[1], direction[2]}, origin);
 
     RayBatch &rays = next_.rays;
-    auto take = [&](const float *from, float *to) { lanes::gather(count, lane, from, to + first); };
+    auto take = [&](const float *from, float *to) { lanes::take(count, lane, from, to + first); };
     take(origin[0], rays.originX), take(origin[1], rays.originY), take(origin[2], rays.originZ);
     take(direction[0], rays.directionX), take(direction[1], rays.directionY);
     take(direction[2], rays.directionZ);
@@ -450,30 +426,36 @@ void PathWave::append(int count, const int *lane, const float *gain, const float
     std::fill_n(rays.tMax + first, count, INFINITY);
     for (int c = 0; c < colorSamples; ++c) {
         float *next = answers_[colorSamples + c];
-        for (int i = 0; i < vertices_.count(); ++i)
-            next[i] *= gain[i];
+        lanes::multiply(vertices_.count(), gain, next);
         take(next, next_.throughput[c]);
     }
     take(pdf, next_.lastPdf);
     std::fill_n(next_.travelled + first, count, 0.0f);
-    lanes::gather(count, lane, slot(), next_.slot + first);
-    lanes::gather(count, lane, depth(), next_.depth + first);
-    lanes::gather(count, lane, vertices_.points.lightSet, next_.lightSet + first);
+    lanes::take(count, lane, slot(), next_.slot + first);
+    lanes::take(count, lane, depth(), next_.depth + first);
+    lanes::take(count, lane, vertices_.points.lightSet, next_.lightSet + first);
     std::fill_n(next_.seen + first, count, 0);
 
-    // Directions of mirrors and of what passes straight through have any length; and what passes
-    // has not been scattered.
-    const bool allFinite = !events_.needsChoice();
+    for (int at = first; at < next_.count; ++at)
+        ++next_.depth[at];
+    if (events_.needsChoice())
+        correctSpecialEvents(count, lane, first);
+}
+
+/// Directions of mirrors and of what passes straight through have any length; and what passes has
+/// not been scattered.
+void PathWave::correctSpecialEvents(int count, const int *lane, int first) {
+    MutableVec3Planes direction = events_.direction();
     for (int k = 0; k < count; ++k) {
         const int i = lane[k], at = first + k;
-        const bool through = !allFinite && events_.event()[i] == straightThrough;
-        next_.depth[at] += through ? 0 : 1;
-        if (allFinite || events_.event()[i] == finiteRequests)
+        if (events_.event()[i] == finiteRequests)
             continue;
         Vec3 unit = normalize({direction[0][i], direction[1][i], direction[2][i]});
-        rays.directionX[at] = unit.x, rays.directionY[at] = unit.y, rays.directionZ[at] = unit.z;
-        if (!through)
+        next_.rays.directionX[at] = unit.x, next_.rays.directionY[at] = unit.y;
+        next_.rays.directionZ[at] = unit.z;
+        if (events_.event()[i] != straightThrough)
             continue;
+        --next_.depth[at];
         next_.lastPdf[at] = lastPdf()[i];
         next_.travelled[at] = travelled()[i];
         next_.lightSet[at] = lastLightSet()[i];

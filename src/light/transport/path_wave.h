@@ -8,6 +8,7 @@
 #include "light/transport/direct_light.h"
 #include "light/transport/first_hit.h"
 #include "light/transport/gathered_light.h"
+#include "light/transport/hit_bins.h"
 #include "light/transport/integrator.h"
 #include "light/transport/non_finite.h"
 #include "light/transport/path_state.h"
@@ -55,7 +56,6 @@ public:
 
 private:
     void traceAndShade(int iteration);
-    void binByCode();
     void shadeChunk(int code, const int *order, int count, int iteration);
     void gatherState(const int *order, int count);
     void addEmission();
@@ -71,6 +71,7 @@ private:
     void reportNonFinite(int i);
     void scatterOn();
     void append(int count, const int *lane, const float *gain, const float *pdf);
+    void correctSpecialEvents(int count, const int *lane, int first);
 
     // The state of the chunk's paths.
     float *throughput(int c) const { return state_[c]; }
@@ -95,7 +96,7 @@ private:
     ActivePaths active_, next_;
     HitBatch hits_;
     Planes<float> cameraNumbers_; ///< Camera pairs of the wave's samples.
-    std::vector<int> order_, hitMask_, binStart_, binNext_;
+    HitBins bins_;
 
     // One chunk of vertices.
     SurfaceVertices vertices_;

@@ -2,7 +2,7 @@
 #include "light/transport/scattering_event.h"
 
 #include "foundation/base/hot.h"
-#include "light/transport/lanes.h"
+#include "foundation/base/lanes.h"
 
 #include <algorithm>
 #include <cmath>

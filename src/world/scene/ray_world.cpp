@@ -39,15 +39,25 @@ void refuseFromBehind(const RTCFilterFunctionNArguments *args) {
             args->valid[i] = 0;
 }
 
-/// valid[i] = -1 where ray i is finite, has a direction and ends beyond its origin.
-CANDELA_HOT void findTraceable(const RTCRay16 &rays, int *__restrict valid) {
+struct RayPlanes {
+    const float *ox, *oy, *oz, *dx, *dy, *dz, *tMax;
+};
+
+/// Copies 16 rays in; valid[i] = -1 where ray i is finite, has a direction and ends beyond its
+/// origin.
+CANDELA_HOT void copyPacket(RayPlanes from, int first, RTCRay16 &__restrict out,
+                            int *__restrict valid) {
+    const float *ox = from.ox + first, *oy = from.oy + first, *oz = from.oz + first;
+    const float *dx = from.dx + first, *dy = from.dy + first, *dz = from.dz + first;
+    const float *tMax = from.tMax + first;
     for (int i = 0; i < packet; ++i) {
+        out.org_x[i] = ox[i], out.org_y[i] = oy[i], out.org_z[i] = oz[i];
+        out.dir_x[i] = dx[i], out.dir_y[i] = dy[i], out.dir_z[i] = dz[i];
+        out.tfar[i] = tMax[i];
         // Infinities and NaN survive the multiplication by zero as NaN.
-        float sum = rays.org_x[i] + rays.org_y[i] + rays.org_z[i] + rays.dir_x[i] + rays.dir_y[i] +
-                    rays.dir_z[i];
-        bool finite = sum * 0 == 0;
-        bool directed = (rays.dir_x[i] != 0) | (rays.dir_y[i] != 0) | (rays.dir_z[i] != 0);
-        valid[i] = finite & directed & (rays.tfar[i] > 0) ? -1 : 0;
+        bool finite = (ox[i] + oy[i] + oz[i] + dx[i] + dy[i] + dz[i]) * 0 == 0;
+        bool directed = (dx[i] != 0) | (dy[i] != 0) | (dz[i] != 0);
+        valid[i] = finite & directed & (tMax[i] > 0) ? -1 : 0;
     }
 }
 
@@ -59,15 +69,10 @@ void prime(unsigned mask, RTCRay16 &out) {
     }
 }
 
-/// Copies rays first..first+15 in; valid[i] = -1 for those to be traced.
 void load(const RayBatch &rays, int first, RTCRay16 &out, int *valid) {
-    auto copy = [first](float *to, const float *from) {
-        std::memcpy(to, from + first, packet * sizeof(float));
-    };
-    copy(out.org_x, rays.originX), copy(out.org_y, rays.originY), copy(out.org_z, rays.originZ);
-    copy(out.dir_x, rays.directionX), copy(out.dir_y, rays.directionY);
-    copy(out.dir_z, rays.directionZ), copy(out.tfar, rays.tMax);
-    findTraceable(out, valid);
+    copyPacket({rays.originX, rays.originY, rays.originZ, rays.directionX, rays.directionY,
+                rays.directionZ, rays.tMax},
+               first, out, valid);
     if (rays.count - first < packet)
         std::fill(valid + (rays.count - first), valid + packet, 0);
 }

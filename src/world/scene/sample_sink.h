@@ -34,7 +34,8 @@ public:
     virtual ~SampleSink() = default;
     /// The channels that are wanted, "Ci" and "Oi" always first and second.
     virtual std::span<const ChannelInfo> channels() const = 0;
-    /// Thread-safe as long as no two threads bring samples of the same pixel.
+    /// Thread-safe as long as no two threads bring samples of the same pixel. Pixels outside the
+    /// window that is wanted may come too, and are ignored.
     virtual void add(const SampleBatch &) = 0;
 };
 

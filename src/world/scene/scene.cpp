@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/scene/scene.h"
 
+#include "foundation/base/hot.h"
+#include "foundation/base/lanes.h"
 #include "world/scene/scene_state.h"
 #include "world/scene/surface_points.h"
 
 #include <cmath>
+#include <map>
 
 namespace candela {
 
@@ -15,21 +18,34 @@ struct HitScratch {
     Scratch<float> u, v;
 };
 
+/// I holds the origins of the rays and becomes what leads from there to P.
+CANDELA_HOT void subtractFrom(int count, const float *__restrict P, float *__restrict I) {
+    for (int i = 0; i < count; ++i)
+        I[i] = P[i] - I[i];
+}
+
+CANDELA_HOT void lookUpBins(int count, const std::uint32_t *__restrict primitive,
+                            const int *__restrict binOfPrimitive, int *__restrict bin) {
+    for (int i = 0; i < count; ++i) {
+        bool hit = primitive[i] != noHit;
+        int found = binOfPrimitive[hit ? primitive[i] : 0];
+        bin[i] = hit ? found : -1;
+    }
+}
+
 /// I = P - origin of the ray, and what else the rays tell.
 void fillFromRays(const RayBatch &rays, const int *order, const WantedInputs &wanted,
                   ShadingPoints &points) {
     const float *origin[3] = {rays.originX, rays.originY, rays.originZ};
     for (int c = 0; c < 3; ++c) {
-        const float *P = points.input(int(ShaderInput::P) + c);
         float *I = points.input(int(ShaderInput::I) + c);
-        for (int i = 0; i < points.count; ++i)
-            I[i] = P[i] - origin[c][order[i]];
+        lanes::take(points.count, order, origin[c], I);
+        subtractFrom(points.count, points.input(int(ShaderInput::P) + c), I);
         if (wanted.E)
             std::fill_n(points.input(int(ShaderInput::E) + c), points.count, 0.0f);
     }
     // Shadow rays want the time even where the shader does not.
-    for (int i = 0; i < points.count; ++i)
-        points.input(int(ShaderInput::time))[i] = rays.time[order[i]];
+    lanes::take(points.count, order, rays.time, points.input(int(ShaderInput::time)));
 }
 
 } // namespace
@@ -50,6 +66,25 @@ int Scene::codeCount() const { return int(state_->codes.size()); }
 const ShaderCode &Scene::code(int index) const { return *state_->codes[index].code; }
 int Scene::codeOf(std::uint32_t primitive) const { return state_->summaries[primitive].code; }
 
+int Scene::binCount() const { return int(state_->codeOfBin.size()); }
+int Scene::codeOfBin(int bin) const { return state_->codeOfBin[bin]; }
+
+void Scene::bins(int count, const std::uint32_t *primitive, int *bin) const {
+    lookUpBins(count, primitive, state_->binOfPrimitive.data(), bin);
+}
+
+void SceneState::numberBins() {
+    std::map<std::pair<int, bool>, int> known;
+    for (const PrimitiveSummary &summary : summaries) {
+        auto [place, isNew] =
+            known.try_emplace({summary.code, summary.light != 0}, int(codeOfBin.size()));
+        if (isNew)
+            codeOfBin.push_back(summary.code);
+        binOfPrimitive.push_back(place->second);
+    }
+    binOfPrimitive.push_back(-1); // Rays that miss look at an entry, too.
+}
+
 void Scene::shadingPoints(const RayBatch &rays, const HitBatch &hits, const int *order, int count,
                           ShadingPoints &points) const {
     points.count = count;
@@ -58,11 +93,10 @@ void Scene::shadingPoints(const RayBatch &rays, const HitBatch &hits, const int 
     thread_local HitScratch own;
     std::uint32_t *primitive = own.primitive.get(count), *triangle = own.triangle.get(count);
     float *u = own.u.get(count), *v = own.v.get(count);
-    for (int i = 0; i < count; ++i) {
-        int hit = order[i];
-        primitive[i] = hits.primitive[hit], triangle[i] = hits.triangle[hit];
-        u[i] = hits.u[hit], v[i] = hits.v[hit];
-    }
+    lanes::take(count, order, hits.primitive, primitive);
+    lanes::take(count, order, hits.triangle, triangle);
+    lanes::take(count, order, hits.u, u);
+    lanes::take(count, order, hits.v, v);
     const SceneCode &code = state_->codes[codeOf(primitive[0])];
     state_->evaluate({count, primitive, triangle, u, v}, code, points);
     fillFromRays(rays, order, code.wanted, points);

@@ -33,15 +33,22 @@ public:
     /// rays' packet alone. Sets of 16 consecutive rays are packets, always the same ones.
     void intersect(const RayBatch &, HitBatch &, Coherence) const;
     /// transmittance[c][i]: what part of light comes through along ray i up to tMax: 0 behind
-    /// opaque surfaces, the product of (1 - Oi) through transparent ones, else 1.
-    void transmittance(const RayBatch &, float *const *transmittance) const;
+    /// opaque surfaces, the product of (1 - Oi) through transparent ones, else 1. False if
+    /// nothing is transparent: then all c are the same, and transmittance[0] alone is filled.
+    bool transmittance(const RayBatch &, float *const *transmittance) const;
 
     // ---- Surfaces ----
-    /// Surface shader codes, numbered; hits are binned by them.
+    /// Surface shader codes, numbered.
     int codeCount() const;
     const ShaderCode &code(int index) const;
     int codeOf(std::uint32_t primitive) const;
-    /// Fills the shading points of hits[order[0..count)], which must share one code. `fromPoint`
+    /// Bins: what is shaded together, the primitives of one code, those that are lights apart.
+    int binCount() const;
+    int codeOfBin(int bin) const;
+    /// bin[i] = bin of primitive[i], -1 where that is noHit.
+    void bins(int count, const std::uint32_t *primitive, int *bin) const;
+    /// Fills the shading points of hits[order[0..count)], `order` increasing, which must share one
+    /// code. `fromPoint`
     /// gives I; rays are those that made the hits.
     void shadingPoints(const RayBatch &, const HitBatch &, const int *order, int count,
                        ShadingPoints &) const;
@@ -74,6 +81,9 @@ public:
     Statistics statistics() const;
 
 private:
+    void walkThroughTransparent(const RayBatch &, const std::uint8_t *blocked,
+                                float *const *transmittance) const;
+
     friend class SceneCompiler;
     explicit Scene(std::unique_ptr<SceneState>);
     std::unique_ptr<SceneState> state_;

@@ -112,6 +112,7 @@ void SceneCompiler::worldEnd() {
     for (SceneLight &light : state->lights.lights)
         light.flat = flatLight(*state, light);
     state->flatTable.build(*state);
+    state->numberBins();
     state->statistics.secondsBuilding = secondsSince(start);
 
     Scene scene(std::move(state));

@@ -91,7 +91,8 @@ struct SceneState {
     std::vector<PrimitiveSummary> summaries;
     std::vector<float> objectMatrices; ///< 32 floats a primitive, as ShaderArgs wants them.
     std::vector<SceneCode> codes;
-    std::vector<std::vector<int>> lightSets; ///< Indices of the lights on, by lightSet.
+    std::vector<int> binOfPrimitive, codeOfBin; ///< See Scene::bins.
+    std::vector<std::vector<int>> lightSets;    ///< Indices of the lights on, by lightSet.
     std::unique_ptr<RayWorld> rays;
     std::vector<std::uint32_t> triangleCounts; ///< Of each primitive's dicing.
     FlatTable flatTable;
@@ -101,6 +102,8 @@ struct SceneState {
     Vec3 centre; ///< Of a sphere around the scene, current space.
     float radius = 1;
 
+    /// Numbers the bins, once it is known what is a light.
+    void numberBins();
     /// Fills the points' inputs (but I, E and time) and the rest of the ShadingPoints.
     void evaluate(const TrianglePoints &, const SceneCode &, ShadingPoints &) const;
     /// Scene::bind and Scene::emission.

@@ -20,15 +20,16 @@ struct Grid {
     explicit Grid(const Scene &scene) {
         rays.count = count;
         for (int i = 0; i < count; ++i) {
-            rays.directionX[i] = (i % side + 0.5f) * 2 / side - 1;
-            rays.directionY[i] = (i / side + 0.5f) * 2 / side - 1;
+            int place = count - 1 - i;
+            rays.directionX[i] = (place % side + 0.5f) * 2 / side - 1;
+            rays.directionY[i] = (place / side + 0.5f) * 2 / side - 1;
             rays.directionZ[i] = 1, rays.tMax[i] = INFINITY, rays.time[i] = 0.5f;
         }
         scene.intersect(rays, hits, Coherence::Primary);
     }
     std::vector<int> ofCode(const Scene &scene, int code) const {
         std::vector<int> order;
-        for (int i = count - 1; i >= 0; --i)
+        for (int i = 0; i < count; ++i)
             if (hits.primitive[i] != noHit && scene.codeOf(hits.primitive[i]) == code)
                 order.push_back(i);
         return order;

@@ -59,16 +59,22 @@ void stepBehind(RayBatch &rays, int i, const ShadingPoints &points, int k) {
 
 } // namespace
 
-void Scene::transmittance(const RayBatch &rays, float *const *transmittance) const {
+bool Scene::transmittance(const RayBatch &rays, float *const *transmittance) const {
     thread_local Scratch<std::uint8_t> blockedScratch;
     std::uint8_t *blocked = blockedScratch.get(rays.count);
     state_->rays->occluded(rays, blocked);
-    for (int c = 0; c < colorSamples; ++c)
+    const bool colored = state_->rays->hasTransparent();
+    for (int c = 0; c < (colored ? colorSamples : 1); ++c)
         for (int i = 0; i < rays.count; ++i)
             transmittance[c][i] = blocked[i] == 1 ? 0 : 1;
-    if (!state_->rays->hasTransparent())
-        return;
+    if (colored)
+        walkThroughTransparent(rays, blocked, transmittance);
+    return colored;
+}
 
+/// Multiplies by what the transparent surfaces let through.
+void Scene::walkThroughTransparent(const RayBatch &rays, const std::uint8_t *blocked,
+                                   float *const *transmittance) const {
     Walk &walk = walkFor(rays.count);
     walk.lane.clear();
     for (int i = 0; i < rays.count; ++i)

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "foundation/base/lanes.h"
+
+#include "foundation/base/hot.h"
+
+#include <cstring>
+#include <immintrin.h>
+
+namespace candela::lanes {
+
+namespace {
+
+// ---- What needs instructions that compilers do not find: packing, and picking from registers ----
+
+#ifdef CANDELA_WIDE
+/// Lanes whose keys equal `key`, or differ from it, sixteen at a time.
+CANDELA_WIDE int compactLanes(int count, const int *keys, int key, bool equal, int *lanes) {
+    const __m512i wanted = _mm512_set1_epi32(key), step = _mm512_set1_epi32(16);
+    __m512i lane = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+    int kept = 0;
+    for (int i = 0; i < count; i += 16, lane = _mm512_add_epi32(lane, step)) {
+        const __mmask16 there = count - i >= 16 ? 0xffff : __mmask16((1u << (count - i)) - 1);
+        const __m512i here = _mm512_maskz_loadu_epi32(there, keys + i);
+        const __mmask16 keep = equal ? _mm512_mask_cmpeq_epi32_mask(there, here, wanted)
+                                     : _mm512_mask_cmpneq_epi32_mask(there, here, wanted);
+        // A whole vector is stored; the next overwrites what does not count.
+        _mm512_storeu_si512(lanes + kept, _mm512_maskz_compress_epi32(keep, lane));
+        kept += __builtin_popcount(keep);
+    }
+    return kept;
+}
+
+/// Sixteen increasing indices mostly span fewer than 32 lanes: two loads and a permutation.
+CANDELA_WIDE void takeLanes(int count, const int *order, const void *from, void *to) {
+    const int *source = static_cast<const int *>(from);
+    int *target = static_cast<int *>(to);
+    int i = 0;
+    for (; i + 16 <= count; i += 16) {
+        const __m512i index = _mm512_loadu_si512(order + i);
+        const int first = order[i], span = order[i + 15] - first;
+        __m512i taken;
+        if (span < 32) {
+            // No further than the last: planes may end there.
+            const auto beyond = __mmask16(span >= 16 ? (2u << (span - 16)) - 1 : 0);
+            const __m512i low = _mm512_loadu_si512(source + first);
+            const __m512i high = _mm512_maskz_loadu_epi32(beyond, source + first + 16);
+            const __m512i place = _mm512_sub_epi32(index, _mm512_set1_epi32(first));
+            taken = _mm512_permutex2var_epi32(low, place, high);
+        } else {
+            taken = _mm512_mask_i32gather_epi32(_mm512_setzero_si512(), 0xffff, index, source, 4);
+        }
+        _mm512_storeu_si512(target + i, taken);
+    }
+    for (; i < count; ++i)
+        target[i] = source[order[i]];
+}
+#endif
+
+CANDELA_PLAIN int compactLanes(int count, const int *keys, int key, bool equal, int *lanes) {
+    int kept = 0;
+    for (int i = 0; i < count; ++i) {
+        lanes[kept] = i; // Without a branch: what isn't kept is overwritten by the next.
+        kept += (keys[i] == key) == equal;
+    }
+    return kept;
+}
+
+CANDELA_PLAIN void takeLanes(int count, const int *order, const void *from, void *to) {
+    const char *source = static_cast<const char *>(from);
+    char *target = static_cast<char *>(to);
+    for (int i = 0; i < count; ++i)
+        std::memcpy(target + 4 * std::size_t(i), source + 4 * std::size_t(order[i]), 4);
+}
+
+} // namespace
+
+int compactEqual(int count, const int *key, int wanted, int *lanes) {
+    return compactLanes(count, key, wanted, true, lanes);
+}
+
+int compactUnequal(int count, const int *key, int unwanted, int *lanes) {
+    return compactLanes(count, key, unwanted, false, lanes);
+}
+
+void take(int count, const int *increasing, const float *from, float *to) {
+    takeLanes(count, increasing, from, to);
+}
+
+void take(int count, const int *increasing, const int *from, int *to) {
+    takeLanes(count, increasing, from, to);
+}
+
+void take(int count, const int *increasing, const std::uint32_t *from, std::uint32_t *to) {
+    takeLanes(count, increasing, from, to);
+}
+
+// ---- What compilers make vectors of ----
+
+CANDELA_HOT void gather(int count, const int *__restrict order, const float *__restrict from,
+                        float *__restrict to) {
+    for (int i = 0; i < count; ++i)
+        to[i] = from[order[i]];
+}
+
+CANDELA_HOT void gather(int count, const int *__restrict order, const int *__restrict from,
+                        int *__restrict to) {
+    for (int i = 0; i < count; ++i)
+        to[i] = from[order[i]];
+}
+
+CANDELA_HOT void gather(int count, const int *__restrict order,
+                        const std::uint32_t *__restrict from, std::uint32_t *__restrict to) {
+    for (int i = 0; i < count; ++i)
+        to[i] = from[order[i]];
+}
+
+CANDELA_HOT void add(int count, const float *__restrict b, float *__restrict a) {
+    for (int i = 0; i < count; ++i)
+        a[i] += b[i];
+}
+
+CANDELA_HOT void multiply(int count, const float *__restrict b, float *__restrict a) {
+    for (int i = 0; i < count; ++i)
+        a[i] *= b[i];
+}
+
+CANDELA_HOT void multiplyAdd(int count, const float *__restrict a, const float *__restrict b,
+                             float *__restrict sum) {
+    for (int i = 0; i < count; ++i)
+        sum[i] += a[i] * b[i];
+}
+
+CANDELA_HOT bool allFinite(int count, const float *__restrict values) {
+    int bad = 0;
+    for (int i = 0; i < count; ++i)
+        bad |= !(values[i] * 0 == 0); // Infinities and NaN become NaN.
+    return bad == 0;
+}
+
+CANDELA_HOT bool allEqual(int count, const float *__restrict values, float expected) {
+    int other = 0;
+    for (int i = 0; i < count; ++i)
+        other |= values[i] != expected;
+    return other == 0;
+}
+
+CANDELA_HOT bool allEqual(int count, const int *__restrict values, int expected) {
+    int other = 0;
+    for (int i = 0; i < count; ++i)
+        other |= values[i] ^ expected;
+    return other == 0;
+}
+
+CANDELA_HOT bool allPositive(int count, const float *__restrict values) {
+    int others = 0;
+    for (int i = 0; i < count; ++i)
+        others |= !(values[i] > 0);
+    return others == 0;
+}
+
+} // namespace candela::lanes

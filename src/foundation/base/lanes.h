@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Loops over the lanes of batches that many steps share, compiled for wide vectors.
+#pragma once
+
+#include <cstdint>
+
+namespace candela::lanes {
+
+/// to[i] = from[order[i]]
+void gather(int count, const int *order, const float *from, float *to);
+void gather(int count, const int *order, const int *from, int *to);
+void gather(int count, const int *order, const std::uint32_t *from, std::uint32_t *to);
+/// The same for increasing orders: faster, as what is wanted lies close together.
+void take(int count, const int *increasing, const float *from, float *to);
+void take(int count, const int *increasing, const int *from, int *to);
+void take(int count, const int *increasing, const std::uint32_t *from, std::uint32_t *to);
+/// a[i] += b[i]
+void add(int count, const float *b, float *a);
+/// a[i] *= b[i]
+void multiply(int count, const float *b, float *a);
+/// sum[i] += a[i] * b[i]
+void multiplyAdd(int count, const float *a, const float *b, float *sum);
+/// True if every value is finite.
+bool allFinite(int count, const float *values);
+/// True if every value equals `expected`.
+bool allEqual(int count, const float *values, float expected);
+bool allEqual(int count, const int *values, int expected);
+/// True if every value is above 0.
+bool allPositive(int count, const float *values);
+/// The lanes i with key[i] == wanted (or != unwanted), in order; returns how many. `lanes` has
+/// room for count, and up to 15 more that may be overwritten.
+int compactEqual(int count, const int *key, int wanted, int *lanes);
+int compactUnequal(int count, const int *key, int unwanted, int *lanes);
+
+} // namespace candela::lanes

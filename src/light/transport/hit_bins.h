@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// The hits of a wave by what is to be asked about them: a surface shader each, lights apart.
+#pragma once
+
+#include "world/scene/scene.h"
+
+#include <span>
+#include <vector>
+
+namespace candela {
+
+class HitBins {
+public:
+    HitBins(const Scene &, int capacity);
+
+    /// Takes the hits of `count` rays; misses are left out.
+    void sort(int count, const std::uint32_t *primitive);
+    int count() const { return int(start_.size()) - 1; }
+    /// The rays of a bin, in increasing order.
+    std::span<const int> rays(int bin) const {
+        return {order_.data() + start_[bin], order_.data() + start_[bin + 1]};
+    }
+
+private:
+    void sortByCounting(int count);
+
+    const Scene &scene_;
+    std::vector<int> bin_, order_;
+    std::vector<int> start_, next_; ///< In order_.
+};
+
+} // namespace candela
