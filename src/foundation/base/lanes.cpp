@@ -10,7 +10,7 @@ namespace candela::lanes {
 
 namespace {
 
-// ---- What needs instructions that compilers do not find: packing, and picking from registers ----
+// ---- What needs instructions that compilers do not find ----
 
 #ifdef CANDELA_WIDE
 /// Lanes whose keys equal `key`, or differ from it, sixteen at a time.
@@ -54,6 +54,40 @@ CANDELA_WIDE void takeLanes(int count, const int *order, const void *from, void 
     for (; i < count; ++i)
         target[i] = source[order[i]];
 }
+/// Four columns of sixteen rows: four rows to a vector, then transposed within its quarters. Many
+/// times as fast as gathering each column.
+CANDELA_WIDE inline void transposeColumns(const float *table, const int *row, __m512 *column) {
+    __m512 rows[4];
+    for (int k = 0; k < 4; ++k) {
+        rows[k] = _mm512_castps128_ps512(_mm_loadu_ps(table + row[k]));
+        rows[k] = _mm512_insertf32x4(rows[k], _mm_loadu_ps(table + row[4 + k]), 1);
+        rows[k] = _mm512_insertf32x4(rows[k], _mm_loadu_ps(table + row[8 + k]), 2);
+        rows[k] = _mm512_insertf32x4(rows[k], _mm_loadu_ps(table + row[12 + k]), 3);
+    }
+    const __m512d low01 = _mm512_castps_pd(_mm512_maskz_unpacklo_ps(0xffff, rows[0], rows[1]));
+    const __m512d low23 = _mm512_castps_pd(_mm512_maskz_unpacklo_ps(0xffff, rows[2], rows[3]));
+    const __m512d high01 = _mm512_castps_pd(_mm512_maskz_unpackhi_ps(0xffff, rows[0], rows[1]));
+    const __m512d high23 = _mm512_castps_pd(_mm512_maskz_unpackhi_ps(0xffff, rows[2], rows[3]));
+    column[0] = _mm512_castpd_ps(_mm512_maskz_unpacklo_pd(0xff, low01, low23));
+    column[1] = _mm512_castpd_ps(_mm512_maskz_unpackhi_pd(0xff, low01, low23));
+    column[2] = _mm512_castpd_ps(_mm512_maskz_unpacklo_pd(0xff, high01, high23));
+    column[3] = _mm512_castpd_ps(_mm512_maskz_unpackhi_pd(0xff, high01, high23));
+}
+
+CANDELA_WIDE void gatherTable(int count, const float *table, const int *row, int columns,
+                              float *const *planes) {
+    for (int i = 0; i < count; i += 16) {
+        alignas(64) int rows[16] = {};
+        std::memcpy(rows, row + i, sizeof(int) * std::size_t(count - i < 16 ? count - i : 16));
+        for (int c = 0; c < columns; c += 4) {
+            __m512 column[4];
+            transposeColumns(table + c, rows, column);
+            for (int k = 0; k < 4 && c + k < columns; ++k)
+                if (planes[c + k])
+                    _mm512_store_ps(planes[c + k] + i, column[k]);
+        }
+    }
+}
 #endif
 
 CANDELA_PLAIN int compactLanes(int count, const int *keys, int key, bool equal, int *lanes) {
@@ -72,7 +106,19 @@ CANDELA_PLAIN void takeLanes(int count, const int *order, const void *from, void
         std::memcpy(target + 4 * std::size_t(i), source + 4 * std::size_t(order[i]), 4);
 }
 
+CANDELA_PLAIN void gatherTable(int count, const float *table, const int *row, int columns,
+                               float *const *planes) {
+    for (int c = 0; c < columns; ++c)
+        if (planes[c])
+            for (int i = 0; i < count; ++i)
+                planes[c][i] = table[row[i] + c];
+}
+
 } // namespace
+
+void gatherRows(int count, const float *table, const int *row, int columns, float *const *planes) {
+    gatherTable(count, table, row, columns, planes);
+}
 
 int compactEqual(int count, const int *key, int wanted, int *lanes) {
     return compactLanes(count, key, wanted, true, lanes);

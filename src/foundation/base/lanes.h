@@ -14,6 +14,10 @@ void gather(int count, const int *order, const std::uint32_t *from, std::uint32_
 void take(int count, const int *increasing, const float *from, float *to);
 void take(int count, const int *increasing, const int *from, int *to);
 void take(int count, const int *increasing, const std::uint32_t *from, std::uint32_t *to);
+/// planes[c][i] = table[row[i] + c], for columns c of rows of 16 words, `row` counting words; a
+/// null plane is left out. Planes are aligned to 64 bytes and may be written up to whole vectors
+/// of 16.
+void gatherRows(int count, const float *table, const int *row, int columns, float *const *planes);
 /// a[i] += b[i]
 void add(int count, const float *b, float *a);
 /// a[i] *= b[i]

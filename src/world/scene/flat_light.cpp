@@ -2,6 +2,8 @@
 #include "world/scene/flat_light.h"
 
 #include "foundation/base/hot.h"
+#include "foundation/base/lanes.h"
+#include "world/scene/flat_points.h"
 #include "world/scene/light_question.h"
 #include "world/scene/scene_state.h"
 
@@ -15,8 +17,9 @@ namespace candela {
 namespace {
 
 constexpr int mostTriangles = 16;
-/// A row of the table: origin, edgeA, edgeB, unit normal, offset; see ShadingPoints::offset.
-constexpr int rowFloats = 13, normalAt = 9, offsetAt = 12;
+/// A row of the table: origin, edgeA, edgeB, unit normal, offset (see ShadingPoints::offset);
+/// padded to a cache line.
+constexpr int rowFloats = 16, normalAt = 9, offsetAt = 12;
 
 /// A point of the unit square, folded onto a triangle: uniform, and neighbours stay neighbours.
 CANDELA_HOT void fold(int count, const float *__restrict x, const float *__restrict y,
@@ -56,20 +59,10 @@ CANDELA_HOT void takeValues(int count, const float *__restrict pdf, const float 
         value[k] = pdf[k] > 0 ? Cl[k] : 0.0f;
 }
 
-CANDELA_HOT void positions(int count, const float *__restrict rows, const int *__restrict row,
-                           const float *__restrict u, const float *__restrict v,
-                           float *__restrict P, float *__restrict N) {
-    for (int k = 0; k < count; ++k) {
-        int at = row[k];
-        P[k] = rows[at] + rows[at + 3] * u[k] + rows[at + 6] * v[k];
-        N[k] = rows[at + normalAt];
-    }
-}
-
 /// Direction, distance and density; L ends before the zone in which the light's own triangles
 /// might stand in the way. pdf = 0: the light is not to be had from there.
-CANDELA_HOT void directions(int count, const float *__restrict rows, const int *__restrict row,
-                            float areaDensity, float roundingShare, const float *__restrict px,
+CANDELA_HOT void directions(int count, const float *__restrict lightOffset, float areaDensity,
+                            float roundingShare, const float *__restrict px,
                             const float *__restrict py, const float *__restrict pz,
                             const float *__restrict nx, const float *__restrict ny,
                             const float *__restrict nz, const float *__restrict x,
@@ -84,7 +77,7 @@ CANDELA_HOT void directions(int count, const float *__restrict rows, const int *
         float largest = std::fabs(px[k]);
         largest = std::fabs(py[k]) > largest ? std::fabs(py[k]) : largest;
         largest = std::fabs(pz[k]) > largest ? std::fabs(pz[k]) : largest;
-        float offset = rows[row[k] + offsetAt] + roundingShare * largest;
+        float offset = lightOffset[k] + roundingShare * largest;
         float before = 1 - offset / (length * cosine);
         before = before > 0.5f ? before : 0.5f;
         float density = areaDensity * squared / cosine;
@@ -97,7 +90,7 @@ CANDELA_HOT void directions(int count, const float *__restrict rows, const int *
 /// The planes of one call.
 struct FlatScratch {
     LightBatch batch{lightBatchSize};
-    Planes<float> floats{3, lightBatchSize};
+    Planes<float> floats{4, lightBatchSize}, edges{6, lightBatchSize};
     Planes<int> rows{1, lightBatchSize};
 };
 
@@ -128,6 +121,7 @@ bool addRow(const SceneState &state, const SceneLight::Triangle &place, FlatLigh
     for (Vec3 v : {flat->origin, flat->edgeA, flat->edgeB, normalize(flat->normal)})
         light.rows.insert(light.rows.end(), {v.x, v.y, v.z});
     light.rows.push_back(state.summaries[place.primitive].offset);
+    light.rows.insert(light.rows.end(), rowFloats - offsetAt - 1, 0.0f);
     return true;
 }
 
@@ -169,14 +163,19 @@ void sampleFlatLight(const SceneState &state, int index, const LightQuery &query
                      row, within);
     fold(count, within, query.position[1], u, v);
     float *P[3], *N[3];
+    float *planes[offsetAt + 1];
     for (int c = 0; c < 3; ++c) {
-        P[c] = batch.input(ShaderInput::P, c), N[c] = batch.input(ShaderInput::N, c);
-        positions(count, flat.rows.data() + c, row, u, v, P[c], N[c]);
+        planes[c] = P[c] = batch.input(ShaderInput::P, c);
+        planes[3 + c] = own.edges[c], planes[6 + c] = own.edges[3 + c];
+        planes[normalAt + c] = N[c] = batch.input(ShaderInput::N, c);
     }
-    directions(count, flat.rows.data(), row,
-               float(1 / light.area) * (chosen ? light.probability : 1), roundingShare, P[0], P[1],
-               P[2], N[0], N[1], N[2], query.P[0], query.P[1], query.P[2], out.L[0], out.L[1],
-               out.L[2], out.distance, out.pdfSolidAngle);
+    planes[offsetAt] = own.floats[3];
+    lanes::gatherRows(count, flat.rows.data(), row, offsetAt + 1, planes);
+    for (int c = 0; c < 3; ++c)
+        walkAlongEdges(count, own.edges[c], own.edges[3 + c], u, v, P[c]);
+    directions(count, own.floats[3], float(1 / light.area) * (chosen ? light.probability : 1),
+               roundingShare, P[0], P[1], P[2], N[0], N[1], N[2], query.P[0], query.P[1],
+               query.P[2], out.L[0], out.L[1], out.L[2], out.distance, out.pdfSolidAngle);
 
     batch.count = count;
     batch.readFrom(ShaderInput::Ng, 3, N);

@@ -2,6 +2,7 @@
 #include "world/scene/flat_points.h"
 
 #include "foundation/base/hot.h"
+#include "foundation/base/lanes.h"
 #include "world/scene/scene_state.h"
 #include "world/scene/surface_points.h"
 
@@ -14,6 +15,7 @@ namespace {
 
 /// A row: origin, edgeA, edgeB, normal, density; padded to a cache line.
 constexpr int rowFloats = 16, normalAt = 9, densityAt = 12;
+constexpr int block = 256;
 /// Larger scenes would fill the caches with the table.
 constexpr std::size_t mostTriangles = 1 << 18;
 constexpr int summaryWords = sizeof(PrimitiveSummary) / sizeof(float);
@@ -28,31 +30,19 @@ CANDELA_HOT void findRows(int count, const int *__restrict firstRow,
     }
 }
 
-CANDELA_HOT void positions(int count, const float *__restrict rows, const int *__restrict row,
-                           const float *__restrict u, const float *__restrict v,
-                           float *__restrict P) {
-    for (int i = 0; i < count; ++i)
-        P[i] = rows[row[i]] + rows[row[i] + 3] * u[i] + rows[row[i] + 6] * v[i];
-}
-
-CANDELA_HOT void column(int count, const float *__restrict table, const int *__restrict at,
-                        float *__restrict to) {
-    for (int i = 0; i < count; ++i)
-        to[i] = table[at[i]];
-}
-
-CANDELA_HOT void column(int count, const int *__restrict table, const int *__restrict at,
-                        int *__restrict to) {
-    for (int i = 0; i < count; ++i)
-        to[i] = table[at[i]];
-}
-
 bool servedFromTable(const SceneCode &code) {
     const WantedInputs &w = code.wanted;
     return !w.dPd && !w.uv && !w.footprint && !w.st && code.variableNames.empty();
 }
 
 } // namespace
+
+CANDELA_HOT void walkAlongEdges(int count, const float *__restrict edgeA,
+                                const float *__restrict edgeB, const float *__restrict u,
+                                const float *__restrict v, float *__restrict P) {
+    for (int i = 0; i < count; ++i)
+        P[i] = P[i] + edgeA[i] * u[i] + edgeB[i] * v[i];
+}
 
 std::optional<FlatTriangle> flatTriangle(const SceneState &state, std::uint32_t index,
                                          std::uint32_t triangle) {
@@ -113,37 +103,53 @@ void FlatTable::build(SceneState &state) {
     }
 }
 
+/// What the primitives say of all their points.
+void FlatTable::takeSummaries(const SceneState &state, const SceneCode &code, int count,
+                              const int *summary, ShadingPoints &out) {
+    constexpr int columns = offsetof(PrimitiveSummary, Os) / sizeof(float) + colorSamples;
+    float *planes[columns] = {};
+    auto word = [&](std::size_t bytes) -> float *& { return planes[bytes / sizeof(float)]; };
+    word(offsetof(PrimitiveSummary, parameterOffset)) =
+        reinterpret_cast<float *>(out.parameterOffset);
+    word(offsetof(PrimitiveSummary, lightSet)) = reinterpret_cast<float *>(out.lightSet);
+    word(offsetof(PrimitiveSummary, light)) = reinterpret_cast<float *>(out.light);
+    word(offsetof(PrimitiveSummary, offset)) = out.offset;
+    for (int c = 0; c < colorSamples; ++c) {
+        if (code.wanted.Cs)
+            (&word(offsetof(PrimitiveSummary, Cs)))[c] = out.inputTable[int(ShaderInput::Cs) + c];
+        if (code.wanted.Os)
+            (&word(offsetof(PrimitiveSummary, Os)))[c] = out.inputTable[int(ShaderInput::Os) + c];
+    }
+    lanes::gatherRows(count, reinterpret_cast<const float *>(state.summaries.data()), summary,
+                      columns, planes);
+}
+
 void FlatTable::evaluate(const SceneState &state, const TrianglePoints &points,
                          const SceneCode &code, ShadingPoints &out) const {
     thread_local Scratch<int> scratch;
     const int count = out.count = points.count, stride = paddedLanes(count);
     int *row = scratch.get(2 * stride), *summary = row + stride;
     findRows(count, firstRow_.data(), points.primitive, points.triangle, row, summary);
-
-    const float *rows = rows_.data();
     auto plane = [&](ShaderInput input, int c) { return out.inputTable[int(input) + c]; };
-    for (int c = 0; c < 3; ++c) {
-        positions(count, rows + c, row, points.u, points.v, plane(ShaderInput::P, c));
-        column(count, rows + normalAt + c, row, plane(ShaderInput::Ng, c));
-        std::copy_n(plane(ShaderInput::Ng, c), count, plane(ShaderInput::N, c));
-    }
-    column(count, rows + densityAt, row, out.lightPdfArea);
+    takeSummaries(state, code, count, summary, out);
 
-    const float *floats = reinterpret_cast<const float *>(state.summaries.data());
-    const int *integers = reinterpret_cast<const int *>(state.summaries.data());
-    auto word = [](std::size_t bytes) { return bytes / sizeof(float); };
-    column(count, integers + word(offsetof(PrimitiveSummary, parameterOffset)), summary,
-           out.parameterOffset);
-    column(count, integers + word(offsetof(PrimitiveSummary, lightSet)), summary, out.lightSet);
-    column(count, integers + word(offsetof(PrimitiveSummary, light)), summary, out.light);
-    column(count, floats + word(offsetof(PrimitiveSummary, offset)), summary, out.offset);
-    for (int c = 0; c < colorSamples; ++c) {
-        if (code.wanted.Cs)
-            column(count, floats + word(offsetof(PrimitiveSummary, Cs)) + c, summary,
-                   plane(ShaderInput::Cs, c));
-        if (code.wanted.Os)
-            column(count, floats + word(offsetof(PrimitiveSummary, Os)) + c, summary,
-                   plane(ShaderInput::Os, c));
+    // In blocks, whose edges stay in the first-level cache.
+    thread_local Planes<float> edges(6, block);
+    for (int first = 0; first < count; first += block) {
+        const int n = std::min(block, count - first);
+        float *planes[densityAt + 1];
+        for (int c = 0; c < 3; ++c) {
+            planes[c] = plane(ShaderInput::P, c) + first;
+            planes[3 + c] = edges[c], planes[6 + c] = edges[3 + c];
+            planes[normalAt + c] = plane(ShaderInput::Ng, c) + first;
+        }
+        planes[densityAt] = out.lightPdfArea + first;
+        lanes::gatherRows(n, rows_.data(), row + first, densityAt + 1, planes);
+        for (int c = 0; c < 3; ++c) {
+            walkAlongEdges(n, edges[c], edges[3 + c], points.u + first, points.v + first,
+                           planes[c]);
+            std::copy_n(planes[normalAt + c], n, plane(ShaderInput::N, c) + first);
+        }
     }
     std::copy_n(points.primitive, count, out.objectIndex);
     std::copy_n(points.primitive, count, out.primitive);

@@ -26,6 +26,10 @@ struct FlatTriangle {
 std::optional<FlatTriangle> flatTriangle(const SceneState &, std::uint32_t primitive,
                                          std::uint32_t triangle);
 
+/// P, which holds the origins of triangles, becomes the points at (u,v) on them; one component.
+void walkAlongEdges(int count, const float *edgeA, const float *edgeB, const float *u,
+                    const float *v, float *P);
+
 class FlatTable {
 public:
     /// Takes in the primitives of those codes that can be served from a table: all their
@@ -36,6 +40,8 @@ public:
                   ShadingPoints &) const;
 
 private:
+    static void takeSummaries(const SceneState &, const SceneCode &, int count, const int *summary,
+                              ShadingPoints &);
     bool takePrimitive(const SceneState &, std::uint32_t primitive);
 
     std::vector<float> rows_;   ///< A row a triangle.
