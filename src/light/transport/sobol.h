@@ -16,6 +16,11 @@ std::uint32_t pixelKey(int x, int y, std::uint32_t seed);
 void sobolPairs(int count, const std::uint32_t *pixelKey, const std::uint32_t *sampleIndex,
                 std::uint32_t pair, float *x, float *y);
 
+/// The third and fourth coordinates of the points whose first two are sobolPairs(): the four are
+/// stratified together, which pays for the two directions that matter most to a path.
+void sobolFollowingPairs(int count, const std::uint32_t *pixelKey, const std::uint32_t *sampleIndex,
+                         std::uint32_t pair, float *x, float *y);
+
 /// 32 well mixed bits a lane for uses that need no stratification.
 void randomBits(int count, const std::uint32_t *pixelKey, const std::uint32_t *sampleIndex,
                 std::uint32_t salt, std::uint32_t *bits);

@@ -14,11 +14,12 @@ struct Points {
     std::vector<float> x, y;
 };
 
-Points pointsOf(int count, std::uint32_t key, std::uint32_t pair, int first = 0) {
+Points pointsOf(int count, std::uint32_t key, std::uint32_t pair, int first = 0,
+                decltype(&sobolPairs) draw = sobolPairs) {
     std::vector<std::uint32_t> keys(count, key), samples(count);
     std::iota(samples.begin(), samples.end(), first);
     Points points{std::vector<float>(count), std::vector<float>(count)};
-    sobolPairs(count, keys.data(), samples.data(), pair, points.x.data(), points.y.data());
+    draw(count, keys.data(), samples.data(), pair, points.x.data(), points.y.data());
     return points;
 }
 
@@ -33,6 +34,33 @@ TEST(Sobol, everyElementaryBoxOf64SamplesHoldsOne) {
                 EXPECT_EQ(boxes.size(), 64u) << "key " << key << " logX " << logX;
             }
         }
+}
+
+/// The first four dimensions have quality parameter t = 3: of 64 points, every elementary box of
+/// an eighth of the volume holds eight. Two independent pairs do not have that.
+TEST(Sobol, followingPairsAreStratifiedTogether) {
+    for (std::uint32_t key = 1; key < 40; ++key) {
+        Points first = pointsOf(64, pixelKey(key, 3, 7), 1);
+        Points next = pointsOf(64, pixelKey(key, 3, 7), 1, 0, sobolFollowingPairs);
+        const std::vector<float> *axes[4] = {&first.x, &first.y, &next.x, &next.y};
+        for (int left = 0; left < 4; ++left) {
+            std::vector<int> octants(8);
+            for (int i = 0; i < 64; ++i) {
+                int octant = 0;
+                for (int axis = 0; axis < 4; ++axis)
+                    if (axis != left)
+                        octant = 2 * octant + ((*axes[axis])[i] >= 0.5f);
+                ++octants[octant];
+            }
+            EXPECT_EQ(octants, std::vector<int>(8, 8)) << "key " << key << " without " << left;
+        }
+        for (const std::vector<float> &axis : {next.x, next.y}) {
+            std::set<int> cells;
+            for (float value : axis)
+                cells.insert(int(value * 64));
+            EXPECT_EQ(cells.size(), 64u);
+        }
+    }
 }
 
 TEST(Sobol, valuesAreUniformOverPixels) {
