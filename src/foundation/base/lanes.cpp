@@ -88,6 +88,15 @@ CANDELA_WIDE void gatherTable(int count, const float *table, const int *row, int
         }
     }
 }
+
+CANDELA_WIDE void lookUpLanes(int count, const float *table, const int *index, float *to) {
+    const __m512 values = _mm512_loadu_ps(table);
+    for (int i = 0; i < count; i += 16) {
+        const __mmask16 there = count - i >= 16 ? 0xffff : __mmask16((1u << (count - i)) - 1);
+        const __m512i places = _mm512_maskz_loadu_epi32(there, index + i);
+        _mm512_store_ps(to + i, _mm512_maskz_permutexvar_ps(0xffff, places, values));
+    }
+}
 #endif
 
 CANDELA_PLAIN int compactLanes(int count, const int *keys, int key, bool equal, int *lanes) {
@@ -114,7 +123,16 @@ CANDELA_PLAIN void gatherTable(int count, const float *table, const int *row, in
                 planes[c][i] = table[row[i] + c];
 }
 
+CANDELA_PLAIN void lookUpLanes(int count, const float *table, const int *index, float *to) {
+    for (int i = 0; i < count; ++i)
+        to[i] = table[index[i]];
+}
+
 } // namespace
+
+void lookUp(int count, const float *table, const int *index, float *to) {
+    lookUpLanes(count, table, index, to);
+}
 
 void gatherRows(int count, const float *table, const int *row, int columns, float *const *planes) {
     gatherTable(count, table, row, columns, planes);

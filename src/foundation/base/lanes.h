@@ -18,6 +18,8 @@ void take(int count, const int *increasing, const std::uint32_t *from, std::uint
 /// null plane is left out. Planes are aligned to 64 bytes and may be written up to whole vectors
 /// of 16.
 void gatherRows(int count, const float *table, const int *row, int columns, float *const *planes);
+/// to[i] = table[index[i]] for tables of 16 values, which stay in a register. `to` as above.
+void lookUp(int count, const float *table, const int *index, float *to);
 /// a[i] += b[i]
 void add(int count, const float *b, float *a);
 /// a[i] *= b[i]

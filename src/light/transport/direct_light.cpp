@@ -20,11 +20,15 @@ CANDELA_HOT void multiplyThree(int count, const float *__restrict g, const float
         result[i] = (weight[i] > 0) & (light[i] != 0) ? g[i] * value[i] * weight[i] : 0.0f;
 }
 
-CANDELA_HOT void markShadowTests(int count, const float *__restrict contribution,
+/// test[i] = 1 where some channel of the light is left to lose.
+CANDELA_HOT void markShadowTests(int count, const float *__restrict red,
+                                 const float *__restrict green, const float *__restrict blue,
                                  const std::int32_t *__restrict light,
                                  const std::uint8_t *__restrict castsShadow, int *__restrict test) {
-    for (int i = 0; i < count; ++i)
-        test[i] |= (contribution[i] != 0) & (light[i] != 0) & (castsShadow[i] != 0);
+    for (int i = 0; i < count; ++i) {
+        bool any = (red[i] != 0) | (green[i] != 0) | (blue[i] != 0);
+        test[i] = any & (light[i] != 0) & (castsShadow[i] != 0);
+    }
 }
 
 /// A component of the way from the shifted origin to the same end as L from P: the receiver's
@@ -145,9 +149,9 @@ int DirectLight::gather(SurfaceVertices &vertices, ConeMixture &mixture,
         multiplyThree(count, g[c], light.value[c], weight, light.light, contribution[c]);
 
     int *inShadowTest = lanes_[0], *lane = lanes_[1];
-    std::fill_n(inShadowTest, count, 0);
-    for (int c = 0; c < colorSamples; ++c)
-        markShadowTests(count, contribution[c], light.light, light.castsShadow, inShadowTest);
+    static_assert(colorSamples == 3);
+    markShadowTests(count, contribution[0], contribution[1], contribution[2], light.light,
+                    light.castsShadow, inShadowTest);
     int rays = lanes::compactUnequal(count, inShadowTest, 0, lane);
     return shadow_.attenuate(vertices, light, rays, lane, contribution);
 }

@@ -17,9 +17,8 @@ namespace candela {
 namespace {
 
 constexpr int mostTriangles = 16;
-/// A row of the table: origin, edgeA, edgeB, unit normal, offset (see ShadingPoints::offset);
-/// padded to a cache line.
-constexpr int rowFloats = 16, normalAt = 9, offsetAt = 12;
+/// Columns of the table: origin, edgeA, edgeB, unit normal, offset (see ShadingPoints::offset).
+constexpr int normalAt = 9, offsetAt = 12, columns = 13;
 
 /// A point of the unit square, folded onto a triangle: uniform, and neighbours stay neighbours.
 CANDELA_HOT void fold(int count, const float *__restrict x, const float *__restrict y,
@@ -35,10 +34,10 @@ CANDELA_HOT void fold(int count, const float *__restrict x, const float *__restr
 /// later one; within, x is uniform again. Taking x, and not a number of its own, keeps samples
 /// that are stratified over the square stratified over the light.
 CANDELA_HOT void passTriangle(int count, const float *__restrict x, float low, float share,
-                              int step, int *__restrict row, float *__restrict within) {
+                              int step, int *__restrict triangle, float *__restrict within) {
     for (int k = 0; k < count; ++k) {
         bool reaches = x[k] >= low;
-        row[k] += reaches ? step : 0;
+        triangle[k] += reaches ? step : 0;
         float scaled = (x[k] - low) / share;
         within[k] = reaches ? (scaled < 0x1.fffffep-1f ? scaled : 0x1.fffffep-1f) : within[k];
     }
@@ -91,7 +90,7 @@ CANDELA_HOT void directions(int count, const float *__restrict lightOffset, floa
 struct FlatScratch {
     LightBatch batch{lightBatchSize};
     Planes<float> floats{4, lightBatchSize}, edges{6, lightBatchSize};
-    Planes<int> rows{1, lightBatchSize};
+    Planes<int> triangle{1, lightBatchSize};
 };
 
 FlatScratch &scratch() {
@@ -113,15 +112,17 @@ bool readsOnlyPlace(const ShaderCode &code) {
     return code.variables().empty();
 }
 
-/// Adds a triangle to the table; false if it isn't flat.
-bool addRow(const SceneState &state, const SceneLight::Triangle &place, FlatLight &light) {
+/// Sets a triangle's entries in the table; false if it isn't flat.
+bool setTriangle(const SceneState &state, const SceneLight::Triangle &place, int number,
+                 FlatLight &light) {
     std::optional<FlatTriangle> flat = flatTriangle(state, place.primitive, place.triangle);
     if (!flat)
         return false;
+    int column = 0;
+    auto set = [&](float value) { light.columns[column++ * mostTriangles + number] = value; };
     for (Vec3 v : {flat->origin, flat->edgeA, flat->edgeB, normalize(flat->normal)})
-        light.rows.insert(light.rows.end(), {v.x, v.y, v.z});
-    light.rows.push_back(state.summaries[place.primitive].offset);
-    light.rows.insert(light.rows.end(), rowFloats - offsetAt - 1, 0.0f);
+        set(v.x), set(v.y), set(v.z);
+    set(state.summaries[place.primitive].offset);
     return true;
 }
 
@@ -138,10 +139,12 @@ FlatLight flatLight(const SceneState &state, const SceneLight &light) {
             flat.cumulative.end() ||
         flat.cumulative.front() <= 0)
         return {};
+    flat.columns.resize(columns * mostTriangles);
+    int number = 0;
     for (const SceneLight::Triangle &triangle : light.triangles) {
         const SceneCode &surface = state.codes[state.summaries[triangle.primitive].code];
         if (triangle.triangle == wholeSurface || surface.code->facts().emits ||
-            !addRow(state, triangle, flat))
+            !setTriangle(state, triangle, number++, flat))
             return {};
     }
     return flat;
@@ -155,22 +158,23 @@ void sampleFlatLight(const SceneState &state, int index, const LightQuery &query
     const int count = query.count;
     LightBatch &batch = own.batch;
     float *u = own.floats[0], *v = own.floats[1], *within = own.floats[2];
-    int *row = own.rows[0];
-    std::fill_n(row, count, 0);
+    int *triangle = own.triangle[0];
+    std::fill_n(triangle, count, 0);
     float low = 0;
     for (std::size_t t = 0; t < flat.cumulative.size(); low = flat.cumulative[t++])
-        passTriangle(count, query.position[0], low, flat.cumulative[t] - low, t > 0 ? rowFloats : 0,
-                     row, within);
+        passTriangle(count, query.position[0], low, flat.cumulative[t] - low, t > 0 ? 1 : 0,
+                     triangle, within);
     fold(count, within, query.position[1], u, v);
     float *P[3], *N[3];
-    float *planes[offsetAt + 1];
+    float *planes[columns];
     for (int c = 0; c < 3; ++c) {
         planes[c] = P[c] = batch.input(ShaderInput::P, c);
         planes[3 + c] = own.edges[c], planes[6 + c] = own.edges[3 + c];
         planes[normalAt + c] = N[c] = batch.input(ShaderInput::N, c);
     }
     planes[offsetAt] = own.floats[3];
-    lanes::gatherRows(count, flat.rows.data(), row, offsetAt + 1, planes);
+    for (int c = 0; c < columns; ++c)
+        lanes::lookUp(count, &flat.columns[c * mostTriangles], triangle, planes[c]);
     for (int c = 0; c < 3; ++c)
         walkAlongEdges(count, own.edges[c], own.edges[3 + c], u, v, P[c]);
     directions(count, own.floats[3], float(1 / light.area) * (chosen ? light.probability : 1),

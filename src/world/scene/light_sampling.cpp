@@ -218,11 +218,8 @@ void draw(const Job &job, int i, int light, double choice, Drawn &drawn) {
 /// The commonest scene: one flat light, on for all. False if it isn't that.
 bool sampleOnlyFlatLight(const SceneState &state, const LightQuery &query, LightSamples &samples) {
     const int index = state.lights.only;
-    if (index < 0 || !state.lights.lights[index].flat)
+    if (index < 0 || !state.lights.lights[index].flat || !state.lights.onEverywhere(index + 1))
         return false;
-    for (int i = 0; i < query.count; ++i)
-        if (!state.lights.on(query.lightSet[i], index + 1))
-            return false;
     for (int first = 0; first < query.count; first += lightBatchSize) {
         const int count = std::min(lightBatchSize, query.count - first);
         LightQuery part = query;

@@ -22,10 +22,10 @@ enum class LightKind : std::uint8_t {
     Emitter,     ///< A primitive whose surface shader emits.
 };
 
-/// See flat_light.h: a row of floats a triangle, and the running sum of their shares.
+/// See flat_light.h: columns of 16 floats, one a triangle, and the running sum of their shares.
 struct FlatLight {
-    std::vector<float> rows, cumulative;
-    explicit operator bool() const { return !rows.empty(); }
+    std::vector<float> columns, cumulative;
+    explicit operator bool() const { return !columns.empty(); }
 };
 
 struct SceneLight {
@@ -65,6 +65,13 @@ struct LightTable {
     bool any() const { return !cumulative.empty() && cumulative.back() > 0; }
     bool on(std::int32_t lightSet, std::int32_t light) const {
         return isOn[std::size_t(lightSet) * (lights.size() + 1) + light] != 0;
+    }
+    /// On for every light set.
+    bool onEverywhere(std::int32_t light) const {
+        for (std::size_t at = light; at < isOn.size(); at += lights.size() + 1)
+            if (!isOn[at])
+                return false;
+        return true;
     }
     /// Sets probabilities and batches once the powers are known.
     void finish();
