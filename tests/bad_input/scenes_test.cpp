@@ -137,6 +137,40 @@ TEST_F(BadInput, ShaderThatDividesByZero) {
     expectDisc();
 }
 
+// A quad beside the disc with a variable that is not of the size its meaning asks for.
+TEST_F(BadInput, VariablesOfAnotherTypeThanTheirMeaning) {
+    const std::string quad = "Surface \"usesall\" Translate 0 0 5 Polygon \"P\" [.7 .7 0 .9 .7 0 "
+                             ".9 .9 0 .7 .9 0] ";
+    folder_.write("usesall.sl", "surface usesall() { Ci = Cs * s + t; Oi = 1; }\n");
+    const std::string matrix = " [1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16]";
+    const std::string colors = " [1 2 3 4 5 6 7 8 9 10 11 12]";
+    for (const std::string &variable :
+         {"\"constant matrix Cs\"" + matrix, "\"constant matrix Os\"" + matrix,
+          "\"varying color s\"" + colors, "\"varying color t\"" + colors,
+          std::string("\"constant float Cs\" [.25]"), std::string("\"constant float st\" [.25]")})
+        expectErrorAtTheLine(quad + variable, {"are expected; it is left out"});
+}
+
+// Each of them overrides a parameter of its shader.
+TEST_F(BadInput, MoreVariablesThanAnyoneExpects) {
+    std::string parameters, sum = "0", variables;
+    for (int i = 0; i < 60; ++i) {
+        const std::string name = "c" + std::to_string(i);
+        parameters += "varying color " + name + " = 0; ";
+        sum += " + " + name;
+        variables += " \"constant color " + name + "\" [.01 .01 .01]";
+    }
+    folder_.write("many.sl", "surface many(" + parameters + "float a[40] = { 0 };) { Ci = " + sum +
+                                 " + a[39]; Oi = 1; }\n");
+    variables += " \"constant float[40] a\" [";
+    for (int i = 0; i < 40; ++i)
+        variables += i == 39 ? "0.4" : "0 ";
+    Outcome run =
+        render(sceneWith("Surface \"many\" Translate 0 0 4 Disk 0 .5 360" + variables + "]"));
+    EXPECT_EQ(run.status, 0) << run.text();
+    expectDisc();
+}
+
 TEST_F(BadInput, ErrorHandlerAbortStops) {
     Outcome run = render("ErrorHandler \"abort\"\n" + sceneWith("Frobnicate"));
     EXPECT_EQ(run.status, 1) << run.text();
