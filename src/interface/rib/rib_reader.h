@@ -30,6 +30,7 @@ private:
     RequestSink &sink_;
     DiagnosticSink &diagnostics_;
     std::vector<std::string> open_; ///< Files that are being read, one inside the other.
+    int nestedReadings_ = 0;        ///< Archives that archives have asked for so far.
 };
 
 } // namespace candela
