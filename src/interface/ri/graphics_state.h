@@ -9,6 +9,7 @@
 #include "interface/ri/request_sink.h"
 #include "interface/ri/scene_builder.h"
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -55,7 +56,8 @@ private:
     using RecordedRequest = std::function<void(GraphicsState &)>;
     struct ObjectDefinition {
         std::vector<RecordedRequest> requests;
-        int depth = 1; ///< Levels of instances below.
+        int depth = 1;           ///< Levels of instances below.
+        std::int64_t weight = 0; ///< Requests that one instance makes, those of others included.
     };
     enum class Verdict { Drop, Record, Run };
 
@@ -69,7 +71,7 @@ private:
     bool nest(RequestId, const SourceLocation &);
     bool closeBlock(BlockKind, RequestId, const SourceLocation &);
     void endInnermost(const SourceLocation &);
-    void record(RecordedRequest);
+    void record(RecordedRequest, std::int64_t weight = 1);
     void replay(const std::shared_ptr<const ObjectDefinition> &);
 
     ErrorPolicy policy_;
@@ -78,6 +80,7 @@ private:
     std::map<std::string, std::shared_ptr<const ObjectDefinition>> objects_;
     std::string objectHandle_; ///< Of the definition that is being recorded.
     std::shared_ptr<ObjectDefinition> recording_;
+    std::int64_t replayed_ = 0;              ///< Requests that instances have made in this world.
     std::optional<RequestId> motionRequest_; ///< What the open motion block is about.
 };
 

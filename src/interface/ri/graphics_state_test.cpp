@@ -207,6 +207,16 @@ TEST_F(State, coordinateSystemsAreNamedAndEntered) {
     EXPECT_EQ(errors(), 1);
 }
 
+TEST_F(State, abortEndsWithBlocksStillOpen) {
+    state.errorHandler(at, "abort");
+    state.worldBegin(at);
+    state.attributeBegin(at);
+    state.worldEnd(at);
+    EXPECT_EQ(errors(), 1);
+    EXPECT_TRUE(state.stopped());
+    EXPECT_FALSE(builder.worlds.back().ended);
+}
+
 TEST_F(State, errorHandlersDecide) {
     state.errorHandler(at, "ignore");
     sphere();
