@@ -177,4 +177,51 @@ TEST_F(BadInput, ErrorHandlerAbortStops) {
     EXPECT_FALSE(folder_.has("out.exr"));
 }
 
+// The error comes from the shader library and not from the reading of the file.
+TEST_F(BadInput, ErrorHandlerAbortHoldsForShaders) {
+    Outcome run = render("ErrorHandler \"abort\"\n" + sceneWith("Surface \"nosuchshader\""));
+    EXPECT_EQ(run.status, 1) << run.text();
+    EXPECT_TRUE(run.says("stopped at the first error")) << run.text();
+    EXPECT_FALSE(folder_.has("out.exr"));
+    run = render("ErrorHandler \"ignore\"\n" + sceneWith("Surface \"nosuchshader\""));
+    EXPECT_EQ(run.err, "");
+    expectDisc();
+}
+
+TEST_F(BadInput, MissingShaderNamesEachFolderOnce) {
+    RunSettings beside;
+    folder_.write("scene.rib", sceneWith("Surface \"nosuchshader\""));
+    beside.folder = folder_.path();
+    Outcome run = runCandela({"scene.rib", "--shader-path", "."}, beside);
+    EXPECT_TRUE(run.says("no nosuchshader.sl in .")) << run.text();
+    EXPECT_FALSE(run.says("., .")) << run.text();
+}
+
+TEST_F(BadInput, UnknownPixelFilterHasAPlace) {
+    std::string rib = sceneWith("");
+    rib.replace(rib.find("\"box\""), 5, "\"lens\"");
+    Outcome run = render(rib);
+    EXPECT_EQ(run.status, 1) << run.text();
+    EXPECT_TRUE(run.says("scene.rib:3:1: error: unknown pixel filter \"lens\"")) << run.text();
+}
+
+TEST_F(BadInput, UnknownIntegratorHasAPlace) {
+    std::string rib = sceneWith("");
+    rib.replace(rib.find("\"path\""), 6, "\"magic\"");
+    Outcome run = render(rib);
+    EXPECT_EQ(run.status, 1) << run.text();
+    EXPECT_TRUE(run.says("scene.rib:5:1: error: Option: there is no integrator \"magic\""))
+        << run.text();
+    expectDisc();
+}
+
+// One of two displays is wrong: the first error is the end, and nothing is rendered.
+TEST_F(BadInput, ErrorHandlerAbortHoldsForDisplays) {
+    std::string rib = "ErrorHandler \"abort\"\n" + sceneWith("");
+    rib.insert(rib.find("Option"), "Display \"+b.exr\" \"openexr\" \"nonsense\"\n");
+    Outcome run = render(rib);
+    EXPECT_EQ(run.status, 1) << run.text();
+    EXPECT_FALSE(folder_.has("out.exr"));
+}
+
 } // namespace candela::test

@@ -20,9 +20,9 @@ const char *beginOf(int kind) {
 
 } // namespace
 
-GraphicsState::GraphicsState(SceneBuilder &builder, ShaderLookup &shaders,
-                             DiagnosticSink &diagnostics, GraphicsStateSettings settings)
-    : policy_(diagnostics),
+GraphicsState::GraphicsState(SceneBuilder &builder, ShaderLookup &shaders, ErrorPolicy &policy,
+                             GraphicsStateSettings settings)
+    : policy_(policy),
       handlers_(std::make_unique<StateHandlers>(builder, shaders, policy_, std::move(settings))) {}
 
 GraphicsState::~GraphicsState() = default;

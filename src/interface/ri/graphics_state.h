@@ -23,8 +23,9 @@ class StateHandlers;
 
 class GraphicsState final : public RequestSink {
 public:
-    /// All three must outlive it.
-    GraphicsState(SceneBuilder &, ShaderLookup &, DiagnosticSink &, GraphicsStateSettings = {});
+    /// All three must outlive it. Who else finds something wrong in the user's files is to report
+    /// it to the same policy, which ErrorHandler sets.
+    GraphicsState(SceneBuilder &, ShaderLookup &, ErrorPolicy &, GraphicsStateSettings = {});
     ~GraphicsState() override;
 
 #define REQUEST(Name, handler, scopes, ...)                                                        \
@@ -39,9 +40,6 @@ public:
                                            const SourceLocation &where) const override;
     bool stopped() const override { return policy_.stopped(); }
 
-    /// Obeys ErrorHandler and then tells the sink that was given to the constructor: for readers,
-    /// and for whoever else finds something wrong in the user's files.
-    DiagnosticSink &diagnostics() { return policy_; }
     /// After the last request: reports blocks that are still open. A world that was never closed
     /// is not rendered.
     void finish();
@@ -74,7 +72,7 @@ private:
     void record(RecordedRequest, std::int64_t weight = 1);
     void replay(const std::shared_ptr<const ObjectDefinition> &);
 
-    ErrorPolicy policy_;
+    ErrorPolicy &policy_;
     std::unique_ptr<StateHandlers> handlers_;
     std::vector<Block> blocks_;
     std::map<std::string, std::shared_ptr<const ObjectDefinition>> objects_;

@@ -33,8 +33,9 @@ protected:
         return path;
     }
     bool readFile(const std::string &path) {
-        GraphicsState state(builder, shaders, found, settings);
-        bool opened = RibReader(state, state.diagnostics()).readFile(path);
+        ErrorPolicy policy(found);
+        GraphicsState state(builder, shaders, policy, settings);
+        bool opened = RibReader(state, policy).readFile(path);
         state.finish();
         return opened;
     }
@@ -62,6 +63,16 @@ TEST_F(Archives, areFoundThroughTheSearchPath) {
     EXPECT_EQ(primitives(), 1u);
     settings.searchPaths.archive = (folder / "sub").string();
     readFile(write("main.rib", "WorldBegin ReadArchive \"ball.rib\" WorldEnd"));
+    EXPECT_EQ(found.text(), "");
+    EXPECT_EQ(primitives(), 1u);
+}
+
+// As shaders are by --shader-path: what the file says does not take it away.
+TEST_F(Archives, areFoundByTheCommandLinesPathAlways) {
+    write("sub/ball.rib", "Sphere 1 -1 1 360\n");
+    settings.searchPaths.archive = (folder / "sub").string();
+    readFile(write("main.rib", "Option \"searchpath\" \"archive\" [\"elsewhere\"]\n"
+                               "WorldBegin ReadArchive \"ball.rib\" WorldEnd"));
     EXPECT_EQ(found.text(), "");
     EXPECT_EQ(primitives(), 1u);
 }

@@ -11,7 +11,7 @@ namespace candela {
 
 class RibReader {
 public:
-    /// For a GraphicsState give its diagnostics(), which obey ErrorHandler. Both must outlive it.
+    /// For a GraphicsState give its ErrorPolicy. Both must outlive it.
     RibReader(RequestSink &sink, DiagnosticSink &diagnostics)
         : sink_(sink), diagnostics_(diagnostics) {}
 
