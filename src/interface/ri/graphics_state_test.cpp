@@ -244,7 +244,7 @@ TEST_F(State, whatComesLaterIsWarnedAboutOnce) {
     EXPECT_TRUE(says("Points: this version does not draw it"));
 }
 
-TEST_F(State, hidersAndVarianceOfLaterVersionsAreWarnedAboutOnce) {
+TEST_F(State, optionsWithoutEffectAreWarnedAboutOnce) {
     state.hider(at, "hidden", {});
     state.hider(at, "null", {});
     EXPECT_EQ(warnings(), 0);
@@ -254,6 +254,9 @@ TEST_F(State, hidersAndVarianceOfLaterVersionsAreWarnedAboutOnce) {
     state.pixelVariance(at, .01f);
     state.pixelVariance(at, .02f);
     EXPECT_EQ(warnings(), 3);
+    for (float detail : {1.0f, 2.0f, .5f})
+        state.relativeDetail(at, detail);
+    EXPECT_EQ(warnings(), 4);
 }
 
 TEST_F(State, integratorsAreChecked) {

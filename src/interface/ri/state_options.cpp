@@ -180,6 +180,9 @@ void StateHandlers::relativeDetail(const SourceLocation &where, float detail) {
     if (!(detail >= 0))
         return error(where, "RelativeDetail", "expected a number from 0 up");
     options_.relativeDetail = detail;
+    if (detail != 1)
+        warnOnce(where, "RelativeDetail",
+                 "RelativeDetail: this version draws every level of detail");
 }
 
 void StateHandlers::setSearchPath(Parameter &path) {
