@@ -52,7 +52,7 @@ void addRender(CLI::App &app, int &status) {
 
     app.add_option("scene", a.file, "RIB file to render; - reads standard input");
     app.add_option("--spp", a.samples, "Samples a pixel, in place of PixelSamples")
-        ->check(CLI::Range(1, 1 << 24));
+        ->check(CLI::Range(1, maximumSamplesPerPixel));
     app.add_option("--threads", s.threads, "Threads; default: all cores")
         ->check(CLI::Range(1, 1024));
     app.add_option("--seed", s.seed, "Seed of all random choices; default 0");
@@ -60,7 +60,9 @@ void addRender(CLI::App &app, int &status) {
         ->check(CLI::IsMember({"path", "classic"}));
     app.add_option("--crop", a.crop, "X0,X1,Y0,Y1: part of the frame, 0 to 1 from the top left")
         ->check(CLI::Validator(checked(parseCrop, "X0,X1,Y0,Y1 within 0 and 1"), ""));
-    app.add_option("--format", a.format, "WxH: resolution in pixels")
+    app.add_option(
+           "--format", a.format,
+           "WxH: resolution in pixels, in place of Format; a FrameAspectRatio makes it smaller")
         ->check(CLI::Validator(checked(parseFormat, "WIDTHxHEIGHT"), ""));
     app.add_option("--output-dir", s.outputDirectory, "Folder for pictures; default: this one");
     app.add_option("--shader-path", s.shaderPath, "Folders to look for shaders in: a:b:c")
@@ -69,7 +71,8 @@ void addRender(CLI::App &app, int &status) {
     app.add_option("--archive-path", s.archivePath, "Folders to look for archives in: a:b:c")
         ->delimiter(':')
         ->allow_extra_args(false);
-    app.add_option("--texture-path", s.texturePath, "Folders to look for textures in: a:b:c")
+    app.add_option("--texture-path", s.texturePath,
+                   "Folders to look for textures in: a:b:c; this version reads no textures yet")
         ->delimiter(':')
         ->allow_extra_args(false);
     app.add_flag("--allow-programs", s.allowPrograms,

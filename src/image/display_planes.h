@@ -44,7 +44,7 @@ DisplayRecord defaultDisplay();
 std::vector<DisplayRecord> displaysOf(const Options &);
 
 /// The channels that the displays want from the film beside Ci and Oi: what Film::Settings takes.
-/// Modes that are not understood are left to writeDisplays() to report.
+/// Modes that are not understood are left to planDisplays() to report.
 std::vector<ChannelInfo> wantedChannels(std::span<const DisplayRecord>,
                                         std::span<const ChannelInfo> available);
 

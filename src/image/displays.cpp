@@ -8,11 +8,8 @@
 #include "image/whole_file.h"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 
 namespace candela {
 
@@ -32,7 +29,7 @@ struct Job {
     const Options &options;
     const FrameDescription &frame;
     const DisplayRecord &display;
-    std::vector<DisplayPlane> planes;
+    const std::vector<DisplayPlane> &planes;
     std::string problem, warning;
 };
 
@@ -71,7 +68,7 @@ std::optional<std::string> exrBytes(Job &job) {
     PlaneSettings settings = planeSettings(job);
     const QuantizeRecord none;
     settings.color = job.display.quantize.value_or(job.options.colorQuantize.value_or(none));
-    settings.depth = job.display.quantize.value_or(job.options.depthQuantize.value_or(none));
+    settings.depth = depthQuantize(job.display, job.options);
     Picture picture = developPicture(job.film, job.planes, settings);
     describe(job, picture);
     noteQuantize(picture, settings.color);
@@ -88,75 +85,19 @@ std::optional<std::string> pngBytes(Job &job) {
         job.warning = "a PNG picture holds whole numbers only: quantised by 255 0 255 0.5";
         settings.color = eightBitQuantize;
     }
-    settings.depth =
-        job.display.quantize.value_or(job.options.depthQuantize.value_or(QuantizeRecord{}));
-    const bool depth = std::ranges::any_of(
-        job.planes, [](const DisplayPlane &plane) { return plane.source == Source::Depth; });
-    if (depth && settings.depth.one == 0) {
-        job.problem = "a PNG picture holds whole numbers only: give Quantize \"z\" for its depth, "
-                      "or use openexr";
-        return std::nullopt;
-    }
+    settings.depth = depthQuantize(job.display, job.options);
     Picture picture = developPicture(job.film, job.planes, settings);
     describe(job, picture);
     noteQuantize(picture, settings.color);
+    const bool depth = std::ranges::any_of(
+        job.planes, [](const DisplayPlane &plane) { return plane.source == Source::Depth; });
     const float largest = std::max(settings.color.maximum, depth ? settings.depth.maximum : 0);
     return encodePng(picture, largest > 255 ? 16 : 8, settings.gamma, job.problem);
 }
 
-struct Format {
-    std::string_view type;
-    std::string_view extension;
-    std::optional<std::string> (*encode)(Job &);
-};
-constexpr std::array<Format, 2> formats{{{"openexr", ".exr", exrBytes}, {"png", ".png", pngBytes}}};
-
-/// The format by the display's type; type "file" goes by the name's extension, else it is OpenEXR.
-/// Null for an unknown type.
-const Format *findFormat(const DisplayRecord &display, std::string &warning) {
-    const auto byType = std::ranges::find(formats, display.type, &Format::type);
-    if (byType != formats.end())
-        return &*byType;
-    if (display.type != "file")
-        return nullptr;
-    std::string extension = std::filesystem::path(display.name).extension().string();
-    std::ranges::transform(extension, extension.begin(),
-                           [](unsigned char c) { return char(std::tolower(c)); });
-    const auto byName = std::ranges::find(formats, extension, &Format::extension);
-    if (byName != formats.end())
-        return &*byName;
-    if (!extension.empty())
-        warning = "files are not written as \"" + extension + "\": it will be an OpenEXR file";
-    return &formats[0];
-}
-
-std::string knownTypes() {
-    std::string known = "file";
-    for (const Format &format : formats)
-        known += ", " + std::string(format.type);
-    return known;
-}
-
-/// The path that was written; else nothing, and the job's problem says why.
-std::optional<std::string> write(Job &job, const OutputPolicy &policy) {
-    const Format *format = findFormat(job.display, job.warning);
-    if (!format) {
-        job.problem =
-            "unknown display type \"" + job.display.type + "\"; known are " + knownTypes();
-        return std::nullopt;
-    }
-    const auto planes = displayPlanes(job.display.mode, job.film.channels(), job.problem);
-    if (!planes)
-        return std::nullopt;
-    job.planes = *planes;
-    const auto path =
-        outputPath(job.display.name, policy.directory, policy.allowOutside, job.problem);
-    if (!path)
-        return std::nullopt;
-    const auto bytes = format->encode(job);
-    if (!bytes || !writeWholeFile(*path, *bytes, job.problem))
-        return std::nullopt;
-    return path;
+bool write(Job &job, const PlannedDisplay &display) {
+    const auto bytes = display.format == FileFormat::Png ? pngBytes(job) : exrBytes(job);
+    return bytes && writeWholeFile(display.path, *bytes, job.problem);
 }
 
 std::vector<float> rawPlane(const Film &film, const DisplayPlane &plane, FilmHalf half) {
@@ -217,19 +158,19 @@ Picture developPicture(const Film &film, const std::vector<DisplayPlane> &planes
     return picture;
 }
 
-std::vector<std::string> writeDisplays(const Film &film, const Options &options,
-                                       const FrameDescription &frame, const OutputPolicy &policy,
+std::vector<std::string> writeDisplays(const Film &film, std::span<const PlannedDisplay> displays,
+                                       const Options &options, const FrameDescription &frame,
                                        DiagnosticSink &sink) {
     std::vector<std::string> written;
-    for (const DisplayRecord &display : displaysOf(options)) {
-        Job job{film, options, frame, display, {}, {}, {}};
-        const SourceLocation &where = display.parameters.where;
-        const auto path = write(job, policy);
-        const std::string about = "Display \"" + display.name + "\": ";
+    for (const PlannedDisplay &display : displays) {
+        Job job{film, options, frame, display.record, display.planes, {}, {}};
+        const SourceLocation &where = display.record.parameters.where;
+        const bool good = write(job, display);
+        const std::string about = "Display \"" + display.record.name + "\": ";
         if (!job.warning.empty())
             sink.warning(where, about + job.warning);
-        if (path)
-            written.push_back(*path);
+        if (good)
+            written.push_back(display.path);
         else
             sink.error(where, about + job.problem);
     }

@@ -2,7 +2,7 @@
 // From the film to files: every display of a frame through the imaging pipeline into its format.
 #pragma once
 
-#include "image/display_planes.h"
+#include "image/display_plan.h"
 #include "image/film.h"
 #include "image/picture.h"
 #include "interface/ri/options.h"
@@ -22,16 +22,10 @@ struct FrameDescription {
     std::optional<Matrix4> worldToCamera, worldToNdc;
 };
 
-struct OutputPolicy {
-    std::string directory = ".";
-    bool allowOutside = false; ///< --allow-programs.
-};
-
-/// Writes all displays of the options (RiDisplay), each whole or not at all. A display that cannot
-/// be written (unknown type or mode, unwritable file) is reported and the others still come.
-/// Returns the paths that were written, in order.
-std::vector<std::string> writeDisplays(const Film &, const Options &, const FrameDescription &,
-                                       const OutputPolicy &, DiagnosticSink &);
+/// Writes the displays, each whole or not at all. One that fails all the same (a full disk) is
+/// reported and the others still come. Returns the paths that were written, in order.
+std::vector<std::string> writeDisplays(const Film &, std::span<const PlannedDisplay>,
+                                       const Options &, const FrameDescription &, DiagnosticSink &);
 
 /// How a display wants its planes.
 struct PlaneSettings {

@@ -65,8 +65,11 @@ protected:
     }
     /// Component k of the film at a pixel: exact in float, within [0, 1).
     static float valueAt(int x, int y, int k) { return float((x * 7 + y * 13 + k * 29) % 64) / 64; }
+    std::vector<PlannedDisplay> plan() {
+        return planDisplays(options_, available_, policy_, list_);
+    }
     std::vector<std::string> writeAll() {
-        return writeDisplays(*film_, options_, frame_, policy_, list_);
+        return writeDisplays(*film_, plan(), options_, frame_, list_);
     }
     Picture readExr(const std::string &name) {
         std::string problem;
@@ -193,16 +196,14 @@ TEST_F(DisplaysTest, DefaultDisplayWhereNoneIsNamed) {
 }
 
 TEST_F(DisplaysTest, OneBadDisplayDoesNotStopTheOthers) {
-    display("a.sgi", "sgif", "rgb");
     display("b.exr", "openexr", "rgb,nonsense");
     display("c.png", "png", "z");
-    display("d.png", "png", "rgbaz");
+    display("d.png", "png", "rgba,id");
     display("good.exr", "openexr", "rgb");
     fill();
     EXPECT_EQ(writeAll().size(), 1u);
-    EXPECT_EQ(list_.count(Severity::Error), 4);
-    for (const char *part :
-         {"\"sgif\"; known are file, openexr, png", "\"nonsense\"; known are", "Quantize \"z\""})
+    EXPECT_EQ(list_.count(Severity::Error), 3);
+    for (const char *part : {"\"nonsense\"; known are", "Quantize \"z\"", "not 5"})
         EXPECT_NE(list_.text().find(part), std::string::npos) << list_.text();
     EXPECT_EQ(fileCount(), 1);
 }
@@ -216,8 +217,51 @@ TEST_F(DisplaysTest, FileGoesByItsExtension) {
     EXPECT_EQ(writeAll().size(), 4u) << list_.text();
     EXPECT_EQ(list_.count(Severity::Warning), 1) << list_.text();
     readPng("a.PNG");
-    for (const char *name : {"b.exr", "c", "d.tif"})
+    for (const char *name : {"b.exr", "c", "d.tif.exr"})
         EXPECT_EQ(readExr(name).channels.size(), 3u);
+}
+
+// No picture is lost because its type is for a later version.
+TEST_F(DisplaysTest, UnknownTypesBecomeOpenExr) {
+    display("a.tif", "tiff", "rgb");
+    display("window", "framebuffer", "rgba");
+    display("b.exr", "zfile", "z");
+    fill();
+    EXPECT_EQ(writeAll().size(), 3u) << list_.text();
+    EXPECT_EQ(list_.count(Severity::Warning), 3) << list_.text();
+    EXPECT_EQ(list_.count(Severity::Error), 0) << list_.text();
+    EXPECT_NE(list_.text().find("no display type \"tiff\" (known are file, openexr, png)"),
+              std::string::npos);
+    EXPECT_EQ(readExr("a.tif.exr").channels.size(), 3u);
+    EXPECT_EQ(readExr("window.exr").channels.size(), 4u);
+    EXPECT_EQ(readExr("b.exr").channels.size(), 1u);
+}
+
+TEST_F(DisplaysTest, OneFileIsWrittenByOneDisplay) {
+    display("a.exr", "file", "rgb");
+    display("sub/../a.exr", "openexr", "z");
+    fill();
+    EXPECT_EQ(writeAll().size(), 1u);
+    EXPECT_EQ(list_.count(Severity::Error), 1);
+    EXPECT_NE(list_.text().find("writes the same file"), std::string::npos) << list_.text();
+    EXPECT_EQ(readExr("a.exr").channels.size(), 3u);
+}
+
+// What cannot be written is known before there is a film, and the attempt leaves nothing behind.
+TEST_F(DisplaysTest, PlansNeedNoFilm) {
+    std::string problem;
+    ASSERT_TRUE(writeWholeFile(folder_ + "/file", "x", problem)) << problem;
+    fs::create_directory(folder_ + "/folder.exr");
+    for (const char *name : {"file/below.exr", "../escaped.exr", "folder.exr"})
+        display(name, "openexr", "rgb");
+    display("mode.exr", "openexr", "nonsense");
+    display("good.exr", "openexr", "rgb");
+    ASSERT_EQ(plan().size(), 1u);
+    EXPECT_EQ(plan().front().path, folder_ + "/good.exr");
+    EXPECT_EQ(list_.count(Severity::Error), 8);
+    EXPECT_NE(list_.text().find("cannot make its folder " + folder_ + "/file:"), std::string::npos)
+        << list_.text();
+    EXPECT_EQ(fileCount(), 2);
 }
 
 TEST_F(DisplaysTest, FloatPngIsWarnedAbout) {
@@ -254,9 +298,10 @@ TEST_F(DisplaysTest, UnwritablePathsAreErrors) {
     display("file/below.exr", "openexr", "rgb");
     display("file/below/deep.png", "png", "rgb");
     display("", "openexr", "rgb");
+    display("", "tiff", "rgb");
     fill();
     EXPECT_EQ(writeAll().size(), 0u);
-    EXPECT_EQ(list_.count(Severity::Error), 3);
+    EXPECT_EQ(list_.count(Severity::Error), 4);
     EXPECT_EQ(fileCount(), 1);
 }
 

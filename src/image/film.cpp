@@ -70,6 +70,12 @@ Film::Film(Settings settings)
             sums_[i * stride_ + 2 + depthComponent_] = std::numeric_limits<float>::max();
 }
 
+double Film::bytesNeeded(Settings settings) {
+    const double pixels = double(settings.window.pixels());
+    settings.window = {};
+    return pixels * Film(std::move(settings)).stride_ * sizeof(double);
+}
+
 int Film::channelIndex(std::string_view name) const {
     auto found = std::ranges::find(channels_, name, &ChannelInfo::name);
     return found == channels_.end() ? -1 : int(found - channels_.begin());

@@ -24,6 +24,8 @@ public:
         bool keepHalves = false;    ///< Even and odd samples are wanted on their own, too.
     };
     explicit Film(Settings);
+    /// What a film of these settings takes.
+    static double bytesNeeded(Settings);
 
     std::span<const ChannelInfo> channels() const override { return channels_; }
     void add(const SampleBatch &) override;

@@ -208,5 +208,16 @@ TEST(Film, EmptySingleAndNonFiniteSamples) {
     EXPECT_TRUE(std::isinf(film.varianceOfMean(0)[1]));
 }
 
+TEST(Film, NeedsAreKnownBeforeItIsMade) {
+    Film::Settings settings;
+    settings.window = {1000000, 1000000, 0, 1000000, 0, 1000000};
+    const double needed = Film::bytesNeeded(settings);
+    EXPECT_GT(needed, 48e12); // Six sums at least, in double.
+    settings.window = {1000000, 1000000, 0, 10, 0, 10};
+    EXPECT_DOUBLE_EQ(Film::bytesNeeded(settings), needed * 1e-10);
+    settings.keepHalves = true;
+    EXPECT_GT(Film::bytesNeeded(settings), needed * 1e-10);
+}
+
 } // namespace
 } // namespace candela

@@ -72,6 +72,32 @@ int openTemporary(const fs::path &target, std::string &name) {
     return -1;
 }
 
+/// A file under its temporary name, and what it is to become.
+struct OpenFile {
+    int file;
+    std::string temporary;
+    fs::path target;
+};
+
+std::optional<OpenFile> openFor(const std::string &path, std::string &problem) {
+    std::error_code error;
+    OpenFile open{-1, {}, path};
+    if (fs::is_symlink(open.target, error)) // Not the link, but what it leads to.
+        open.target = fs::weakly_canonical(open.target, error);
+    problem = "cannot write " + path + ": ";
+    if (fs::exists(open.target, error) && !fs::is_regular_file(open.target, error)) {
+        problem += "it is there and not a regular file";
+        return std::nullopt;
+    }
+    open.file = openTemporary(open.target, open.temporary);
+    if (open.file < 0) {
+        problem += std::strerror(errno);
+        return std::nullopt;
+    }
+    problem.clear();
+    return open;
+}
+
 bool writeAndClose(int file, std::string_view bytes) {
     const FileSizeSignalHeld held;
     const bool written = writeAll(file, bytes);
@@ -91,25 +117,24 @@ bool liesWithin(const fs::path &path, const fs::path &folder) {
 } // namespace
 
 bool writeWholeFile(const std::string &path, std::string_view bytes, std::string &problem) {
-    const auto fail = [&](const std::string &what) {
-        problem = "cannot write " + path + ": " + what;
+    std::optional<OpenFile> open = openFor(path, problem);
+    if (!open)
         return false;
-    };
-    std::error_code error;
-    fs::path target = path;
-    if (fs::is_symlink(target, error))
-        target = fs::weakly_canonical(target, error); // Not the link, but what it leads to.
-    if (fs::exists(target, error) && !fs::is_regular_file(target, error))
-        return fail("it is there and not a regular file");
-    std::string temporary;
-    const int file = openTemporary(target, temporary);
-    if (file < 0)
-        return fail(std::strerror(errno));
-    if (!writeAndClose(file, bytes) || std::rename(temporary.c_str(), target.c_str()) != 0) {
-        const std::string reason = std::strerror(errno);
-        ::unlink(temporary.c_str());
-        return fail(reason);
+    if (!writeAndClose(open->file, bytes) ||
+        std::rename(open->temporary.c_str(), open->target.c_str()) != 0) {
+        problem = "cannot write " + path + ": " + std::strerror(errno);
+        ::unlink(open->temporary.c_str());
+        return false;
     }
+    return true;
+}
+
+bool canWriteFile(const std::string &path, std::string &problem) {
+    std::optional<OpenFile> open = openFor(path, problem);
+    if (!open)
+        return false;
+    ::close(open->file);
+    ::unlink(open->temporary.c_str());
     return true;
 }
 
@@ -153,7 +178,8 @@ std::optional<std::string> outputPath(const std::string &name, const std::string
         return fail("writes outside the output folder need --allow-programs");
     fs::create_directories(path.parent_path(), error);
     if (error)
-        return fail("cannot make its folder: " + error.message());
+        return fail("cannot make its folder " + path.parent_path().lexically_normal().string() +
+                    ": " + error.message());
     return path.lexically_normal().string();
 }
 

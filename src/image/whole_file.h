@@ -13,6 +13,10 @@ namespace candela {
 /// `problem` says what went wrong. A full disk and RLIMIT_FSIZE are failures, not signals.
 bool writeWholeFile(const std::string &path, std::string_view bytes, std::string &problem);
 
+/// True if writeWholeFile() could begin: for what is to be known before long work. Otherwise
+/// `problem` says why not.
+bool canWriteFile(const std::string &path, std::string &problem);
+
 /// The content of a regular file; nothing, and `problem` says why, if it cannot be read.
 std::optional<std::string> readWholeFile(const std::string &path, std::string &problem);
 

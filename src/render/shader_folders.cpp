@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/shader_folders.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
@@ -13,7 +14,8 @@ namespace fs = std::filesystem;
 
 void add(std::vector<std::string> &folders, const fs::path &folder) {
     std::error_code ignored;
-    if (!fs::is_directory(folder, ignored))
+    if (!fs::is_directory(folder, ignored) ||
+        std::ranges::find(folders, folder.string()) != folders.end())
         return;
     folders.push_back(folder.string());
     for (const char *kind : {"surface", "light", "displacement", "volume", "imager", "filter"})

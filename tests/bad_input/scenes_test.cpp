@@ -137,8 +137,89 @@ TEST_F(BadInput, ShaderThatDividesByZero) {
     expectDisc();
 }
 
+// A quad beside the disc with a variable that is not of the size its meaning asks for.
+TEST_F(BadInput, VariablesOfAnotherTypeThanTheirMeaning) {
+    const std::string quad = "Surface \"usesall\" Translate 0 0 5 Polygon \"P\" [.7 .7 0 .9 .7 0 "
+                             ".9 .9 0 .7 .9 0] ";
+    folder_.write("usesall.sl", "surface usesall() { Ci = Cs * s + t; Oi = 1; }\n");
+    const std::string matrix = " [1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16]";
+    const std::string colors = " [1 2 3 4 5 6 7 8 9 10 11 12]";
+    for (const std::string &variable :
+         {"\"constant matrix Cs\"" + matrix, "\"constant matrix Os\"" + matrix,
+          "\"varying color s\"" + colors, "\"varying color t\"" + colors,
+          std::string("\"constant float Cs\" [.25]"), std::string("\"constant float st\" [.25]")})
+        expectErrorAtTheLine(quad + variable, {"are expected; it is left out"});
+}
+
+// Each of them overrides a parameter of its shader.
+TEST_F(BadInput, MoreVariablesThanAnyoneExpects) {
+    std::string parameters, sum = "0", variables;
+    for (int i = 0; i < 60; ++i) {
+        const std::string name = "c" + std::to_string(i);
+        parameters += "varying color " + name + " = 0; ";
+        sum += " + " + name;
+        variables += " \"constant color " + name + "\" [.01 .01 .01]";
+    }
+    folder_.write("many.sl", "surface many(" + parameters + "float a[40] = { 0 };) { Ci = " + sum +
+                                 " + a[39]; Oi = 1; }\n");
+    variables += " \"constant float[40] a\" [";
+    for (int i = 0; i < 40; ++i)
+        variables += i == 39 ? "0.4" : "0 ";
+    Outcome run =
+        render(sceneWith("Surface \"many\" Translate 0 0 4 Disk 0 .5 360" + variables + "]"));
+    EXPECT_EQ(run.status, 0) << run.text();
+    expectDisc();
+}
+
 TEST_F(BadInput, ErrorHandlerAbortStops) {
     Outcome run = render("ErrorHandler \"abort\"\n" + sceneWith("Frobnicate"));
+    EXPECT_EQ(run.status, 1) << run.text();
+    EXPECT_FALSE(folder_.has("out.exr"));
+}
+
+// The error comes from the shader library and not from the reading of the file.
+TEST_F(BadInput, ErrorHandlerAbortHoldsForShaders) {
+    Outcome run = render("ErrorHandler \"abort\"\n" + sceneWith("Surface \"nosuchshader\""));
+    EXPECT_EQ(run.status, 1) << run.text();
+    EXPECT_TRUE(run.says("stopped at the first error")) << run.text();
+    EXPECT_FALSE(folder_.has("out.exr"));
+    run = render("ErrorHandler \"ignore\"\n" + sceneWith("Surface \"nosuchshader\""));
+    EXPECT_EQ(run.err, "");
+    expectDisc();
+}
+
+TEST_F(BadInput, MissingShaderNamesEachFolderOnce) {
+    RunSettings beside;
+    folder_.write("scene.rib", sceneWith("Surface \"nosuchshader\""));
+    beside.folder = folder_.path();
+    Outcome run = runCandela({"scene.rib", "--shader-path", "."}, beside);
+    EXPECT_TRUE(run.says("no nosuchshader.sl in .")) << run.text();
+    EXPECT_FALSE(run.says("., .")) << run.text();
+}
+
+TEST_F(BadInput, UnknownPixelFilterHasAPlace) {
+    std::string rib = sceneWith("");
+    rib.replace(rib.find("\"box\""), 5, "\"lens\"");
+    Outcome run = render(rib);
+    EXPECT_EQ(run.status, 1) << run.text();
+    EXPECT_TRUE(run.says("scene.rib:3:1: error: unknown pixel filter \"lens\"")) << run.text();
+}
+
+TEST_F(BadInput, UnknownIntegratorHasAPlace) {
+    std::string rib = sceneWith("");
+    rib.replace(rib.find("\"path\""), 6, "\"magic\"");
+    Outcome run = render(rib);
+    EXPECT_EQ(run.status, 1) << run.text();
+    EXPECT_TRUE(run.says("scene.rib:5:1: error: Option: there is no integrator \"magic\""))
+        << run.text();
+    expectDisc();
+}
+
+// One of two displays is wrong: the first error is the end, and nothing is rendered.
+TEST_F(BadInput, ErrorHandlerAbortHoldsForDisplays) {
+    std::string rib = "ErrorHandler \"abort\"\n" + sceneWith("");
+    rib.insert(rib.find("Option"), "Display \"+b.exr\" \"openexr\" \"nonsense\"\n");
+    Outcome run = render(rib);
     EXPECT_EQ(run.status, 1) << run.text();
     EXPECT_FALSE(folder_.has("out.exr"));
 }

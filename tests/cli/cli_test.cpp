@@ -112,6 +112,20 @@ TEST_F(CommandLine, FormatReplacesTheFilesResolution) {
     EXPECT_EQ(window.pixels(), 200u);
 }
 
+// --format stands for Format: the frame of another shape still lies inside it, as RI has it.
+TEST_F(CommandLine, FormatHoldsTheFrameOfTheFilesAspectRatio) {
+    render(scene(exr + "FrameAspectRatio 2\n"), {"--format", "40x40"});
+    FrameWindow window = read("out.exr").window;
+    EXPECT_EQ(window.width, 40);
+    EXPECT_EQ(window.height, 20);
+    EXPECT_NE(runCandela({"--help"}).out.find("FrameAspectRatio"), std::string::npos);
+}
+
+TEST_F(CommandLine, NullHiderComputesNoPixels) {
+    EXPECT_EQ(render(scene(exr + "Hider \"null\"\n")).err, "");
+    EXPECT_FALSE(folder_.has("out.exr"));
+}
+
 // Pixels x with ceil(.25 * 16) <= x <= ceil(.75 * 16 - 1), as RI has it.
 TEST_F(CommandLine, CropKeepsItsPlaceInTheFrame) {
     render(scene(exr), {"--crop", "0.25,0.75,0,0.5"});

@@ -215,7 +215,7 @@ TEST_F(State, namedOptionsAndAttributesAreKept) {
 }
 
 TEST_F(State, searchPathsAreExpanded) {
-    GraphicsState other(builder, shaders, found, {{"lib:more", "", ""}, {}});
+    GraphicsState other(builder, shaders, policy, {{"lib:more", "", ""}, {}});
     other.option(at, "searchpath", text("shader", "mine:@"));
     other.option(at, "searchpath", text("string shader", "first:&"));
     other.worldBegin(at);
@@ -278,6 +278,31 @@ TEST_F(State, singularTransformationsAreReportedAndIgnored) {
     EXPECT_EQ(errors(), 9);
     sphere();
     EXPECT_EQ(primitives()[0].currentFromObject.atOpen(), translation(1, 2, 3));
+}
+
+TEST_F(State, noTransformationTapers) {
+    state.translate(at, 1, 2, 3);
+    state.perspective(at, 90);
+    state.perspective(at, 60);
+    EXPECT_EQ(warnings(), 1);
+    EXPECT_TRUE(says("Perspective: this version has no perspective but that of Projection"));
+    state.worldBegin(at);
+    Matrix4 scaled = translation(4, 5, 6); // All of it by 2: the same place.
+    for (float &entry : scaled.m)
+        entry *= 2;
+    scaled.at(0, 3) = 1e-7f;
+    state.concatTransform(at, scaled);
+    sphere();
+    EXPECT_EQ(primitives()[0].place(0, 0, 0), (Vec3{5, 7, 9}));
+    EXPECT_EQ(errors(), 0);
+}
+
+TEST_F(State, matteIsForLater) {
+    state.matte(at, false);
+    EXPECT_EQ(warnings(), 0);
+    state.matte(at, true);
+    state.matte(at, true);
+    EXPECT_EQ(warnings(), 1);
 }
 
 } // namespace candela::testing

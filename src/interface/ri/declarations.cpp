@@ -36,6 +36,9 @@ std::string_view nameOf(const Table &table, const Value &value) {
     return {};
 }
 
+/// Keeps the number of components far within an int.
+constexpr int maximumArraySize = 1 << 20;
+
 constexpr std::string_view blanks = " \t\r\n";
 
 void skipBlanks(std::string_view &text) {
@@ -58,7 +61,7 @@ std::optional<int> takeArraySize(std::string_view &text) {
     skipBlanks(text);
     int size = 0;
     auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), size);
-    if (error != std::errc() || size < 1)
+    if (error != std::errc() || size < 1 || size > maximumArraySize)
         return std::nullopt;
     text.remove_prefix(end - text.data());
     skipBlanks(text);
@@ -190,6 +193,9 @@ std::optional<Declaration> Dictionary::standard(const std::string &name) {
             {"distance", "float"},
             {"background", "color"},
             {"amplitude", "float"},
+            {"quantize", "float[4]"},
+            {"dither", "float"},
+            {"halfbuffers", "integer"},
             {"fov", "float"},
             {"searchpath:shader", "string"},
             {"searchpath:texture", "string"},

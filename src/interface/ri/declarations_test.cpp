@@ -77,4 +77,11 @@ TEST(Declarations, valuesAreHeldAgainstTheirType) {
     EXPECT_NE(found.text().find("expected 3 values, found 2"), std::string::npos);
 }
 
+TEST(Declarations, arraysHaveALimit) {
+    EXPECT_TRUE(parseDeclaration("constant color[1048576]"));
+    EXPECT_FALSE(parseDeclaration("constant color[1048577]"));
+    EXPECT_FALSE(parseDeclaration("constant color[1431655766]"));
+    EXPECT_FALSE(parseToken("constant color[1431655766] Cs"));
+}
+
 } // namespace candela

@@ -10,7 +10,8 @@
 namespace candela {
 
 /// Hands diagnostics on as RiErrorHandler says. Under "ignore", warnings and errors are dropped;
-/// under "abort" the first error stops the reading; a fatal error always does.
+/// under "abort" the first error stops the reading; a fatal error always does. The one of a run is
+/// for all of its parts to report to.
 class ErrorPolicy : public DiagnosticSink {
 public:
     enum class Mode { Ignore, Print, Abort };

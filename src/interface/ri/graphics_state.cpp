@@ -20,9 +20,9 @@ const char *beginOf(int kind) {
 
 } // namespace
 
-GraphicsState::GraphicsState(SceneBuilder &builder, ShaderLookup &shaders,
-                             DiagnosticSink &diagnostics, GraphicsStateSettings settings)
-    : policy_(diagnostics),
+GraphicsState::GraphicsState(SceneBuilder &builder, ShaderLookup &shaders, ErrorPolicy &policy,
+                             GraphicsStateSettings settings)
+    : policy_(policy),
       handlers_(std::make_unique<StateHandlers>(builder, shaders, policy_, std::move(settings))) {}
 
 GraphicsState::~GraphicsState() = default;
@@ -117,7 +117,7 @@ bool GraphicsState::nest(RequestId id, const SourceLocation &where) {
             return false;
         }
         return open(BlockKind::Frame);
-    case RequestId::WorldBegin: return open(BlockKind::World);
+    case RequestId::WorldBegin: replayed_ = 0; return open(BlockKind::World);
     case RequestId::AttributeBegin: return open(BlockKind::Attribute);
     case RequestId::TransformBegin: return open(BlockKind::Transform);
     case RequestId::SolidBegin: return open(BlockKind::Solid);
@@ -152,6 +152,8 @@ bool GraphicsState::closeBlock(BlockKind kind, RequestId id, const SourceLocatio
     while (blocks_.back().kind != kind) {
         policy_.error(where, name + ": the " + beginOf(int(blocks_.back().kind)) + " at " +
                                  blocks_.back().where.text() + " is still open; it is closed here");
+        if (stopped()) // Nothing closes blocks any more.
+            return false;
         endInnermost(where);
     }
     blocks_.pop_back();
@@ -180,8 +182,9 @@ void GraphicsState::finish() {
     blocks_.clear();
 }
 
-void GraphicsState::record(RecordedRequest request) {
+void GraphicsState::record(RecordedRequest request, std::int64_t weight) {
     recording_->requests.push_back(std::move(request));
+    recording_->weight += weight;
 }
 
 void GraphicsState::replay(const std::shared_ptr<const ObjectDefinition> &object) {

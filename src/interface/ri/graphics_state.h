@@ -9,6 +9,7 @@
 #include "interface/ri/request_sink.h"
 #include "interface/ri/scene_builder.h"
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -22,8 +23,9 @@ class StateHandlers;
 
 class GraphicsState final : public RequestSink {
 public:
-    /// All three must outlive it.
-    GraphicsState(SceneBuilder &, ShaderLookup &, DiagnosticSink &, GraphicsStateSettings = {});
+    /// All three must outlive it. Who else finds something wrong in the user's files is to report
+    /// it to the same policy, which ErrorHandler sets.
+    GraphicsState(SceneBuilder &, ShaderLookup &, ErrorPolicy &, GraphicsStateSettings = {});
     ~GraphicsState() override;
 
 #define REQUEST(Name, handler, scopes, ...)                                                        \
@@ -38,9 +40,6 @@ public:
                                            const SourceLocation &where) const override;
     bool stopped() const override { return policy_.stopped(); }
 
-    /// Obeys ErrorHandler and then tells the sink that was given to the constructor: for readers,
-    /// and for whoever else finds something wrong in the user's files.
-    DiagnosticSink &diagnostics() { return policy_; }
     /// After the last request: reports blocks that are still open. A world that was never closed
     /// is not rendered.
     void finish();
@@ -55,7 +54,8 @@ private:
     using RecordedRequest = std::function<void(GraphicsState &)>;
     struct ObjectDefinition {
         std::vector<RecordedRequest> requests;
-        int depth = 1; ///< Levels of instances below.
+        int depth = 1;           ///< Levels of instances below.
+        std::int64_t weight = 0; ///< Requests that one instance makes, those of others included.
     };
     enum class Verdict { Drop, Record, Run };
 
@@ -69,15 +69,16 @@ private:
     bool nest(RequestId, const SourceLocation &);
     bool closeBlock(BlockKind, RequestId, const SourceLocation &);
     void endInnermost(const SourceLocation &);
-    void record(RecordedRequest);
+    void record(RecordedRequest, std::int64_t weight = 1);
     void replay(const std::shared_ptr<const ObjectDefinition> &);
 
-    ErrorPolicy policy_;
+    ErrorPolicy &policy_;
     std::unique_ptr<StateHandlers> handlers_;
     std::vector<Block> blocks_;
     std::map<std::string, std::shared_ptr<const ObjectDefinition>> objects_;
     std::string objectHandle_; ///< Of the definition that is being recorded.
     std::shared_ptr<ObjectDefinition> recording_;
+    std::int64_t replayed_ = 0;              ///< Requests that instances have made in this world.
     std::optional<RequestId> motionRequest_; ///< What the open motion block is about.
 };
 

@@ -14,7 +14,8 @@ protected:
     ListeningSceneBuilder builder;
     SmallShaderLookup shaders;
     DiagnosticList found;
-    GraphicsState state{builder, shaders, found};
+    ErrorPolicy policy{found};
+    GraphicsState state{builder, shaders, policy};
     SourceLocation at;
 
     static TokenList numbers(const std::string &token, Floats values) {

@@ -9,6 +9,8 @@
 namespace candela {
 
 static constexpr int maximumInstanceDepth = 64;
+/// Objects that instance objects grow fast: this is more than any machine's memory holds.
+static constexpr std::int64_t maximumReplayed = 10'000'000;
 
 // A recorded request holds copies of its arguments.
 #define REQUEST(Name, handler, scopes, ...)                                                        \
@@ -51,14 +53,22 @@ void GraphicsState::objectInstance(const SourceLocation &where, const Handle &ha
     if (found == objects_.end())
         return policy_.error(where,
                              "ObjectInstance: no object '" + handle.text + "' has been defined");
-    if (verdict == Verdict::Run)
+    // A definition may outgrow the limit by its last request; here its instances are refused.
+    const std::int64_t weight = found->second->weight;
+    if (weight + (verdict == Verdict::Run ? replayed_ : 0) > maximumReplayed)
+        return policy_.error(where, "ObjectInstance: the objects in object '" + handle.text +
+                                        "' come to more than " + std::to_string(maximumReplayed) +
+                                        " requests; the instance is left out");
+    if (verdict == Verdict::Run) {
+        replayed_ += weight;
         return replay(found->second);
+    }
     if (found->second->depth >= maximumInstanceDepth)
         return policy_.error(where, "ObjectInstance: instances are nested more than " +
                                         std::to_string(maximumInstanceDepth) + " deep");
     // Bound now, so that an object cannot contain itself.
     recording_->depth = std::max(recording_->depth, found->second->depth + 1);
-    record([object = found->second](GraphicsState &state) { state.replay(object); });
+    record([object = found->second](GraphicsState &state) { state.replay(object); }, 1 + weight);
 }
 
 void GraphicsState::motionBegin(const SourceLocation &where, const LooseFloats &times) {

@@ -112,7 +112,7 @@ TEST_F(State, optionsAreFrozenInTheWorld) {
 }
 
 TEST_F(State, theCommandLineHasTheLastWord) {
-    GraphicsState other(builder, shaders, found,
+    GraphicsState other(builder, shaders, policy,
                         {{}, [](Options &options) { options.xResolution = 77; }});
     other.format(at, 10, 10, 1);
     other.worldBegin(at);
@@ -207,6 +207,16 @@ TEST_F(State, coordinateSystemsAreNamedAndEntered) {
     EXPECT_EQ(errors(), 1);
 }
 
+TEST_F(State, abortEndsWithBlocksStillOpen) {
+    state.errorHandler(at, "abort");
+    state.worldBegin(at);
+    state.attributeBegin(at);
+    state.worldEnd(at);
+    EXPECT_EQ(errors(), 1);
+    EXPECT_TRUE(state.stopped());
+    EXPECT_FALSE(builder.worlds.back().ended);
+}
+
 TEST_F(State, errorHandlersDecide) {
     state.errorHandler(at, "ignore");
     sphere();
@@ -232,6 +242,54 @@ TEST_F(State, whatComesLaterIsWarnedAboutOnce) {
     EXPECT_EQ(errors(), 0);
     EXPECT_EQ(warnings(), 2);
     EXPECT_TRUE(says("Points: this version does not draw it"));
+}
+
+TEST_F(State, optionsWithoutEffectAreWarnedAboutOnce) {
+    state.hider(at, "hidden", {});
+    state.hider(at, "null", {});
+    EXPECT_EQ(warnings(), 0);
+    for (const char *type : {"paint", "zbuffer", "zbuffer"})
+        state.hider(at, type, {});
+    EXPECT_EQ(warnings(), 2);
+    state.pixelVariance(at, .01f);
+    state.pixelVariance(at, .02f);
+    EXPECT_EQ(warnings(), 3);
+    for (float detail : {1.0f, 2.0f, .5f})
+        state.relativeDetail(at, detail);
+    EXPECT_EQ(warnings(), 4);
+}
+
+TEST_F(State, integratorsAreChecked) {
+    auto integrator = [&](const char *name) {
+        state.option(at, "render", text("integrator", name));
+    };
+    integrator("path");
+    integrator("classic");
+    EXPECT_EQ(found.all().size(), 0u);
+    integrator("bidir");
+    integrator("radiosity");
+    integrator("bidir");
+    EXPECT_EQ(warnings(), 2);
+    EXPECT_EQ(errors(), 0);
+    integrator("magic");
+    EXPECT_EQ(errors(), 1);
+}
+
+TEST_F(State, samplesHaveALimit) {
+    state.pixelSamples(at, 4096, 4096);
+    EXPECT_EQ(errors(), 0);
+    state.pixelSamples(at, 60000, 60000);
+    EXPECT_EQ(errors(), 1);
+    state.worldBegin(at);
+    EXPECT_EQ(builder.worlds.back().options.xSamples, 4096);
+}
+
+TEST_F(State, displayParametersAreDeclared) {
+    TokenList tokens = numbers("halfbuffers", {1});
+    tokens.all.push_back(numbers("quantize", {0, 255, 0, 255}).all.front());
+    tokens.all.push_back(numbers("dither", {.5f}).all.front());
+    state.display(at, "a.exr", "file", "rgb", tokens);
+    EXPECT_EQ(found.text(), "");
 }
 
 } // namespace candela::testing

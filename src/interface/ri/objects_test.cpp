@@ -109,6 +109,38 @@ TEST_F(State, blocksInObjectsMatch) {
     EXPECT_EQ(primitives().size(), 1u);
 }
 
+// Each object holds the one before it twice.
+TEST_F(State, objectsThatGrowWithoutMeasureAreRefused) {
+    state.worldBegin(at);
+    for (int i = 0; i < 40; ++i) {
+        state.objectBegin(at, {std::to_string(i)});
+        for (int copy = 0; copy < 2 && i > 0; ++copy)
+            state.objectInstance(at, {std::to_string(i - 1)});
+        state.objectEnd(at);
+    }
+    state.objectInstance(at, {"39"});
+    EXPECT_EQ(errors(), 2);
+    EXPECT_TRUE(says("come to more than 10000000 requests"));
+}
+
+// No object is too large, but all of them together are.
+TEST_F(State, instancesThatGrowWithoutMeasureAreRefused) {
+    state.worldBegin(at);
+    for (int i = 0; i < 20; ++i) {
+        state.objectBegin(at, {std::to_string(i)});
+        for (int copy = 0; copy < 2 && i > 0; ++copy)
+            state.objectInstance(at, {std::to_string(i - 1)});
+        state.objectEnd(at);
+    }
+    for (int copy = 0; copy < 20; ++copy)
+        state.objectInstance(at, {"19"});
+    EXPECT_EQ(errors(), 11);
+    state.worldEnd(at);
+    state.worldBegin(at);
+    state.objectInstance(at, {"19"});
+    EXPECT_EQ(errors(), 11);
+}
+
 TEST_F(State, motionBlocksShowTheFirstTime) {
     state.worldBegin(at);
     state.motionBegin(at, {{0, 1}});

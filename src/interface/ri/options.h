@@ -24,6 +24,9 @@ struct QuantizeRecord {
     float one = 0, minimum = 0, maximum = 0, ditherAmplitude = 0;
 };
 
+/// More samples of a pixel would do no good and are not counted.
+inline constexpr int maximumSamplesPerPixel = 1 << 24;
+
 struct DisplayRecord {
     std::string name;                       ///< File name, without the leading '+'.
     std::string type;                       ///< "file", "openexr", "png", ...
@@ -59,6 +62,11 @@ struct Options {
     std::string hider = "hidden";
     float relativeDetail = 1;
     int frame = 0;
+
+    /// Where some of the requests stand, for messages; empty if they do not.
+    struct Places {
+        SourceLocation format, cropWindow, pixelFilter;
+    } places;
 
     /// RiOption values as "category:name", for example "render:integrator".
     std::map<std::string, Parameter> named;

@@ -200,4 +200,11 @@ TEST_F(State, basesAreKnownByNameOrMatrix) {
     EXPECT_EQ(errors(), 2);
 }
 
+TEST_F(State, indicesBeyondThePointsAreNamed) {
+    state.worldBegin(at);
+    state.pointsPolygons(at, {3}, {0, 7, 2}, numbers("P", {0, 0, 0, 1, 0, 0, 0, 1, 0}));
+    EXPECT_TRUE(says("there is no vertex 7: \"P\" holds 3 points"));
+    EXPECT_TRUE(primitives().empty());
+}
+
 } // namespace candela::testing

@@ -23,8 +23,8 @@ public:
     virtual void handler(const SourceLocation &where CANDELA_PARAMETERS(__VA_ARGS__)) = 0;
 #include "interface/ri/requests.def"
 
-    /// Where ReadArchive finds the file of that name (searchpath "archive", then the folder of
-    /// the file that asks for it, then the current folder); nothing if nowhere.
+    /// Where ReadArchive finds the file of that name (searchpath "archive", --archive-path, the
+    /// folder of the file that asks for it, the current folder); nothing if nowhere.
     virtual std::optional<std::string> findArchive(const std::string &name,
                                                    const SourceLocation &where) const = 0;
     /// True after a fatal error, or an error under ErrorHandler "abort": no more requests please.

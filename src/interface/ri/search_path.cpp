@@ -66,7 +66,7 @@ std::optional<std::string> findFile(const std::string &name,
     namespace fs = std::filesystem;
     auto isFile = [](const fs::path &path) {
         std::error_code error;
-        return fs::exists(path, error) && !fs::is_directory(path, error);
+        return fs::is_regular_file(path, error);
     };
     if (fs::path(name).is_absolute())
         return isFile(name) ? std::optional(name) : std::nullopt;

@@ -20,7 +20,8 @@ std::string expandSearchPath(std::string_view text, std::string_view previous,
 std::vector<std::string> splitSearchPath(std::string_view expanded);
 /// The folders of Option "searchpath" `kind` ("shader", "texture", "archive"...), in order.
 std::vector<std::string> searchFolders(const Options &, const std::string &kind);
-/// The file as it stands if absolute; else the first folder that holds it. Nothing if none does.
+/// The regular file as it stands if absolute; else the first folder that holds it. Nothing if none
+/// does.
 std::optional<std::string> findFile(const std::string &name,
                                     const std::vector<std::string> &folders);
 

@@ -56,7 +56,11 @@ void StateHandlers::shadingInterpolation(const SourceLocation &where, const std:
     edit().smoothInterpolation = type == "smooth";
 }
 
-void StateHandlers::matte(const SourceLocation &, bool on) { edit().matte = on; }
+void StateHandlers::matte(const SourceLocation &where, bool on) {
+    edit().matte = on;
+    if (on)
+        warnOnce(where, "Matte", "Matte: this version draws matte objects as all others");
+}
 
 /// A hint for culling; this renderer bounds its primitives itself.
 void StateHandlers::bound(const SourceLocation &where, float xMin, float xMax, float yMin,

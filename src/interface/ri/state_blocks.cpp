@@ -46,6 +46,8 @@ bool StateHandlers::finite(const SourceLocation &where, const char *request,
 std::optional<std::string> StateHandlers::findArchive(const std::string &name,
                                                       const SourceLocation &where) const {
     std::vector<std::string> folders = searchFolders(options_, "archive");
+    for (std::string &folder : splitSearchPath(settings_.searchPaths.archive))
+        folders.push_back(std::move(folder));
     if (where.file) {
         std::string folder = std::filesystem::path(*where.file).parent_path().string();
         folders.push_back(folder.empty() ? "." : folder);

@@ -83,6 +83,7 @@ private:
                                                    const char *request, const std::string &shader,
                                                    const std::optional<SharedParameters> &known);
     void setSearchPath(Parameter &);
+    void checkIntegrator(const SourceLocation &, const std::string &name);
     std::optional<QuantizeRecord> displayQuantize(ParameterList &);
 
     // Lights and primitives.

@@ -17,6 +17,7 @@ void StateHandlers::format(const SourceLocation &where, int x, int y, float aspe
     options_.xResolution = x > 0 ? x : standard.xResolution;
     options_.yResolution = y > 0 ? y : standard.yResolution;
     options_.pixelAspectRatio = aspect > 0 ? aspect : standard.pixelAspectRatio;
+    options_.places.format = where;
 }
 
 void StateHandlers::frameAspectRatio(const SourceLocation &where, float ratio) {
@@ -42,6 +43,7 @@ void StateHandlers::cropWindow(const SourceLocation &where, float x0, float x1, 
                      "expected 0 <= xmin < xmax <= 1 and the same for y; "
                      "the request is left out");
     options_.cropWindow = {x0, x1, y0, y1};
+    options_.places.cropWindow = where;
 }
 
 void StateHandlers::projection(const SourceLocation &where, const std::string &name,
@@ -103,11 +105,15 @@ void StateHandlers::pixelVariance(const SourceLocation &where, float variation) 
     if (!(variation >= 0))
         return error(where, "PixelVariance", "expected a number from 0 up");
     options_.pixelVariance = variation;
+    warnOnce(where, "PixelVariance",
+             "PixelVariance: this version takes as many samples as PixelSamples says everywhere");
 }
 
 void StateHandlers::pixelSamples(const SourceLocation &where, float x, float y) {
-    if (!(x >= 1 && y >= 1 && x <= 1e5f && y <= 1e5f))
-        return error(where, "PixelSamples", "expected two numbers from 1 to 100000");
+    if (!(x >= 1 && y >= 1 && double(x) * y <= maximumSamplesPerPixel))
+        return error(where, "PixelSamples",
+                     "expected two numbers from 1 up, with a product of at most " +
+                         std::to_string(maximumSamplesPerPixel));
     options_.xSamples = x;
     options_.ySamples = y;
 }
@@ -117,6 +123,7 @@ void StateHandlers::pixelFilter(const SourceLocation &where, const std::string &
     if (!(x > 0 && y > 0 && x <= 1000 && y <= 1000))
         return error(where, "PixelFilter", "expected widths above 0, at most 1000 pixels");
     options_.filter = {name, x, y};
+    options_.places.pixelFilter = where;
 }
 
 void StateHandlers::exposure(const SourceLocation &where, float gain, float gamma) {
@@ -164,14 +171,18 @@ void StateHandlers::hider(const SourceLocation &where, const std::string &type,
     options_.hider = type;
     for (Parameter &parameter : categorised(tokens, "Hider", "hider"))
         options_.named["hider:" + parameter.name] = parameter;
-    if (type == "paint")
-        warnOnce(where, "Hider", "Hider: this version hides surfaces under \"paint\" too");
+    if (type != "hidden" && type != "null")
+        warnOnce(where, "Hider:" + type,
+                 "Hider: this version hides surfaces under \"" + type + "\" as under \"hidden\"");
 }
 
 void StateHandlers::relativeDetail(const SourceLocation &where, float detail) {
     if (!(detail >= 0))
         return error(where, "RelativeDetail", "expected a number from 0 up");
     options_.relativeDetail = detail;
+    if (detail != 1)
+        warnOnce(where, "RelativeDetail",
+                 "RelativeDetail: this version draws every level of detail");
 }
 
 void StateHandlers::setSearchPath(Parameter &path) {
@@ -187,9 +198,22 @@ void StateHandlers::setSearchPath(Parameter &path) {
     path.strings = {expandSearchPath(text, previous, standard)};
 }
 
-void StateHandlers::option(const SourceLocation &, const std::string &category,
+void StateHandlers::checkIntegrator(const SourceLocation &where, const std::string &name) {
+    if (name == "bidir" || name == "radiosity")
+        warnOnce(where, "integrator:" + name,
+                 "Option \"render\" \"integrator\": this version has no \"" + name +
+                     "\" and takes \"path\"");
+    else if (name != "path" && name != "classic")
+        error(where, "Option",
+              "there is no integrator \"" + name +
+                  "\": the known ones are \"path\" and \"classic\"; taking \"path\"");
+}
+
+void StateHandlers::option(const SourceLocation &where, const std::string &category,
                            const TokenList &tokens) {
     for (Parameter &parameter : categorised(tokens, "Option", category)) {
+        if (category == "render" && parameter.name == "integrator" && !parameter.strings.empty())
+            checkIntegrator(where, parameter.strings.front());
         if (category == "searchpath" && !parameter.strings.empty())
             setSearchPath(parameter);
         std::string name = category + ":" + parameter.name;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 
 namespace candela {
@@ -44,7 +45,7 @@ std::string variableDefect(const Parameter &variable, const VariableCounts &coun
     int expected = counts.of(variable.declaration.storage);
     if (!hasWholeValues(variable) || valuesIn(variable) != expected)
         return "'" + variable.name + "' (" + textOf(variable.declaration) + ") needs " +
-               std::to_string(expected * variable.declaration.components()) +
+               std::to_string(std::int64_t(expected) * variable.declaration.components()) +
                " numbers here, found " +
                std::to_string(variable.floats.size() + variable.strings.size());
     if (!allFinite(variable))
@@ -93,9 +94,13 @@ void StateHandlers::emit(const SourceLocation &where, const char *request, Shape
     if (std::string defect = defectOf(shape, attributes); !defect.empty())
         return leaveOut(defect);
     int vertices = verticesNeeded(shape, attributes);
-    // Vertices that no polygon uses do no harm.
-    if (std::holds_alternative<PolygonsRecord>(shape))
-        vertices = std::max(vertices, valuesIn(*position));
+    if (std::holds_alternative<PolygonsRecord>(shape)) {
+        const int points = valuesIn(*position);
+        if (vertices > points && hasWholeValues(*position))
+            return leaveOut("there is no vertex " + std::to_string(vertices - 1) +
+                            ": \"P\" holds " + std::to_string(points) + " points, counted from 0");
+        vertices = points; // Those that no polygon uses do no harm.
+    }
     VariableCounts counts = countsOf(shape, attributes, vertices);
     ParameterList kept{where, {}};
     for (Parameter &variable : variables.all) {

@@ -6,10 +6,28 @@
 
 namespace candela {
 
+/// The matrix without what rounding has left in its last column; nothing if it is projective.
+static std::optional<Matrix4> affine(const Matrix4 &matrix) {
+    const float w = matrix.at(3, 3);
+    Matrix4 result;
+    for (int row = 0; row < 4; ++row) {
+        if (row < 3 && !(std::fabs(matrix.at(row, 3)) <= 1e-6f * std::fabs(w)))
+            return std::nullopt;
+        for (int column = 0; column < 3; ++column)
+            result.at(row, column) = matrix.at(row, column) / w;
+    }
+    return result;
+}
+
 void StateHandlers::setTransform(const SourceLocation &where, const char *request,
                                  const Matrix4 &matrix) {
-    if (inverse(matrix))
-        ctm_ = matrix;
+    std::optional<Matrix4> kept = affine(matrix);
+    if (inverse(matrix) && !kept)
+        warnOnce(where, "projective",
+                 std::string(request) + ": this version has no perspective but that of Projection; "
+                                        "requests that make things taper are left out");
+    else if (kept && inverse(*kept))
+        ctm_ = *kept;
     else
         error(where, request,
               "the transformation would be singular (it flattens space) or is "

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <sys/stat.h>
 #include <unistd.h>
 #include <zlib.h>
 
@@ -32,8 +33,9 @@ protected:
         return path;
     }
     bool readFile(const std::string &path) {
-        GraphicsState state(builder, shaders, found, settings);
-        bool opened = RibReader(state, state.diagnostics()).readFile(path);
+        ErrorPolicy policy(found);
+        GraphicsState state(builder, shaders, policy, settings);
+        bool opened = RibReader(state, policy).readFile(path);
         state.finish();
         return opened;
     }
@@ -61,6 +63,16 @@ TEST_F(Archives, areFoundThroughTheSearchPath) {
     EXPECT_EQ(primitives(), 1u);
     settings.searchPaths.archive = (folder / "sub").string();
     readFile(write("main.rib", "WorldBegin ReadArchive \"ball.rib\" WorldEnd"));
+    EXPECT_EQ(found.text(), "");
+    EXPECT_EQ(primitives(), 1u);
+}
+
+// As shaders are by --shader-path: what the file says does not take it away.
+TEST_F(Archives, areFoundByTheCommandLinesPathAlways) {
+    write("sub/ball.rib", "Sphere 1 -1 1 360\n");
+    settings.searchPaths.archive = (folder / "sub").string();
+    readFile(write("main.rib", "Option \"searchpath\" \"archive\" [\"elsewhere\"]\n"
+                               "WorldBegin ReadArchive \"ball.rib\" WorldEnd"));
     EXPECT_EQ(found.text(), "");
     EXPECT_EQ(primitives(), 1u);
 }
@@ -96,6 +108,27 @@ TEST_F(Archives, chainsHaveALimit) {
     readFile((folder / "0.rib").string());
     EXPECT_EQ(errors(), 1);
     EXPECT_TRUE(says("nested more than"));
+}
+
+TEST_F(Archives, thatReadOthersTwiceHaveALimit) {
+    for (int i = 0; i < 50; ++i) {
+        const std::string next = "ReadArchive \"" + std::to_string(i + 1) + ".rib\"\n";
+        write(std::to_string(i) + ".rib", next + next);
+    }
+    write("50.rib", "");
+    readFile((folder / "0.rib").string());
+    EXPECT_GT(errors(), 0);
+    EXPECT_LT(errors(), 100);
+    EXPECT_TRUE(says("100000 others already"));
+}
+
+// Neither is read, for reading would not end.
+TEST_F(Archives, areRegularFiles) {
+    ASSERT_EQ(mkfifo((folder / "pipe.rib").c_str(), 0600), 0);
+    readFile(write("main.rib", "ReadArchive \"/dev/zero\"\nReadArchive \"pipe.rib\"\n"));
+    EXPECT_EQ(errors(), 2);
+    EXPECT_TRUE(
+        says("main.rib:1:1: error: ReadArchive: there is no archive '/dev/zero' (a regular"));
 }
 
 TEST_F(Archives, mayBeCompressed) {

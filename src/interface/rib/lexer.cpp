@@ -59,7 +59,12 @@ std::optional<double> parseNumber(const std::string &text) {
 
 Lexer::Lexer(std::unique_ptr<ByteSource> source, std::string file, DiagnosticSink &diagnostics)
     : source_(std::move(source)), file_(std::make_shared<const std::string>(std::move(file))),
-      diagnostics_(diagnostics) {}
+      diagnostics_(diagnostics) {
+    // Editors of other systems begin UTF-8 with a byte order mark.
+    if (peek(0) == 0xEF && peek(1) == 0xBB && peek(2) == 0xBF)
+        for (int i = 0; i < 3; ++i)
+            source_->skip();
+}
 
 /// One byte on; CRLF counts when its LF is passed.
 void Lexer::advance() {

@@ -21,7 +21,8 @@ struct RibToken {
 };
 
 /// Comments and blanks vanish. What is no token is reported and skipped. All three line ends
-/// (LF, CRLF, CR) count as one; bytes above 127 may stand in comments and strings.
+/// (LF, CRLF, CR) count as one; bytes above 127 may stand in comments and strings, and a UTF-8 byte
+/// order mark before everything.
 class Lexer {
 public:
     /// `file` is the name that locations carry.

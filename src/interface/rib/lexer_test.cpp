@@ -32,6 +32,13 @@ struct Lexed {
     }
 };
 
+TEST(Lexer, byteOrderMarkIsPassed) {
+    Lexed lexed("\xEF\xBB\xBF##RenderMan RIB\nSphere 1");
+    EXPECT_EQ(lexed.text(), "R(Sphere)I");
+    EXPECT_EQ(lexed.found.text(), "");
+    EXPECT_EQ(Lexed("Sphere \xEF\xBB\xBF 1").found.count(Severity::Error), 1);
+}
+
 TEST(Lexer, tokensOfAllKinds) {
     struct {
         const char *text, *expected;

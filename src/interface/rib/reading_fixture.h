@@ -18,8 +18,9 @@ protected:
     GraphicsStateSettings settings;
 
     void read(const std::string &text) {
-        GraphicsState state(builder, shaders, found, settings);
-        RibReader(state, state.diagnostics()).readText(text, "test.rib");
+        ErrorPolicy policy(found);
+        GraphicsState state(builder, shaders, policy, settings);
+        RibReader(state, policy).readText(text, "test.rib");
         state.finish();
     }
     /// What one world block with this content holds.

@@ -67,8 +67,9 @@ TEST_F(Reading, everyMistakeIsReportedAtItsPlaceAndTheRestIsRead) {
         builder.worlds.clear();
         GraphicsStateSettings none;
         DiagnosticList list;
-        GraphicsState state(builder, shaders, list, none);
-        RibReader(state, state.diagnostics())
+        ErrorPolicy policy(list);
+        GraphicsState state(builder, shaders, policy, none);
+        RibReader(state, policy)
             .readText(std::string("WorldBegin\n") + each.bad + "\nDisk 0 1 360\nWorldEnd\n",
                       "test.rib");
         state.finish();
@@ -145,8 +146,9 @@ TEST_F(Reading, damagedBytesAreSurvived) {
         for (char c : {'"', '[', ']', '#', '\\', '\n', '\0', '\xff', '-', 'E', '9'}) {
             std::string damaged = scene;
             damaged[i] = c;
-            GraphicsState state(builder, shaders, found);
-            RibReader(state, state.diagnostics()).readText(damaged, "test.rib");
+            ErrorPolicy policy(found);
+            GraphicsState state(builder, shaders, policy);
+            RibReader(state, policy).readText(damaged, "test.rib");
             state.finish();
         }
     EXPECT_GT(errors(), 0);

@@ -10,6 +10,8 @@
 namespace candela {
 
 static constexpr int maximumArchiveDepth = 64;
+/// Archives that read archives twice each grow fast.
+static constexpr int maximumNestedReadings = 100000;
 
 /// The same text for all names of a file.
 static std::string identityOf(const std::string &path) {
@@ -40,8 +42,8 @@ void RibReader::readArchive(const SourceLocation &where, const std::string &name
     auto path = sink_.findArchive(name, where);
     if (!path) {
         diagnostics_.error(where, "ReadArchive: there is no archive '" + name +
-                                      "' in the search path \"archive\", beside this file or in "
-                                      "the current folder");
+                                      "' (a regular file) in the search path \"archive\", beside "
+                                      "this file or in the current folder");
         return;
     }
     if (std::ranges::find(open_, identityOf(*path)) != open_.end())
@@ -49,6 +51,9 @@ void RibReader::readArchive(const SourceLocation &where, const std::string &name
     else if (int(open_.size()) > maximumArchiveDepth)
         diagnostics_.error(where, "ReadArchive: archives are nested more than " +
                                       std::to_string(maximumArchiveDepth) + " deep");
+    else if (open_.size() > 1 && ++nestedReadings_ > maximumNestedReadings)
+        diagnostics_.error(where, "ReadArchive: '" + name + "' is left out: archives read " +
+                                      std::to_string(maximumNestedReadings) + " others already");
     else
         readFile(*path);
 }

@@ -11,7 +11,7 @@ namespace candela {
 
 class RibReader {
 public:
-    /// For a GraphicsState give its diagnostics(), which obey ErrorHandler. Both must outlive it.
+    /// For a GraphicsState give its ErrorPolicy. Both must outlive it.
     RibReader(RequestSink &sink, DiagnosticSink &diagnostics)
         : sink_(sink), diagnostics_(diagnostics) {}
 
@@ -30,6 +30,7 @@ private:
     RequestSink &sink_;
     DiagnosticSink &diagnostics_;
     std::vector<std::string> open_; ///< Files that are being read, one inside the other.
+    int nestedReadings_ = 0;        ///< Archives that archives have asked for so far.
 };
 
 } // namespace candela

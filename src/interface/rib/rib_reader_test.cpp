@@ -136,4 +136,15 @@ TEST_F(Reading, lineEndsAndAMissingLastOneDoNotMatter) {
     }
 }
 
+TEST_F(Reading, requestsOfOtherRenderersAreWarnedAbout) {
+    read(
+        "DisplayChannel \"varying color albedo\"\nPushFilter \"bloom\" \"radius\" [3]\n"
+        "IfBegin \"$x == 1\"\nElseIf \"$x == 2\"\nElse\nIfEnd\n"
+        "ArchiveBegin \"a\"\nArchiveEnd\n"
+        "WorldBegin\nResourceBegin\nResource \"r\" \"attributes\" \"string operation\" [\"save\"]\n"
+        "ResourceEnd\nScopedCoordinateSystem \"here\"\nWorldEnd\n");
+    EXPECT_EQ(errors(), 0) << found.text();
+    EXPECT_EQ(warnings(), 12) << found.text();
+}
+
 } // namespace candela::testing

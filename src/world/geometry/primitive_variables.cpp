@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/geometry/primitive_variables.h"
 
+#include "foundation/units/color.h"
+#include "interface/ri/declarations.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -18,7 +21,26 @@ static bool isPosition(const std::string &name) {
     return name == "P" || name == "Pw" || name == "Pz";
 }
 
-static bool isNormal(const std::string &name) { return name == "N" || name == "Np"; }
+/// Floats in one value of the variables that have a meaning of their own; 0 for all others.
+static int floatsExpected(const std::string &name) {
+    if (name == "N" || name == "Np")
+        return 3;
+    if (name == "Cs" || name == "Os")
+        return colorSamples;
+    return name == "st" ? 2 : name == "s" || name == "t" ? 1 : 0;
+}
+
+/// What is wrong with a variable; empty if nothing is.
+static std::string defectOf(const Parameter &parameter, int components) {
+    const int expected = floatsExpected(parameter.name);
+    if (expected != 0 && components != expected)
+        return "is a " + textOf(parameter.declaration) + ", which has " +
+               std::to_string(components) + " numbers where " + std::to_string(expected) +
+               " are expected";
+    if (parameter.floats.empty() || parameter.floats.size() % components != 0)
+        return "has the wrong number of floats";
+    return allFinite(parameter.floats) ? "" : "is not finite";
+}
 
 /// Every second float of "st", from `first` on, as the variable `name`.
 static NumericVariable halfOf(const Parameter &st, std::string name, int first) {
@@ -40,15 +62,12 @@ std::vector<NumericVariable> numericVariables(const PrimitiveRecord &record,
         int components = floatsPerValue(parameter.declaration);
         if (components == 0 || isPosition(parameter.name))
             continue;
-        bool wholeValues = !parameter.floats.empty() && parameter.floats.size() % components == 0;
-        bool rightSize = !isNormal(parameter.name) || components == 3;
-        if (!wholeValues || !rightSize || !allFinite(parameter.floats)) {
-            diagnostics.warning(record.where, "the primitive variable \"" + parameter.name +
-                                                  "\" is not finite or has the wrong number of "
-                                                  "floats; it is ignored");
+        if (std::string defect = defectOf(parameter, components); !defect.empty()) {
+            diagnostics.error(record.where, "the primitive variable \"" + parameter.name + "\" " +
+                                                defect + "; it is left out");
             continue;
         }
-        if (parameter.name == "st" && components == 2) {
+        if (parameter.name == "st") {
             add(halfOf(parameter, "s", 0));
             add(halfOf(parameter, "t", 1));
         } else {

@@ -21,7 +21,8 @@ struct NumericVariable {
 };
 
 /// All numeric variables but the positions P, Pw and Pz; the normals "N" and "Np" are among them.
-/// Drops, with a warning, what is not finite or no whole number of values. Of several of one name
+/// Drops, with an error, what is not finite, no whole number of values or, for Cs, Os, s, t, st, N
+/// and Np, of another size than what it is for. Of several of one name
 /// the first stays.
 std::vector<NumericVariable> numericVariables(const PrimitiveRecord &, DiagnosticSink &);
 

@@ -302,7 +302,7 @@ TEST(BadQuadrics, AreReportedAndDropped) {
     }
 }
 
-TEST(BadQuadrics, WrongVariablesAreReportedAndIgnored) {
+TEST(BadQuadrics, WrongVariablesAreReportedAndLeftOut) {
     DiagnosticList diagnostics;
     auto surfaces = makeSurfaces(
         record(SphereRecord{1, -1, 1, 360},
@@ -312,7 +312,25 @@ TEST(BadQuadrics, WrongVariablesAreReportedAndIgnored) {
         {}, diagnostics);
     ASSERT_EQ(surfaces.size(), 1u);
     EXPECT_EQ(surfaces[0]->variables().size(), 2u); // s and t
-    EXPECT_EQ(diagnostics.count(Severity::Warning), 3);
+    EXPECT_EQ(diagnostics.count(Severity::Warning), 1);
+    EXPECT_EQ(diagnostics.count(Severity::Error), 2);
+}
+
+TEST(BadQuadrics, VariablesWithAMeaningHaveItsSize) {
+    for (auto [name, type, count] : {std::tuple{"Cs", ValueType::Matrix, 16},
+                                     {"Os", ValueType::Float, 1},
+                                     {"s", ValueType::Color, 3},
+                                     {"st", ValueType::Float, 1},
+                                     {"N", ValueType::Float, 1}}) {
+        DiagnosticList diagnostics;
+        auto surfaces = makeSurfaces(
+            record(SphereRecord{1, -1, 1, 360},
+                   {parameter(name, StorageClass::Constant, type, std::vector<float>(count, 1))}),
+            {}, diagnostics);
+        ASSERT_EQ(surfaces.size(), 1u);
+        EXPECT_EQ(surfaces[0]->variables().size(), 2u) << name; // s and t
+        EXPECT_EQ(diagnostics.count(Severity::Error), 1) << name;
+    }
 }
 
 } // namespace

@@ -205,7 +205,7 @@ void evaluateVariables(const Run &run, const SceneCode &code, const std::int32_t
         if (isGeometric(declaration))
             transformVariable(declaration, run.primitive, n, planes);
         for (std::size_t slot = 0; slot < code.variableName.size(); ++slot) {
-            if (code.variableName[slot] != int(name) || slot >= out.variableTable.size())
+            if (code.variableName[slot] != int(name))
                 continue;
             int component = std::min(code.variableComponent[slot], components - 1);
             for (int i = 0; i < n; ++i)
@@ -276,6 +276,7 @@ void SceneState::evaluate(const TrianglePoints &points, const SceneCode &code,
     EvaluationScratch &own = scratch();
     int count = points.count;
     out.count = count;
+    out.makeRoomForVariables(int(code.variableName.size()));
     fillSummaries(summaries, points, out);
 
     std::int32_t *order = nullptr;

@@ -3,20 +3,22 @@
 
 namespace candela {
 
-namespace {
-constexpr int maximumVariables = 32;
-}
-
 ShadingPoints::ShadingPoints(int capacity)
-    : inputs(int(ShaderInput::Count), capacity), integers(5, capacity), floats(2, capacity),
-      variables(maximumVariables, capacity) {
+    : inputs(int(ShaderInput::Count), capacity), integers(5, capacity), floats(2, capacity) {
     for (int plane = 0; plane < int(ShaderInput::Count); ++plane)
         inputTable.push_back(inputs[plane]);
-    for (int plane = 0; plane < maximumVariables; ++plane)
-        variableTable.push_back(variables[plane]);
     parameterOffset = integers[0], objectIndex = integers[1], lightSet = integers[2];
     primitive = integers[3], light = integers[4];
     offset = floats[0], lightPdfArea = floats[1];
+}
+
+void ShadingPoints::makeRoomForVariables(int planes) {
+    if (planes <= variables.planes())
+        return;
+    variables = Planes<float>(planes, inputs.lanes());
+    variableTable.clear();
+    for (int plane = 0; plane < planes; ++plane)
+        variableTable.push_back(variables[plane]);
 }
 
 } // namespace candela

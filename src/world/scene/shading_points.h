@@ -33,6 +33,9 @@ struct ShadingPoints {
     Planes<float> variables; ///< Planes that override parameters.
     std::vector<float *> variableTable;
 
+    /// How many planes override parameters is known only when a shader is at hand. What the planes
+    /// held is lost.
+    void makeRoomForVariables(int planes);
     float *input(int shaderInput) { return inputTable[shaderInput]; }
 };
 

@@ -3,6 +3,7 @@
 
 #include "interface/ri/search_path.h"
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
@@ -41,7 +42,9 @@ const sl::TypedShader *ShaderSources::find(ShaderKind kind, const std::string &n
                                            const SourceLocation &where) {
     std::string plain = plainShaderName(name);
     std::vector<std::string> folders = searchPath;
-    folders.insert(folders.end(), folders_.begin(), folders_.end());
+    for (const std::string &folder : folders_)
+        if (std::ranges::find(folders, folder) == folders.end())
+            folders.push_back(folder);
     const char *kindName = sl::nameOf(languageKind(kind));
     auto reportOnce = [&](const std::string &message) {
         if (!std::exchange(reported_[kindName + plain], true))

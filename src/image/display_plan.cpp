@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "image/display_plan.h"
+
+#include "image/whole_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+
+namespace candela {
+
+namespace {
+
+struct KnownType {
+    std::string_view type, extension;
+    FileFormat format;
+};
+constexpr std::array<KnownType, 2> knownTypes{
+    {{"openexr", ".exr", FileFormat::OpenExr}, {"png", ".png", FileFormat::Png}}};
+
+std::string namesOfTypes() {
+    std::string names = "file";
+    for (const KnownType &known : knownTypes)
+        names += ", " + std::string(known.type);
+    return names;
+}
+
+/// In small letters.
+std::string extensionOf(const std::string &name) {
+    std::string extension = std::filesystem::path(name).extension().string();
+    std::ranges::transform(extension, extension.begin(),
+                           [](unsigned char c) { return char(std::tolower(c)); });
+    return extension;
+}
+
+/// The format by the display's type; type "file" goes by the name's extension, OpenEXR if it has
+/// none. What is not known becomes OpenEXR, under a name that says so, and is warned about.
+void chooseFormat(PlannedDisplay &display, std::string &warning) {
+    DisplayRecord &record = display.record;
+    const std::string extension = extensionOf(record.name);
+    const bool byName = record.type == "file";
+    const auto known = byName ? std::ranges::find(knownTypes, extension, &KnownType::extension)
+                              : std::ranges::find(knownTypes, record.type, &KnownType::type);
+    if (known != knownTypes.end()) {
+        display.format = known->format;
+        return;
+    }
+    if (byName && extension.empty())
+        return;
+    if (extension != ".exr" && !record.name.empty())
+        record.name += ".exr";
+    warning = byName ? "files are not written as \"" + extension + "\""
+                     : "this version has no display type \"" + record.type + "\" (known are " +
+                           namesOfTypes() + ")";
+    warning += ": it will be the OpenEXR file \"" + record.name + "\"";
+}
+
+/// What keeps the planes out of the format; empty if nothing does.
+std::string formatDefect(const PlannedDisplay &display, const Options &options) {
+    if (display.format != FileFormat::Png)
+        return {};
+    const bool depth = std::ranges::any_of(display.planes, [](const DisplayPlane &plane) {
+        return plane.source == DisplayPlane::Source::Depth;
+    });
+    if (depth && depthQuantize(display.record, options).one == 0)
+        return "a PNG picture holds whole numbers only: give Quantize \"z\" for its depth, or use "
+               "openexr";
+    if (display.planes.size() > 4)
+        return "a PNG picture has 1 to 4 channels, not " + std::to_string(display.planes.size()) +
+               ": use openexr";
+    return {};
+}
+
+/// Settles planes and path; false, and `problem` says why, if the display cannot be written.
+bool settle(PlannedDisplay &display, const Options &options, std::span<const ChannelInfo> available,
+            const OutputPolicy &policy, std::string &problem) {
+    auto planes = displayPlanes(display.record.mode, available, problem);
+    if (!planes)
+        return false;
+    display.planes = std::move(*planes);
+    problem = formatDefect(display, options);
+    if (!problem.empty())
+        return false;
+    const auto path =
+        outputPath(display.record.name, policy.directory, policy.allowOutside, problem);
+    if (!path || !canWriteFile(*path, problem))
+        return false;
+    display.path = *path;
+    return true;
+}
+
+} // namespace
+
+QuantizeRecord depthQuantize(const DisplayRecord &display, const Options &options) {
+    return display.quantize.value_or(options.depthQuantize.value_or(QuantizeRecord{}));
+}
+
+std::vector<PlannedDisplay> planDisplays(const Options &options,
+                                         std::span<const ChannelInfo> available,
+                                         const OutputPolicy &policy, DiagnosticSink &sink) {
+    std::vector<PlannedDisplay> plan;
+    for (const DisplayRecord &record : displaysOf(options)) {
+        const SourceLocation &where = record.parameters.where;
+        const std::string about = "Display \"" + record.name + "\": ";
+        PlannedDisplay display{record, {}, {}, {}};
+        std::string warning, problem;
+        chooseFormat(display, warning);
+        if (!warning.empty())
+            sink.warning(where, about + warning);
+        if (!settle(display, options, available, policy, problem))
+            sink.error(where, about + problem);
+        else if (std::ranges::find(plan, display.path, &PlannedDisplay::path) != plan.end())
+            sink.error(where, about + "a display before it writes the same file; it is left out");
+        else
+            plan.push_back(std::move(display));
+    }
+    return plan;
+}
+
+} // namespace candela

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// What becomes of the displays of a frame, settled before its first sample: a long render is not
+// to find out at its end that no picture can be written.
+#pragma once
+
+#include "image/display_planes.h"
+
+namespace candela {
+
+enum class FileFormat { OpenExr, Png };
+
+/// A display that can be written.
+struct PlannedDisplay {
+    DisplayRecord record;
+    FileFormat format = FileFormat::OpenExr;
+    std::vector<DisplayPlane> planes;
+    std::string path;
+};
+
+struct OutputPolicy {
+    std::string directory = ".";
+    bool allowOutside = false; ///< --allow-programs.
+};
+
+/// The displays of the options that can be written: their formats, planes and paths. Types that
+/// are not known become OpenEXR, with a warning. What cannot be written (an unknown mode, more than
+/// its format holds, a path that is not allowed, not writable or taken by a display before it) is
+/// an error and left out. `available` as for displayPlanes().
+std::vector<PlannedDisplay> planDisplays(const Options &, std::span<const ChannelInfo> available,
+                                         const OutputPolicy &, DiagnosticSink &);
+
+/// How a display quantises depth.
+QuantizeRecord depthQuantize(const DisplayRecord &, const Options &);
+
+} // namespace candela

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// One frame: samples to film, film to displays.
+#pragma once
+
+#include "interface/ri/error_policy.h"
+#include "render/console.h"
+#include "render/render.h"
+#include "render/statistics.h"
+
+namespace candela {
+
+/// Whom a frame tells what.
+struct FrameListeners {
+    ErrorPolicy &diagnostics;
+    Console &console; ///< Its progress.
+    Statistics &statistics;
+};
+
+/// Renders and writes the scene, unless what is known before the first sample says that it cannot
+/// be done. `file` is the RIB's name.
+void renderFrame(const Scene &, const RenderSettings &, const std::string &file,
+                 const FrameListeners &);
+
+} // namespace candela
