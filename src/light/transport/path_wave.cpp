@@ -63,16 +63,30 @@ CANDELA_HOT void eventScales(int count, const std::int32_t *__restrict event,
     }
 }
 
-CANDELA_HOT void nextThroughput(int count, const float *__restrict throughput,
-                                const float *__restrict g, const float *__restrict opacity,
+/// The throughput after the event in all channels, and the largest of them (NaN stays).
+CANDELA_HOT void nextThroughput(int count, const std::array<const float *, colorSamples> &from,
+                                const std::array<const float *, colorSamples> &response,
+                                const std::array<const float *, colorSamples> &opacity,
                                 const std::int32_t *__restrict event, const float *__restrict scale,
-                                float *__restrict next, float *__restrict brightest) {
+                                const std::array<float *, colorSamples> &to,
+                                float *__restrict brightest) {
+    static_assert(colorSamples == 3);
+    const float *__restrict f0 = from[0], *__restrict f1 = from[1], *__restrict f2 = from[2];
+    const float *__restrict g0 = response[0], *__restrict g1 = response[1];
+    const float *__restrict g2 = response[2];
+    const float *__restrict o0 = opacity[0], *__restrict o1 = opacity[1];
+    const float *__restrict o2 = opacity[2];
+    float *__restrict t0 = to[0], *__restrict t1 = to[1], *__restrict t2 = to[2];
     for (int i = 0; i < count; ++i) {
-        float factor = event[i] == straightThrough ? 1 - opacity[i] : g[i];
-        float value = scale[i] > 0 ? throughput[i] * factor * scale[i] : 0.0f;
-        float size = std::fabs(value);
-        next[i] = value;
-        brightest[i] = !(size <= brightest[i]) ? size : brightest[i]; // NaN stays.
+        bool through = event[i] == straightThrough, goesOn = scale[i] > 0;
+        float red = goesOn ? f0[i] * (through ? 1 - o0[i] : g0[i]) * scale[i] : 0.0f;
+        float green = goesOn ? f1[i] * (through ? 1 - o1[i] : g1[i]) * scale[i] : 0.0f;
+        float blue = goesOn ? f2[i] * (through ? 1 - o2[i] : g2[i]) * scale[i] : 0.0f;
+        float largest = std::fabs(red);
+        largest = !(std::fabs(green) <= largest) ? std::fabs(green) : largest;
+        largest = !(std::fabs(blue) <= largest) ? std::fabs(blue) : largest;
+        t0[i] = red, t1[i] = green, t2[i] = blue;
+        brightest[i] = largest;
     }
 }
 
@@ -82,7 +96,7 @@ CANDELA_HOT void playRoulette(int count, const float *__restrict brightest,
                               const int *__restrict depth, const float *__restrict chance,
                               int *__restrict survives, float *__restrict gain) {
     for (int i = 0; i < count; ++i) {
-        float root = std::sqrt((brightest[i] > 0 ? brightest[i] : 0.0f) / rouletteBelow);
+        float root = std::sqrt((brightest[i] > 0 ? brightest[i] : 0.0f) * (1 / rouletteBelow));
         float odds = (depth[i] + 1 >= rouletteDepth) & (root < 1) ? root : 1.0f;
         survives[i] = (brightest[i] > 0) & (chance[i] < odds);
         gain[i] = 1 / (odds > 0 ? odds : 1.0f);
@@ -401,10 +415,10 @@ void PathWave::scatterOn() {
     float *scale = scratch_[3], *pdf = scratch_[4], *brightest = scratch_[5];
     eventScales(count, events_.event(), events_.probability(), mixturePdf, depth(),
                 settings_.maxDepth, scale, pdf);
-    std::fill_n(brightest, count, 0.0f);
-    for (int c = 0; c < colorSamples; ++c)
-        nextThroughput(count, throughput(c), g[c], vertices_.Oi(c), events_.event(), scale,
-                       answers_[colorSamples + c], brightest);
+    nextThroughput(count, {throughput(0), throughput(1), throughput(2)}, {g[0], g[1], g[2]},
+                   {vertices_.Oi(0), vertices_.Oi(1), vertices_.Oi(2)}, events_.event(), scale,
+                   {answers_[colorSamples], answers_[colorSamples + 1], answers_[colorSamples + 2]},
+                   brightest);
     if (!lanes::allFinite(count, brightest))
         for (int i = 0; i < count; ++i)
             if (!std::isfinite(brightest[i])) {

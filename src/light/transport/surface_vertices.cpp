@@ -25,6 +25,19 @@ CANDELA_HOT void faceForward(int count, const float *__restrict nx, const float 
     }
 }
 
+/// The same for normals of unit length.
+CANDELA_HOT void faceForwardUnit(int count, const float *__restrict nx, const float *__restrict ny,
+                                 const float *__restrict nz, const float *__restrict ix,
+                                 const float *__restrict iy, const float *__restrict iz,
+                                 float *__restrict fx, float *__restrict fy, float *__restrict fz) {
+    for (int i = 0; i < count; ++i) {
+        float sign = nx[i] * ix[i] + ny[i] * iy[i] + nz[i] * iz[i] > 0 ? -1.0f : 1.0f;
+        fx[i] = nx[i] * sign;
+        fy[i] = ny[i] * sign;
+        fz[i] = nz[i] * sign;
+    }
+}
+
 /// Shaders get unit normals: RI leaves their length open, but many (the paper's figure 2 too)
 /// hand N to reflect() as it comes.
 CANDELA_HOT void makeUnit(int count, float *__restrict x, float *__restrict y,
@@ -78,9 +91,14 @@ void SurfaceVertices::meet(const Scene &scene, int code, const RayBatch &rays, c
     codeIndex_ = code;
     code_ = &scene.code(code);
     scene.shadingPoints(rays, hits, order, count, points);
+    ConstVec3Planes n = input(ShaderInput::Ng), i = input(ShaderInput::I);
+    if (scene.normalsAreUnit(code)) {
+        faceForwardUnit(count, n[0], n[1], n[2], i[0], i[1], i[2], facing_[0], facing_[1],
+                        facing_[2]);
+        return;
+    }
     const int N = int(ShaderInput::N);
     makeUnit(count, points.input(N), points.input(N + 1), points.input(N + 2));
-    ConstVec3Planes n = input(ShaderInput::Ng), i = input(ShaderInput::I);
     faceForward(count, n[0], n[1], n[2], i[0], i[1], i[2], facing_[0], facing_[1], facing_[2]);
 }
 

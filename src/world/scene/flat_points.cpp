@@ -13,7 +13,7 @@ namespace candela {
 
 namespace {
 
-/// A row: origin, edgeA, edgeB, normal, density; padded to a cache line.
+/// A row: origin, edgeA, edgeB, unit normal, density; padded to a cache line.
 constexpr int rowFloats = 16, normalAt = 9, densityAt = 12;
 constexpr int block = 256;
 /// Larger scenes would fill the caches with the table.
@@ -80,7 +80,7 @@ bool FlatTable::takePrimitive(const SceneState &state, std::uint32_t index) {
         std::optional<FlatTriangle> flat = flatTriangle(state, index, t);
         if (!flat)
             return false;
-        for (Vec3 v : {flat->origin, flat->edgeA, flat->edgeB, flat->normal})
+        for (Vec3 v : {flat->origin, flat->edgeA, flat->edgeB, normalize(flat->normal)})
             rows_.insert(rows_.end(), {v.x, v.y, v.z});
         rows_.push_back(t < primitive.density.size() ? primitive.density[t] : 0);
         rows_.insert(rows_.end(), rowFloats - densityAt - 1, 0.0f);

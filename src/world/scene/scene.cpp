@@ -66,6 +66,8 @@ int Scene::codeCount() const { return int(state_->codes.size()); }
 const ShaderCode &Scene::code(int index) const { return *state_->codes[index].code; }
 int Scene::codeOf(std::uint32_t primitive) const { return state_->summaries[primitive].code; }
 
+bool Scene::normalsAreUnit(int code) const { return state_->codes[code].flat; }
+
 int Scene::binCount() const { return int(state_->codeOfBin.size()); }
 int Scene::codeOfBin(int bin) const { return state_->codeOfBin[bin]; }
 

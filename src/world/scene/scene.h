@@ -42,6 +42,8 @@ public:
     int codeCount() const;
     const ShaderCode &code(int index) const;
     int codeOf(std::uint32_t primitive) const;
+    /// shadingPoints() of this code have N and Ng of unit length.
+    bool normalsAreUnit(int code) const;
     /// Bins: what is shaded together, the primitives of one code, those that are lights apart.
     int binCount() const;
     int codeOfBin(int bin) const;
