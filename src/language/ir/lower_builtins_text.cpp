@@ -3,8 +3,7 @@
 // printf() keeps its numbers for run time.
 #include "language/ir/lower_internal.h"
 #include "language/ir/print_format.h"
-
-#include <regex>
+#include "language/ir/regular_expression.h"
 
 namespace candela::ir {
 namespace {
@@ -134,14 +133,11 @@ Components concat(BuiltinCall &call) {
 Components match(BuiltinCall &call) {
     const std::string pattern = call.text(0, "a regular expression");
     const std::string subject = call.text(1, "the subject of match()");
-    try {
-        const std::regex expression(pattern, std::regex::extended);
-        return {call.b.number(std::regex_search(subject, expression))};
-    } catch (const std::regex_error &) {
-        call.lowering.error(call.expr.operands[0]->where,
-                            "\"" + pattern + "\" is not a regular expression");
-        return {call.b.number(0)};
-    }
+    if (const auto expression = RegularExpression::parse(pattern))
+        return {call.b.number(expression->foundIn(subject))};
+    call.lowering.error(call.expr.operands[0]->where,
+                        "\"" + pattern + "\" is not a regular expression, or too large a one");
+    return {call.b.number(0)};
 }
 
 } // namespace
