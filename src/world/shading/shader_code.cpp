@@ -2,6 +2,7 @@
 #include "world/shading/shader_code.h"
 
 #include <algorithm>
+#include <cstdio>
 
 namespace candela {
 
@@ -12,6 +13,11 @@ void storeMatrices(const Matrix4 &currentFromSpace, float *to) {
     std::ranges::copy(currentFromSpace.m, to);
     std::ranges::copy(spaceFromCurrent.m, to + 16);
 }
+
+// Lines of points that are shaded side by side come in any order but whole: POSIX locks the stream
+// for the time of a call.
+const ShaderCallbacks toStandardOutput{nullptr,
+                                       [](void *, const char *text) { std::fputs(text, stdout); }};
 
 } // namespace
 
@@ -72,6 +78,7 @@ void ShaderCode::bind(ShaderArgs &args) const {
     args.spaces = spaces_.data();
     args.categoryAccepts = categoryAccepts_.empty() ? nullptr : categoryAccepts_.data();
     args.lightCount = lightCount_;
+    args.callbacks = &toStandardOutput;
 }
 
 } // namespace candela
