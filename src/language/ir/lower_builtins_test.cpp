@@ -162,6 +162,20 @@ TEST(LowerBuiltins, ColorSpacesInvert) {
     }
 }
 
+/// What the checker lets pass is what the lowering knows.
+TEST(LowerBuiltins, NamesInOtherSpellings) {
+    const std::pair<const char *, const char *> table[] = {
+        {"color \"HSV\" (u, 1, v)", "color \"hsv\" (u, 1, v)"},
+        {"ctransform(\"RGB\", \"HSL\", Cs)", "ctransform(\"rgb\", \"hsl\", Cs)"},
+        {"ctransform(\"xyz\", \"yiq\", Cs)", "ctransform(\"XYZ\", \"YIQ\", Cs)"},
+        {"spline(\"catmullrom\", abs(u), Cs, 1, Cs, 0)", "spline(abs(u), Cs, 1, Cs, 0)"},
+    };
+    for (auto [other, standard] : table)
+        EXPECT_EQ(evaluateBody("color", std::string("result = ") + other + ";"),
+                  evaluateBody("color", std::string("result = ") + standard + ";"))
+            << other;
+}
+
 TEST(LowerBuiltins, HueOfPrimaries) {
     const auto out =
         evaluateBody("color", "result = color(comp(ctransform(\"hsv\", color(0, 1, 0)), 0), "

@@ -68,7 +68,6 @@ private:
     ExprPtr checkAssign(const ast::Expr &);
     ExprPtr assignedValue(const ast::Expr &, const Type &target);
     ExprPtr checkCast(const ast::Expr &);
-    static bool isColorSpace(const std::string &name);
     ExprPtr checkTarget(const ast::Expr &);
     bool mayWrite(const Symbol &, const Place &);
     bool detailFits(const Expr &target, Detail value, const Place &);

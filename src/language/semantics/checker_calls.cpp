@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "language/semantics/checker.h"
+#include "language/semantics/spellings.h"
 
 namespace candela::sl {
 
@@ -273,12 +274,6 @@ ExprPtr Checker::callUser(const ast::Expr &e, FunctionDefinition &definition) {
     return result;
 }
 
-static bool isSplineBasis(std::string name) {
-    static constexpr const char *names[] = {"catmull-rom", "catmullrom", "bezier", "bspline",
-                                            "b-spline",    "hermite",    "linear", "power"};
-    return std::ranges::find(names, name) != std::end(names);
-}
-
 // Strings that are known now and mean something are checked now.
 void Checker::checkStrings(const ast::Expr &e, const BuiltinOverload &overload,
                            const std::vector<ExprPtr> &arguments) {
@@ -288,13 +283,12 @@ void Checker::checkStrings(const ast::Expr &e, const BuiltinOverload &overload,
     for (const ExprPtr &argument : arguments) {
         if (argument->kind != ExprKind::Text)
             continue;
-        if (id == BuiltinId::spline && !isSplineBasis(argument->text))
+        if (id == BuiltinId::spline && splineBasisSpelled(argument->text).empty())
             reporter_.error(argument->where, "unknown spline basis \"" + argument->text +
-                                                 "\"; expected catmull-rom, bezier, bspline, "
-                                                 "hermite, linear or power");
-        if (id == BuiltinId::ctransform && !isColorSpace(argument->text))
+                                                 "\"; expected " + splineBasisNames);
+        if (id == BuiltinId::ctransform && colorSpaceSpelled(argument->text).empty())
             reporter_.error(argument->where, "unknown colour space \"" + argument->text +
-                                                 "\"; expected rgb, hsv, hsl, XYZ, xyY or YIQ");
+                                                 "\"; expected " + colorSpaceNames);
     }
 }
 

@@ -5,6 +5,7 @@
 
 #include "language/semantics/checker.h"
 #include "language/semantics/operator_forms.h"
+#include "language/semantics/spellings.h"
 
 namespace candela::sl {
 
@@ -355,12 +356,6 @@ ExprPtr Checker::assignedValue(const ast::Expr &e, const Type &target) {
     return coerce(std::move(sum), target.base, role);
 }
 
-bool Checker::isColorSpace(const std::string &name) {
-    static constexpr const char *names[] = {"rgb", "RGB", "hsv", "HSV", "hsl", "HSL",
-                                            "XYZ", "xyz", "xyY", "YIQ", "yiq"};
-    return std::ranges::find(names, name) != std::end(names);
-}
-
 ExprPtr Checker::checkCast(const ast::Expr &e) {
     std::string type = nameOf(e.type);
     ExprPtr value = check(*e.operands[0], e.type);
@@ -371,9 +366,9 @@ ExprPtr Checker::checkCast(const ast::Expr &e) {
                                                   "vector, normal and matrix are");
         return nullptr;
     }
-    if (spaced && e.type == BaseType::Color && !isColorSpace(e.operands[1]->text)) {
+    if (spaced && e.type == BaseType::Color && colorSpaceSpelled(e.operands[1]->text).empty()) {
         reporter_.error(e.operands[1]->where, "unknown colour space \"" + e.operands[1]->text +
-                                                  "\"; expected rgb, hsv, hsl, XYZ, xyY or YIQ");
+                                                  "\"; expected " + colorSpaceNames);
         return nullptr;
     }
     if (!value)
