@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "language/semantics/checker.h"
+#include "language/semantics/print_pattern.h"
 #include "language/semantics/spellings.h"
 
 namespace candela::sl {
@@ -292,44 +293,18 @@ void Checker::checkStrings(const ast::Expr &e, const BuiltinOverload &overload,
     }
 }
 
-// Whether the letter behind '%' prints a value of that type.
-static bool printsType(char letter, BaseType type) {
-    switch (letter) {
-    case 'f':
-    case 'g':
-    case 'e':
-    case 'd':
-    case 'i': return type == BaseType::Float;
-    case 'c':
-    case 'p':
-    case 'v':
-    case 'n': return isTriple(type);
-    case 'm': return type == BaseType::Matrix;
-    case 's': return type == BaseType::String;
-    default: return false;
-    }
-}
-
 void Checker::checkPattern(const ast::Expr &e, const std::vector<ExprPtr> &arguments) {
     if (arguments[0]->kind != ExprKind::Text)
         return;
-    const std::string &pattern = arguments[0]->text;
     size_t next = 1;
-    for (size_t i = 0; i < pattern.size(); ++i) {
-        if (pattern[i] != '%')
+    for (const PrintPiece &piece : splitPrintPattern(arguments[0]->text)) {
+        if (!piece.converts)
             continue;
-        i = pattern.find_first_not_of("0123456789.+- #", i + 1);
-        char letter = i < pattern.size() ? pattern[i] : '\0';
-        if (letter == '%')
-            continue;
-        std::string directive = std::string("%") + (letter ? std::string(1, letter) : "");
-        if (next < arguments.size() && !printsType(letter, arguments[next]->type.base))
-            reporter_.error(arguments[next]->where, "'" + directive + "' in the pattern of " +
-                                                        e.text + " cannot print a " +
-                                                        nameOf(arguments[next]->type.base));
+        if (next < arguments.size() && !printsType(piece.letter, arguments[next]->type.base))
+            reporter_.error(arguments[next]->where,
+                            "'" + piece.conversion() + "' in the pattern of " + e.text +
+                                " cannot print a " + nameOf(arguments[next]->type.base));
         ++next;
-        if (!letter)
-            break;
     }
     if (next != arguments.size())
         reporter_.error(e.where, "the pattern of " + e.text + " asks for " +
