@@ -36,6 +36,35 @@ bool fits(ValueType given, const std::string &wanted) {
            (givenTriple && isTriple(wanted));
 }
 
+std::size_t componentsOf(const ir::ShaderParameter &parameter) {
+    return parameter.type == "string" ? 1 : parameter.defaults.size() / parameter.arraySize;
+}
+
+std::size_t elementsOf(const Parameter &given, const ir::ShaderParameter &parameter) {
+    return parameter.type == "string" ? given.strings.size()
+                                      : given.floats.size() / componentsOf(parameter);
+}
+
+std::string shape(const std::string &type, std::size_t elements) {
+    return type + (elements == 1 ? "" : "[" + std::to_string(elements) + "]");
+}
+
+/// True if the value that the record gives can stand for the parameter; else it is reported.
+bool isUsable(const Parameter &given, const ir::ShaderParameter &parameter,
+              const ir::LoweredShader &shader, const ShaderRecord &record,
+              DiagnosticSink &diagnostics) {
+    const bool sameType = fits(given.declaration.type, parameter.type);
+    const std::size_t elements = sameType ? elementsOf(given, parameter) : 1;
+    if (sameType && elements == std::size_t(parameter.arraySize))
+        return true;
+    diagnostics.error(record.parameters.where,
+                      "parameter \"" + parameter.name + "\" of shader \"" + shader.name +
+                          "\" is a " + shape(parameter.type, sameType ? parameter.arraySize : 1) +
+                          ", but a " + shape(typeName(given.declaration.type), elements) +
+                          " is given: its default is used");
+    return false;
+}
+
 /// Points, vectors and normals from a space to current space.
 void transformTriples(const std::string &type, const Matrix4 &currentFromSpace,
                       std::vector<float> &values) {
@@ -71,15 +100,9 @@ std::optional<std::vector<float>> givenValues(const ir::LoweredShader &shader,
                                               const ShaderRecord &record,
                                               DiagnosticSink &diagnostics) {
     const Parameter *given = record.parameters.find(parameter.name);
-    if (!given || parameter.type == "string")
+    if (!given || !isUsable(*given, parameter, shader, record, diagnostics) ||
+        parameter.type == "string") // Strings are folded into the code already.
         return std::nullopt;
-    if (!fits(given->declaration.type, parameter.type)) {
-        diagnostics.error(record.parameters.where,
-                          "parameter \"" + parameter.name + "\" of shader \"" + shader.name +
-                              "\" is a " + parameter.type + ", but a " +
-                              typeName(given->declaration.type) + " is given: its default is used");
-        return std::nullopt;
-    }
     std::vector<float> values = given->floats;
     if (isTriple(parameter.type))
         transformTriples(parameter.type, record.currentFromShader.atOpen(), values);
@@ -116,10 +139,8 @@ std::vector<float> parameterBlock(const ir::LoweredShader &shader, const ShaderR
     std::map<std::string, std::vector<float>> values;
     for (const ir::ShaderParameter &parameter : shader.parameters) {
         auto given = givenValues(shader, parameter, record, diagnostics);
-        std::vector<float> standing = defaultValues(parameter, record, options);
-        if (given)
-            std::copy_n(given->begin(), std::min(given->size(), standing.size()), standing.begin());
-        values[parameter.name] = std::move(standing);
+        values[parameter.name] =
+            given ? std::move(*given) : defaultValues(parameter, record, options);
     }
     Matrix4 currentFromShader = record.currentFromShader.atOpen();
     std::vector<float> &hidden = values["shader"];
