@@ -78,6 +78,16 @@ void transformTriples(const std::string &type, const Matrix4 &currentFromSpace,
     }
 }
 
+/// Matrices that start at a space to such as start at current space.
+void startAtCurrent(const Matrix4 &currentFromSpace, std::vector<float> &values) {
+    const Matrix4 spaceFromCurrent = inverse(currentFromSpace).value_or(Matrix4{});
+    for (auto at = values.begin(); at != values.end(); at += 16) {
+        Matrix4 fromSpace;
+        std::copy_n(at, 16, fromSpace.m.begin());
+        std::ranges::copy((spaceFromCurrent * fromSpace).m, at);
+    }
+}
+
 Matrix4 spaceOf(const std::string &name, const ShaderRecord &record, const Options &options) {
     if (name == "current" || name == "camera")
         return {};
@@ -90,8 +100,11 @@ Matrix4 spaceOf(const std::string &name, const ShaderRecord &record, const Optio
 std::vector<float> defaultValues(const ir::ShaderParameter &parameter, const ShaderRecord &record,
                                  const Options &options) {
     std::vector<float> values = parameter.defaults;
+    const Matrix4 currentFromSpace = spaceOf(parameter.defaultSpace, record, options);
     if (isTriple(parameter.type))
-        transformTriples(parameter.type, spaceOf(parameter.defaultSpace, record, options), values);
+        transformTriples(parameter.type, currentFromSpace, values);
+    else if (parameter.type == "matrix")
+        startAtCurrent(currentFromSpace, values);
     return values;
 }
 
