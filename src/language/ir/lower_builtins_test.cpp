@@ -197,14 +197,14 @@ TEST(LowerBuiltins, MatrixTimesInverseIsIdentity) {
             EXPECT_NEAR(out[k][lane], k % 5 == 0, 1e-5) << k;
 }
 
-/// translate(), rotate() and scale() act before the matrix, as RiTranslate does.
+/// translate(), rotate() and scale() act after the matrix (RI 3.2 section 15.4: postconcatenate).
 TEST(LowerBuiltins, MatricesAppend) {
     const auto out = evaluateBody(
         "point", "matrix m = translate(scale(matrix 1, vector(2, 2, 2)), vector(1, 0, 0)); "
                  "m = rotate(m, PI/2, vector(0, 0, 1)); result = transform(m, point(0, -1, 3));");
-    // Rotated to (1, 0, 3), moved to (2, 0, 3), doubled.
-    EXPECT_NEAR(out[0][0], 4, 1e-6);
-    EXPECT_NEAR(out[1][0], 0, 1e-6);
+    // Doubled to (0, -2, 6), moved to (1, -2, 6), rotated.
+    EXPECT_NEAR(out[0][0], 2, 1e-6);
+    EXPECT_NEAR(out[1][0], 1, 1e-6);
     EXPECT_NEAR(out[2][0], 6, 1e-6);
 }
 
