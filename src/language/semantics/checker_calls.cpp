@@ -64,7 +64,8 @@ int Checker::userCost(const FunctionDefinition &definition, const ast::Expr &cal
     return std::min(cost, impossible);
 }
 
-// The user's own functions hide built-in ones, unless none of them fits.
+// The user's own functions hide built-in ones, unless none of them fits. In its own body, a
+// function that is called like a built-in one means that one: there is no recursion.
 Checker::Callee Checker::chooseCallee(const ast::Expr &call, Wanted wanted) {
     Callee best;
     std::vector<TypeSet> types = argumentTypes(call);
@@ -78,16 +79,21 @@ Checker::Callee Checker::chooseCallee(const ast::Expr &call, Wanted wanted) {
             bestTotal = total;
         }
     };
-    for (FunctionDefinition *definition : context_.scope->findFunctions(call.text)) {
-        int cost = userCost(*definition, call, types);
-        if (cost < impossible)
-            consider({nullptr, definition, resultOf(*definition), cost});
-    }
+    const auto definitions = context_.scope->findFunctions(call.text);
+    auto considerOwn = [&](bool inProgress) {
+        for (FunctionDefinition *definition : definitions) {
+            int cost = userCost(*definition, call, types);
+            if (cost < impossible && definition->inProgress == inProgress)
+                consider({nullptr, definition, resultOf(*definition), cost});
+        }
+    };
+    considerOwn(false);
     const Builtin *function = findBuiltin(call.text);
-    if (best.definition || !function)
-        return best;
-    for (const BuiltinOverload &overload : function->overloads)
-        consider({&overload, nullptr, overload.result, builtinCost(overload, call, types)});
+    if (!best.definition && function)
+        for (const BuiltinOverload &overload : function->overloads)
+            consider({&overload, nullptr, overload.result, builtinCost(overload, call, types)});
+    if (!best.definition && !best.overload)
+        considerOwn(true); // A recursion, which is reported.
     return best;
 }
 
@@ -194,6 +200,8 @@ ExprPtr Checker::callBuiltin(const ast::Expr &e, const BuiltinOverload &overload
     if (arguments.size() != e.operands.size())
         return nullptr;
     checkStrings(e, overload, arguments);
+    if (!componentExists(e, overload))
+        return nullptr;
     Detail inputs = Detail::Uniform;
     for (const ExprPtr &argument : arguments)
         inputs = joined(inputs, argument->type.detail);
@@ -291,6 +299,19 @@ void Checker::checkStrings(const ast::Expr &e, const BuiltinOverload &overload,
             reporter_.error(argument->where, "unknown colour space \"" + argument->text +
                                                  "\"; expected " + colorSpaceNames);
     }
+}
+
+// Of comp() and setcomp(): (triple, index, ...) or (matrix, row, column, ...).
+bool Checker::componentExists(const ast::Expr &e, const BuiltinOverload &overload) {
+    const BuiltinId id = overload.function->id;
+    if (id != BuiltinId::comp && id != BuiltinId::setcomp)
+        return true;
+    const BaseType base = overload.parameters[0].type;
+    const std::string what = std::string("a ") + nameOf(base);
+    if (base == BaseType::Matrix)
+        return constantIndexFits(*e.operands[1], 4, what) &&
+               constantIndexFits(*e.operands[2], 4, what);
+    return constantIndexFits(*e.operands[1], 3, what);
 }
 
 void Checker::checkPattern(const ast::Expr &e, const std::vector<ExprPtr> &arguments) {

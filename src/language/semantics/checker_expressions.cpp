@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "language/semantics/checker.h"
+#include "language/semantics/constant_value.h"
 #include "language/semantics/operator_forms.h"
 #include "language/semantics/spellings.h"
 
@@ -128,8 +129,9 @@ ExprPtr Checker::checkTuple(const ast::Expr &e, Wanted wanted) {
     return node(ExprKind::Tuple, single(type), e.where, std::move(parts));
 }
 
-bool Checker::constantIndexFits(const Expr &index, int length, const std::string &what) {
-    if (index.kind != ExprKind::Number || (index.number >= 0 && index.number < length))
+bool Checker::constantIndexFits(const ast::Expr &index, int length, const std::string &what) {
+    const std::optional<double> value = constantValue(index);
+    if (!value || (*value >= 0 && *value < length))
         return true;
     reporter_.error(index.where, "index is outside of " + what + "; expected 0 to " +
                                      std::to_string(length - 1));
@@ -149,7 +151,7 @@ ExprPtr Checker::checkIndex(const ast::Expr &e, bool asTarget) {
     if (types.arrayLength) {
         ExprPtr array = wholeArray(indexed, asTarget);
         if (!array || !index ||
-            !constantIndexFits(*index, array->type.length, "array " + indexed.text))
+            !constantIndexFits(*e.operands[1], array->type.length, "array " + indexed.text))
             return nullptr;
         Type element = single(array->type.base);
         return node(ExprKind::Element, element, e.where, list(std::move(array), std::move(index)));
@@ -163,7 +165,7 @@ ExprPtr Checker::checkIndex(const ast::Expr &e, bool asTarget) {
                                      shapeOf(triple->type));
         return nullptr;
     }
-    if (!constantIndexFits(*index, 3, std::string("a ") + nameOf(triple->type.base)))
+    if (!constantIndexFits(*e.operands[1], 3, std::string("a ") + nameOf(triple->type.base)))
         return nullptr;
     return node(ExprKind::Component, single(BaseType::Float), e.where,
                 list(std::move(triple), std::move(index)));
