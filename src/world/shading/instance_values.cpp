@@ -88,23 +88,36 @@ void startAtCurrent(const Matrix4 &currentFromSpace, std::vector<float> &values)
     }
 }
 
-Matrix4 spaceOf(const std::string &name, const ShaderRecord &record, const Options &options) {
+/// The space of a default, which must be one that the file defines before the shader is bound.
+Matrix4 spaceOf(const ir::ShaderParameter &parameter, const ir::LoweredShader &shader,
+                const ShaderRecord &record, const Options &options, DiagnosticSink &diagnostics) {
+    const std::string &name = parameter.defaultSpace;
     if (name == "current" || name == "camera")
         return {};
-    auto found = options.coordinateSystems.find(name);
-    if (name == "shader" || name == "object" || found == options.coordinateSystems.end())
+    if (name == "shader" || name == "object")
         return record.currentFromShader.atOpen();
-    return found->second;
+    auto found = options.coordinateSystems.find(name);
+    if (found != options.coordinateSystems.end())
+        return found->second;
+    diagnostics.warning(record.parameters.where,
+                        "the default of parameter \"" + parameter.name + "\" of shader \"" +
+                            shader.name + "\" is in the coordinate system \"" + name +
+                            "\", which is not known here: taking \"shader\"");
+    return record.currentFromShader.atOpen();
 }
 
-std::vector<float> defaultValues(const ir::ShaderParameter &parameter, const ShaderRecord &record,
-                                 const Options &options) {
+std::vector<float> defaultValues(const ir::LoweredShader &shader,
+                                 const ir::ShaderParameter &parameter, const ShaderRecord &record,
+                                 const Options &options, DiagnosticSink &diagnostics) {
     std::vector<float> values = parameter.defaults;
-    const Matrix4 currentFromSpace = spaceOf(parameter.defaultSpace, record, options);
-    if (isTriple(parameter.type))
-        transformTriples(parameter.type, currentFromSpace, values);
-    else if (parameter.type == "matrix")
+    const bool isMatrix = parameter.type == "matrix";
+    if (!isMatrix && !isTriple(parameter.type))
+        return values;
+    const Matrix4 currentFromSpace = spaceOf(parameter, shader, record, options, diagnostics);
+    if (isMatrix)
         startAtCurrent(currentFromSpace, values);
+    else
+        transformTriples(parameter.type, currentFromSpace, values);
     return values;
 }
 
@@ -153,7 +166,8 @@ std::vector<float> parameterBlock(const ir::LoweredShader &shader, const ShaderR
     for (const ir::ShaderParameter &parameter : shader.parameters) {
         auto given = givenValues(shader, parameter, record, diagnostics);
         values[parameter.name] =
-            given ? std::move(*given) : defaultValues(parameter, record, options);
+            given ? std::move(*given)
+                  : defaultValues(shader, parameter, record, options, diagnostics);
     }
     Matrix4 currentFromShader = record.currentFromShader.atOpen();
     std::vector<float> &hidden = values["shader"];
