@@ -138,11 +138,12 @@ void Lowering::writeOutputs(const LoweredShader &lowered) {
 
 namespace {
 
-/// Local arrays are written out, element by element.
+/// Local arrays are written out, element by element. Formals are the arrays of their callers.
 bool arraysFit(const sl::TypedShader &shader, DiagnosticSink &sink) {
     constexpr int mostNumbers = 1 << 16;
     for (const auto &symbol : shader.symbols)
-        if (symbol->type.length > mostNumbers / std::max(1, componentCount(symbol->type.base))) {
+        if (symbol->kind != sl::Symbol::Kind::Formal &&
+            symbol->type.length > mostNumbers / std::max(1, componentCount(symbol->type.base))) {
             sink.report(sl::diagnosticAt(Severity::Error, symbol->where,
                                          "the array \"" + symbol->name + "\" is too large; " +
                                              std::to_string(mostNumbers) +

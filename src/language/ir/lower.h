@@ -35,7 +35,8 @@ struct ShaderParameter {
     bool varying = false;
     int firstSlot = -1; ///< Into Function::parameters; -1 for strings and what nothing reads.
     /// Default value, components in row; points, vectors and normals in the space `defaultSpace`
-    /// ("shader" unless the text says otherwise), colors in the rendering colour space.
+    /// ("shader" unless the text says otherwise), matrices from there ("current" unless the text
+    /// says otherwise), colors in the rendering colour space.
     std::vector<float> defaults;
     std::string defaultSpace = "shader";
     std::vector<std::string> stringDefaults;

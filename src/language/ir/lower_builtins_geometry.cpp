@@ -84,7 +84,7 @@ Components rotate(BuiltinCall &call) {
             const Triple image = rotated(b, b.triple(row == 0, row == 1, row == 2), angle, axis);
             std::copy(image.begin(), image.end(), rotation.begin() + 4 * row);
         }
-        return componentsOf(multiply(b, rotation, matrixOf(call.arguments[0])));
+        return componentsOf(multiply(b, matrixOf(call.arguments[0]), rotation));
     }
     const Triple p0 = call.triple(2);
     const Triple axis = b.normalize(b.sub(call.triple(3), p0));

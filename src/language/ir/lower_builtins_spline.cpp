@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // spline([basis,] x, knots): a cubic through or near values at even steps (RI 3.2 section 15.1).
 #include "language/ir/lower_internal.h"
+#include "language/semantics/spellings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,9 +37,9 @@ const Basis bases[] = {
 };
 
 const Basis *findBasis(const std::string &name) {
-    const std::string wanted = name == "b-spline" ? "bspline" : name;
+    const std::string_view standard = sl::splineBasisSpelled(name);
     const auto found = std::find_if(std::begin(bases), std::end(bases),
-                                    [&](const Basis &basis) { return wanted == basis.name; });
+                                    [&](const Basis &basis) { return standard == basis.name; });
     return found == std::end(bases) ? nullptr : found;
 }
 
@@ -89,10 +90,9 @@ Components spline(BuiltinCall &call) {
     const Components none(width, b.number(0));
     const Basis *basis = findBasis(name);
     if (!basis) {
-        call.lowering.error(call.expr.operands[0]->where,
-                            "there is no spline basis \"" + name +
-                                "\"; known are catmull-rom, bezier, bspline, hermite, linear "
-                                "and power");
+        call.lowering.error(call.expr.operands[0]->where, "there is no spline basis \"" + name +
+                                                              "\"; expected " +
+                                                              sl::splineBasisNames);
         return none;
     }
     Components values;

@@ -122,6 +122,9 @@ const Case floats[] = {
     {"match(\"^a.*c$\", \"abc\") + 2 * match(\"x\", \"abc\")", [](double, double) { return 1.0; }},
     {"concat(\"a\", \"b\", \"c\") == format(\"%s\", \"abc\")", [](double, double) { return 1.0; }},
     {"format(\"%f\", 2) == \"2.000000\"", [](double, double) { return 1.0; }},
+    {"format(\"tex%04d.%s\", 3, \"tif\") == \"tex0003.tif\"", [](double, double) { return 1.0; }},
+    {"format(\"%5s|%.1c\", \"a%\", color(1, 2, 3)) == \"   a%|1.0 2.0 3.0\"",
+     [](double, double) { return 1.0; }},
     {"comp(ctransform(\"hsv\", color(0.5, 0.25, 0.25)), 1)", [](double, double) { return 0.5; }},
     {"comp(color \"hsl\" (0.5, 1, 0.25), 2)", [](double, double) { return 0.5; }},
     {"comp(ctransform(\"xyY\", color(1, 1, 1)), 0)", [](double, double) { return 0.3127; }},
@@ -162,6 +165,20 @@ TEST(LowerBuiltins, ColorSpacesInvert) {
     }
 }
 
+/// What the checker lets pass is what the lowering knows.
+TEST(LowerBuiltins, NamesInOtherSpellings) {
+    const std::pair<const char *, const char *> table[] = {
+        {"color \"HSV\" (u, 1, v)", "color \"hsv\" (u, 1, v)"},
+        {"ctransform(\"RGB\", \"HSL\", Cs)", "ctransform(\"rgb\", \"hsl\", Cs)"},
+        {"ctransform(\"xyz\", \"yiq\", Cs)", "ctransform(\"XYZ\", \"YIQ\", Cs)"},
+        {"spline(\"catmullrom\", abs(u), Cs, 1, Cs, 0)", "spline(abs(u), Cs, 1, Cs, 0)"},
+    };
+    for (auto [other, standard] : table)
+        EXPECT_EQ(evaluateBody("color", std::string("result = ") + other + ";"),
+                  evaluateBody("color", std::string("result = ") + standard + ";"))
+            << other;
+}
+
 TEST(LowerBuiltins, HueOfPrimaries) {
     const auto out =
         evaluateBody("color", "result = color(comp(ctransform(\"hsv\", color(0, 1, 0)), 0), "
@@ -180,14 +197,14 @@ TEST(LowerBuiltins, MatrixTimesInverseIsIdentity) {
             EXPECT_NEAR(out[k][lane], k % 5 == 0, 1e-5) << k;
 }
 
-/// translate(), rotate() and scale() act before the matrix, as RiTranslate does.
+/// translate(), rotate() and scale() act after the matrix (RI 3.2 section 15.4: postconcatenate).
 TEST(LowerBuiltins, MatricesAppend) {
     const auto out = evaluateBody(
         "point", "matrix m = translate(scale(matrix 1, vector(2, 2, 2)), vector(1, 0, 0)); "
                  "m = rotate(m, PI/2, vector(0, 0, 1)); result = transform(m, point(0, -1, 3));");
-    // Rotated to (1, 0, 3), moved to (2, 0, 3), doubled.
-    EXPECT_NEAR(out[0][0], 4, 1e-6);
-    EXPECT_NEAR(out[1][0], 0, 1e-6);
+    // Doubled to (0, -2, 6), moved to (1, -2, 6), rotated.
+    EXPECT_NEAR(out[0][0], 2, 1e-6);
+    EXPECT_NEAR(out[1][0], 1, 1e-6);
     EXPECT_NEAR(out[2][0], 6, 1e-6);
 }
 

@@ -3,38 +3,11 @@
 // printf() keeps its numbers for run time.
 #include "language/ir/lower_internal.h"
 #include "language/ir/print_format.h"
-
-#include <regex>
+#include "language/ir/regular_expression.h"
+#include "language/semantics/print_pattern.h"
 
 namespace candela::ir {
 namespace {
-
-/// A pattern in pieces: text between conversions, and the conversions. Widths and precisions, as in
-/// "%.3f", are read and have no effect.
-struct Piece {
-    std::string text;    ///< Of a conversion: what stands before its letter.
-    char conversion = 0; ///< 0: plain text, "%%" already replaced.
-};
-
-std::vector<Piece> splitPattern(const std::string &pattern) {
-    std::vector<Piece> pieces(1);
-    for (size_t i = 0; i < pattern.size(); ++i) {
-        if (pattern[i] != '%' || i + 1 == pattern.size()) {
-            pieces.back().text += pattern[i];
-        } else if (pattern[i + 1] == '%') {
-            pieces.back().text += '%';
-            ++i;
-        } else {
-            const size_t end = pattern.find_first_not_of("0123456789.+- #", i + 1);
-            if (end == std::string::npos)
-                break;
-            pieces.push_back({pattern.substr(i, end - i), pattern[end]});
-            pieces.emplace_back();
-            i = end;
-        }
-    }
-    return pieces;
-}
 
 std::string escaped(const std::string &text) {
     std::string result;
@@ -43,60 +16,42 @@ std::string escaped(const std::string &text) {
     return result;
 }
 
-/// A pattern with conversions of single floats and strings only, and their values.
+/// A pattern with known strings filled in, and the values of its other conversions.
 struct Expansion {
     std::string pattern;
     Components values;
 };
 
-bool accepts(char conversion, sl::BaseType base) {
-    switch (conversion) {
-    case 'f':
-    case 'e':
-    case 'g':
-    case 'd':
-    case 'i': return base == sl::BaseType::Float;
-    case 'c':
-    case 'p':
-    case 'v':
-    case 'n':
-    case 'h': return sl::isTriple(base);
-    case 'm': return base == sl::BaseType::Matrix;
-    default: return conversion == 's' && base == sl::BaseType::String;
-    }
+/// True if the call has a value of the right type for the conversion; else it is reported.
+bool isGiven(BuiltinCall &call, const sl::PrintPiece &piece, size_t argument) {
+    const bool missing = argument >= call.count();
+    if (!missing && sl::printsType(piece.letter, call.expr.operands[argument]->type.base))
+        return true;
+    const std::string given =
+        missing ? "nothing" : "a " + sl::shapeOf(call.expr.operands[argument]->type);
+    call.lowering.error(call.expr.where, piece.conversion() + " is given " + given +
+                                             "; %f, %g and %d print a float, %c a color, %p a "
+                                             "point, %m a matrix, %s a string");
+    return false;
 }
 
-/// Checks conversions against arguments; composite values become floats with blanks between.
+/// Checks conversions against arguments.
 std::optional<Expansion> expand(BuiltinCall &call) {
     Expansion result;
     size_t next = 1;
-    for (const Piece &piece : splitPattern(call.text(0, "a pattern"))) {
-        if (!piece.conversion) {
-            result.pattern += escaped(piece.text);
+    for (const sl::PrintPiece &piece : sl::splitPrintPattern(call.text(0, "a pattern"))) {
+        result.pattern += escaped(piece.text);
+        if (!piece.converts)
             continue;
-        }
-        if (next >= call.count() ||
-            !accepts(piece.conversion, call.expr.operands[next]->type.base)) {
-            const std::string given = next >= call.count()
-                                          ? "nothing"
-                                          : "a " + sl::shapeOf(call.expr.operands[next]->type);
-            call.lowering.error(call.expr.where, piece.text + piece.conversion + " is given " +
-                                                     given +
-                                                     "; %f, %g and %d print a float, %c a color, "
-                                                     "%p a point, %m a matrix, %s a string");
+        if (!isGiven(call, piece, next))
             return std::nullopt;
-        }
         const Components &argument = call.arguments[next++];
-        const std::string *known = call.b.constantText(argument[0]);
-        if (piece.conversion == 's' && known) {
-            result.pattern += escaped(*known);
+        if (const std::string *known = call.b.constantText(argument[0])) {
+            result.pattern += escaped(formatPrint(piece.conversion(), {{0, known}}));
             continue;
         }
-        for (size_t i = 0; i < argument.size(); ++i) {
-            result.pattern += i ? " " : "";
-            result.pattern += piece.conversion == 's' ? "%s" : "%f";
-            result.values.push_back(argument[i]);
-        }
+        result.pattern += piece.conversion();
+        result.values.insert(result.values.end(), argument.begin(), argument.end());
     }
     return result;
 }
@@ -134,14 +89,11 @@ Components concat(BuiltinCall &call) {
 Components match(BuiltinCall &call) {
     const std::string pattern = call.text(0, "a regular expression");
     const std::string subject = call.text(1, "the subject of match()");
-    try {
-        const std::regex expression(pattern, std::regex::extended);
-        return {call.b.number(std::regex_search(subject, expression))};
-    } catch (const std::regex_error &) {
-        call.lowering.error(call.expr.operands[0]->where,
-                            "\"" + pattern + "\" is not a regular expression");
-        return {call.b.number(0)};
-    }
+    if (const auto expression = RegularExpression::parse(pattern))
+        return {call.b.number(expression->foundIn(subject))};
+    call.lowering.error(call.expr.operands[0]->where,
+                        "\"" + pattern + "\" is not a regular expression, or too large a one");
+    return {call.b.number(0)};
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 // Rec.709; hues are in [0,1).
 #include "foundation/units/color.h"
 #include "language/ir/lower_internal.h"
+#include "language/semantics/spellings.h"
 
 #include <string_view>
 
@@ -138,10 +139,9 @@ const ColorSpace colorSpaces[] = {
 };
 
 const ColorSpace *findColorSpace(std::string_view name) {
-    if (name == "xyz")
-        name = "XYZ";
+    const std::string_view standard = sl::colorSpaceSpelled(name);
     for (const ColorSpace &space : colorSpaces)
-        if (space.name == name)
+        if (space.name == standard)
             return &space;
     return nullptr;
 }
@@ -185,7 +185,7 @@ Components convertColor(Lowering &lowering, const Components &value, const std::
     const ColorSpace *source = findColorSpace(from), *target = findColorSpace(to);
     if (!source || !target) {
         lowering.error(where, "there is no colour space \"" + (source ? to : from) +
-                                  "\"; known are rgb, hsv, hsl, XYZ, xyY and YIQ");
+                                  "\"; expected " + sl::colorSpaceNames);
         return value;
     }
     if (source == target)

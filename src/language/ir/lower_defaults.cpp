@@ -84,14 +84,17 @@ public:
     std::vector<ShaderParameter> parameters;
 
 private:
-    /// The space around all elements of a default; "shader" if there is none.
+    /// The space around all elements of a default. If there is none, "shader"; but a matrix leads
+    /// from current space wherever it leads.
     std::optional<std::string> spaceOf(const sl::Parameter &parameter, Lowering &lowering) {
+        const bool isMatrix = parameter.symbol->type.base == sl::BaseType::Matrix;
         std::optional<std::string> space;
         for (const sl::ExprPtr &element : parameter.defaults) {
             const SpacedDefault split = splitSpace(*element);
             const std::string name =
                 split.space ? lowering.requiredText(lowering.evaluate(*split.space)[0],
                                                     split.space->where, "the name of a space")
+                : isMatrix  ? "current"
                             : "shader";
             if (space && *space != name)
                 lowering.error(element->where, "the elements of a default must be in one space; "

@@ -78,14 +78,14 @@ Components translateBuiltin(BuiltinCall &call) {
     Matrix translation = identityMatrix(call.b);
     for (int i = 0; i < 3; ++i)
         translation[12 + i] = call.arguments[1][i];
-    return componentsOf(multiply(call.b, translation, matrixOf(call.arguments[0])));
+    return componentsOf(multiply(call.b, matrixOf(call.arguments[0]), translation));
 }
 
 Components scaleBuiltin(BuiltinCall &call) {
     Matrix scaling = identityMatrix(call.b);
     for (int i = 0; i < 3; ++i)
         scaling[i * 5] = call.arguments[1][i];
-    return componentsOf(multiply(call.b, scaling, matrixOf(call.arguments[0])));
+    return componentsOf(multiply(call.b, matrixOf(call.arguments[0]), scaling));
 }
 
 } // namespace

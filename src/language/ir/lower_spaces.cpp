@@ -4,14 +4,18 @@
 
 namespace candela::ir {
 
+static void refuseInDefault(Lowering &lowering, const std::string &name, const sl::Place &where) {
+    lowering.error(where, "a default value can name a space only around the whole value, as in "
+                          "point \"" +
+                              name + "\" (0, 0, 0)");
+}
+
 std::optional<Lowering::SpaceMatrices> Lowering::space(const std::string &name,
                                                        const sl::Place &where) {
     if (name == "current" || (onlyShaderSpace && name == "shader"))
         return std::nullopt;
     if (onlyShaderSpace) {
-        error(where, "a default value can name a space only around the whole value, as in "
-                     "point \"" +
-                         name + "\" (0, 0, 0)");
+        refuseInDefault(*this, name, where);
         return std::nullopt;
     }
     if (name == "object")
@@ -100,11 +104,13 @@ Components Lowering::fromSpace(sl::BaseType base, const Components &value, const
                                const sl::Place &where) {
     if (base == sl::BaseType::Color)
         return convertColor(*this, value, name, "rgb", where);
+    if (base == sl::BaseType::Matrix && onlyShaderSpace && name == "shader")
+        refuseInDefault(*this, name, where); // Matrices start at current space, not at "shader".
     const auto source = space(name, where);
     if (!source)
         return value;
     if (base == sl::BaseType::Matrix)
-        return componentsOf(conjugate(b, source->fromCurrent, matrixOf(value), source->toCurrent));
+        return componentsOf(multiply(b, source->fromCurrent, matrixOf(value)));
     return componentsOf(
         transformBy(b, base, tripleOf(value), source->toCurrent, source->fromCurrent));
 }

@@ -83,12 +83,18 @@ TEST(LowerSpaces, HomogeneousDivide) {
                {1, 2, 0.5f});
 }
 
-TEST(LowerSpaces, MatricesActTheSameElsewhere) {
-    // M in world space, applied in current space, is: to world, M, and back.
+TEST(LowerSpaces, MatricesStartAtCurrentSpace) {
+    // matrix "world" M takes points to world space and does M there.
     expectNear(inSpaces("point",
                         "matrix m = matrix \"world\" (2,0,0,0, 0,1,0,0, 0,0,1,0, 0,1,0,1); "
                         "result = transform(m, point \"world\" (1, 1, 1));"),
-               transformPoint(worldMatrix, {2, 2, 1}));
+               {2, 2, 1});
+    expectNear(inSpaces("point", "matrix m = matrix \"shader\" 1; "
+                                 "result = transform(m, P) - transform(\"shader\", P);"),
+               {0, 0, 0});
+}
+
+TEST(LowerSpaces, MtransformActsTheSameElsewhere) {
     const auto back = inSpaces("matrix", "matrix m = matrix(2,0,0,0, 0,1,0,0, 0,0,1,0, 0,1,0,1); "
                                          "result = mtransform(\"object\", \"current\", "
                                          "mtransform(\"object\", m));");

@@ -135,6 +135,18 @@ TEST(Lower, OtherKindsAreRefused) {
     EXPECT_NE(run.diagnostics.text().find("volume shaders"), std::string::npos);
 }
 
+// Such a function is also checked with an array that stands for any, a very long one.
+TEST(Lower, ArraysOfAnyLengthAreHandedToFunctions) {
+    ShaderRun run("color pick(color c[]; float w) { return c[1] * w; }\n"
+                  "surface test() { color three[3] = {1, 2, 3}; Ci = pick(three, 2); }",
+                  1);
+    ASSERT_TRUE(run.lowered) << run.diagnostics.text();
+    EXPECT_EQ(run.run().at("Ci")[0][0], 4);
+    ShaderRun uncalled("color pick(color c[]; float w) { return c[1] * w; }\n"
+                       "surface test() { Ci = 1; }");
+    EXPECT_TRUE(uncalled.lowered) << uncalled.diagnostics.text();
+}
+
 TEST(Lower, InliningEnds) {
     std::string source = "float f0(float x) { return x * 1.5 + 1; } ";
     for (int i = 1; i <= 30; ++i)

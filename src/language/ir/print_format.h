@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the shaders' printf() prints (RI 3.2 section 15.8).
+// What the shaders' printf() and format() make of values (RI 3.2 section 15.8).
 #pragma once
 
 #include <string>
@@ -13,8 +13,10 @@ struct PrintArgument {
     const std::string *text = nullptr;
 };
 
-/// %f takes one number, %p %v %n %c three, %m sixteen, %s a string; %% is a percent sign. What a
-/// format asks for beyond the arguments is left out.
-std::string formatPrint(const std::string &format, const std::vector<PrintArgument> &);
+/// %f %e %g print a number as in C, %d and %i the whole number that is nearest; %p %v %n %c print
+/// three numbers with blanks between, %m sixteen, each as %f does; %s prints a string; %% is a
+/// percent sign. Flags, width and precision are those of C, the last two at most 128. What a
+/// pattern asks for beyond the arguments is left out.
+std::string formatPrint(const std::string &pattern, const std::vector<PrintArgument> &);
 
 } // namespace candela::ir

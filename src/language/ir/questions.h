@@ -19,6 +19,8 @@ namespace candela::ir {
 
 enum class Stage : std::uint8_t { Surface, View, Response };
 
+/// A surface shader's printf() speaks in Prepare alone (or in View, which stands for it), so that a
+/// point prints once, whatever else it is asked; what stands in light loops prints nothing.
 enum class Question : std::uint8_t {
     Shade,   ///< Everything, all light given. Outputs "Ci", "Oi".
     Surface, ///< The Surface stage alone: fills its part of the frame.

@@ -29,11 +29,20 @@ Function sliceFramed(const Plan &plan, Question question) {
     return result;
 }
 
+void removePrints(Region &region) {
+    std::erase_if(region.body, [](const Instruction &i) { return i.op == Op::Print; });
+    for (Instruction &i : region.body)
+        for (Region &inner : i.regions)
+            removePrints(inner);
+}
+
 Function sliceQuestion(const Function &whole, Question question) {
     switch (question) {
     case Question::Shade:
     case Question::Light: {
         Function result = whole;
+        if (question == Question::Shade)
+            removePrints(result.body);
         removeDeadCode(result);
         return result;
     }

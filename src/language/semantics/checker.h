@@ -68,11 +68,10 @@ private:
     ExprPtr checkAssign(const ast::Expr &);
     ExprPtr assignedValue(const ast::Expr &, const Type &target);
     ExprPtr checkCast(const ast::Expr &);
-    static bool isColorSpace(const std::string &name);
     ExprPtr checkTarget(const ast::Expr &);
     bool mayWrite(const Symbol &, const Place &);
     bool detailFits(const Expr &target, Detail value, const Place &);
-    bool constantIndexFits(const Expr &index, int length, const std::string &what);
+    bool constantIndexFits(const ast::Expr &index, int length, const std::string &what);
     ExprPtr coerce(ExprPtr, BaseType, const std::string &role);
     ExprPtr node(ExprKind, Type, const Place &, std::vector<ExprPtr> operands = {});
     ExprPtr variable(Symbol &, const Place &);
@@ -91,6 +90,7 @@ private:
     void noFittingOverload(const ast::Expr &);
     void checkStrings(const ast::Expr &, const BuiltinOverload &,
                       const std::vector<ExprPtr> &arguments);
+    bool componentExists(const ast::Expr &, const BuiltinOverload &);
     void checkPattern(const ast::Expr &, const std::vector<ExprPtr> &arguments);
 
     // Functions (checker_functions.cpp).

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "language/semantics/checker.h"
+#include "language/semantics/print_pattern.h"
+#include "language/semantics/spellings.h"
 
 namespace candela::sl {
 
@@ -62,7 +64,8 @@ int Checker::userCost(const FunctionDefinition &definition, const ast::Expr &cal
     return std::min(cost, impossible);
 }
 
-// The user's own functions hide built-in ones, unless none of them fits.
+// The user's own functions hide built-in ones, unless none of them fits. In its own body, a
+// function that is called like a built-in one means that one: there is no recursion.
 Checker::Callee Checker::chooseCallee(const ast::Expr &call, Wanted wanted) {
     Callee best;
     std::vector<TypeSet> types = argumentTypes(call);
@@ -76,16 +79,21 @@ Checker::Callee Checker::chooseCallee(const ast::Expr &call, Wanted wanted) {
             bestTotal = total;
         }
     };
-    for (FunctionDefinition *definition : context_.scope->findFunctions(call.text)) {
-        int cost = userCost(*definition, call, types);
-        if (cost < impossible)
-            consider({nullptr, definition, resultOf(*definition), cost});
-    }
+    const auto definitions = context_.scope->findFunctions(call.text);
+    auto considerOwn = [&](bool inProgress) {
+        for (FunctionDefinition *definition : definitions) {
+            int cost = userCost(*definition, call, types);
+            if (cost < impossible && definition->inProgress == inProgress)
+                consider({nullptr, definition, resultOf(*definition), cost});
+        }
+    };
+    considerOwn(false);
     const Builtin *function = findBuiltin(call.text);
-    if (best.definition || !function)
-        return best;
-    for (const BuiltinOverload &overload : function->overloads)
-        consider({&overload, nullptr, overload.result, builtinCost(overload, call, types)});
+    if (!best.definition && function)
+        for (const BuiltinOverload &overload : function->overloads)
+            consider({&overload, nullptr, overload.result, builtinCost(overload, call, types)});
+    if (!best.definition && !best.overload)
+        considerOwn(true); // A recursion, which is reported.
     return best;
 }
 
@@ -192,6 +200,8 @@ ExprPtr Checker::callBuiltin(const ast::Expr &e, const BuiltinOverload &overload
     if (arguments.size() != e.operands.size())
         return nullptr;
     checkStrings(e, overload, arguments);
+    if (!componentExists(e, overload))
+        return nullptr;
     Detail inputs = Detail::Uniform;
     for (const ExprPtr &argument : arguments)
         inputs = joined(inputs, argument->type.detail);
@@ -273,12 +283,6 @@ ExprPtr Checker::callUser(const ast::Expr &e, FunctionDefinition &definition) {
     return result;
 }
 
-static bool isSplineBasis(std::string name) {
-    static constexpr const char *names[] = {"catmull-rom", "catmullrom", "bezier", "bspline",
-                                            "b-spline",    "hermite",    "linear", "power"};
-    return std::ranges::find(names, name) != std::end(names);
-}
-
 // Strings that are known now and mean something are checked now.
 void Checker::checkStrings(const ast::Expr &e, const BuiltinOverload &overload,
                            const std::vector<ExprPtr> &arguments) {
@@ -288,54 +292,40 @@ void Checker::checkStrings(const ast::Expr &e, const BuiltinOverload &overload,
     for (const ExprPtr &argument : arguments) {
         if (argument->kind != ExprKind::Text)
             continue;
-        if (id == BuiltinId::spline && !isSplineBasis(argument->text))
+        if (id == BuiltinId::spline && splineBasisSpelled(argument->text).empty())
             reporter_.error(argument->where, "unknown spline basis \"" + argument->text +
-                                                 "\"; expected catmull-rom, bezier, bspline, "
-                                                 "hermite, linear or power");
-        if (id == BuiltinId::ctransform && !isColorSpace(argument->text))
+                                                 "\"; expected " + splineBasisNames);
+        if (id == BuiltinId::ctransform && colorSpaceSpelled(argument->text).empty())
             reporter_.error(argument->where, "unknown colour space \"" + argument->text +
-                                                 "\"; expected rgb, hsv, hsl, XYZ, xyY or YIQ");
+                                                 "\"; expected " + colorSpaceNames);
     }
 }
 
-// Whether the letter behind '%' prints a value of that type.
-static bool printsType(char letter, BaseType type) {
-    switch (letter) {
-    case 'f':
-    case 'g':
-    case 'e':
-    case 'd':
-    case 'i': return type == BaseType::Float;
-    case 'c':
-    case 'p':
-    case 'v':
-    case 'n': return isTriple(type);
-    case 'm': return type == BaseType::Matrix;
-    case 's': return type == BaseType::String;
-    default: return false;
-    }
+// Of comp() and setcomp(): (triple, index, ...) or (matrix, row, column, ...).
+bool Checker::componentExists(const ast::Expr &e, const BuiltinOverload &overload) {
+    const BuiltinId id = overload.function->id;
+    if (id != BuiltinId::comp && id != BuiltinId::setcomp)
+        return true;
+    const BaseType base = overload.parameters[0].type;
+    const std::string what = std::string("a ") + nameOf(base);
+    if (base == BaseType::Matrix)
+        return constantIndexFits(*e.operands[1], 4, what) &&
+               constantIndexFits(*e.operands[2], 4, what);
+    return constantIndexFits(*e.operands[1], 3, what);
 }
 
 void Checker::checkPattern(const ast::Expr &e, const std::vector<ExprPtr> &arguments) {
     if (arguments[0]->kind != ExprKind::Text)
         return;
-    const std::string &pattern = arguments[0]->text;
     size_t next = 1;
-    for (size_t i = 0; i < pattern.size(); ++i) {
-        if (pattern[i] != '%')
+    for (const PrintPiece &piece : splitPrintPattern(arguments[0]->text)) {
+        if (!piece.converts)
             continue;
-        i = pattern.find_first_not_of("0123456789.+- #", i + 1);
-        char letter = i < pattern.size() ? pattern[i] : '\0';
-        if (letter == '%')
-            continue;
-        std::string directive = std::string("%") + (letter ? std::string(1, letter) : "");
-        if (next < arguments.size() && !printsType(letter, arguments[next]->type.base))
-            reporter_.error(arguments[next]->where, "'" + directive + "' in the pattern of " +
-                                                        e.text + " cannot print a " +
-                                                        nameOf(arguments[next]->type.base));
+        if (next < arguments.size() && !printsType(piece.letter, arguments[next]->type.base))
+            reporter_.error(arguments[next]->where,
+                            "'" + piece.conversion() + "' in the pattern of " + e.text +
+                                " cannot print a " + nameOf(arguments[next]->type.base));
         ++next;
-        if (!letter)
-            break;
     }
     if (next != arguments.size())
         reporter_.error(e.where, "the pattern of " + e.text + " asks for " +

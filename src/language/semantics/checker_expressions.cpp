@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "language/semantics/checker.h"
+#include "language/semantics/constant_value.h"
 #include "language/semantics/operator_forms.h"
+#include "language/semantics/spellings.h"
 
 namespace candela::sl {
 
@@ -127,8 +129,9 @@ ExprPtr Checker::checkTuple(const ast::Expr &e, Wanted wanted) {
     return node(ExprKind::Tuple, single(type), e.where, std::move(parts));
 }
 
-bool Checker::constantIndexFits(const Expr &index, int length, const std::string &what) {
-    if (index.kind != ExprKind::Number || (index.number >= 0 && index.number < length))
+bool Checker::constantIndexFits(const ast::Expr &index, int length, const std::string &what) {
+    const std::optional<double> value = constantValue(index);
+    if (!value || (*value >= 0 && *value < length))
         return true;
     reporter_.error(index.where, "index is outside of " + what + "; expected 0 to " +
                                      std::to_string(length - 1));
@@ -148,7 +151,7 @@ ExprPtr Checker::checkIndex(const ast::Expr &e, bool asTarget) {
     if (types.arrayLength) {
         ExprPtr array = wholeArray(indexed, asTarget);
         if (!array || !index ||
-            !constantIndexFits(*index, array->type.length, "array " + indexed.text))
+            !constantIndexFits(*e.operands[1], array->type.length, "array " + indexed.text))
             return nullptr;
         Type element = single(array->type.base);
         return node(ExprKind::Element, element, e.where, list(std::move(array), std::move(index)));
@@ -162,7 +165,7 @@ ExprPtr Checker::checkIndex(const ast::Expr &e, bool asTarget) {
                                      shapeOf(triple->type));
         return nullptr;
     }
-    if (!constantIndexFits(*index, 3, std::string("a ") + nameOf(triple->type.base)))
+    if (!constantIndexFits(*e.operands[1], 3, std::string("a ") + nameOf(triple->type.base)))
         return nullptr;
     return node(ExprKind::Component, single(BaseType::Float), e.where,
                 list(std::move(triple), std::move(index)));
@@ -355,12 +358,6 @@ ExprPtr Checker::assignedValue(const ast::Expr &e, const Type &target) {
     return coerce(std::move(sum), target.base, role);
 }
 
-bool Checker::isColorSpace(const std::string &name) {
-    static constexpr const char *names[] = {"rgb", "RGB", "hsv", "HSV", "hsl", "HSL",
-                                            "XYZ", "xyz", "xyY", "YIQ", "yiq"};
-    return std::ranges::find(names, name) != std::end(names);
-}
-
 ExprPtr Checker::checkCast(const ast::Expr &e) {
     std::string type = nameOf(e.type);
     ExprPtr value = check(*e.operands[0], e.type);
@@ -371,9 +368,9 @@ ExprPtr Checker::checkCast(const ast::Expr &e) {
                                                   "vector, normal and matrix are");
         return nullptr;
     }
-    if (spaced && e.type == BaseType::Color && !isColorSpace(e.operands[1]->text)) {
+    if (spaced && e.type == BaseType::Color && colorSpaceSpelled(e.operands[1]->text).empty()) {
         reporter_.error(e.operands[1]->where, "unknown colour space \"" + e.operands[1]->text +
-                                                  "\"; expected rgb, hsv, hsl, XYZ, xyY or YIQ");
+                                                  "\"; expected " + colorSpaceNames);
         return nullptr;
     }
     if (!value)

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "language/semantics/checker.h"
+#include "language/semantics/constant_value.h"
 
 namespace candela::sl {
 
@@ -64,27 +65,6 @@ void Checker::parameter(const ast::Variable &v) {
                             "the default of uniform parameter " + v.name + " must be uniform");
     result.doc = v.doc;
     shader_->parameters.push_back(std::move(result));
-}
-
-/// The value of an expression of numbers.
-static std::optional<double> constantValue(const ast::Expr &e) {
-    auto operand = [&](size_t i) { return constantValue(*e.operands[i]); };
-    if (e.kind == ast::ExprKind::Number)
-        return e.number;
-    if (e.kind == ast::ExprKind::Negate)
-        return operand(0) ? std::optional(-*operand(0)) : std::nullopt;
-    if (e.kind != ast::ExprKind::Binary)
-        return std::nullopt;
-    std::optional<double> a = operand(0), b = operand(1);
-    if (!a || !b)
-        return std::nullopt;
-    switch (e.op) {
-    case BinaryOp::Add: return *a + *b;
-    case BinaryOp::Subtract: return *a - *b;
-    case BinaryOp::Multiply: return *a * *b;
-    case BinaryOp::Divide: return *a / *b;
-    default: return std::nullopt;
-    }
 }
 
 std::optional<int> Checker::arrayLength(const ast::Variable &v) {

@@ -58,6 +58,12 @@ TEST(Errors, NamesAndTypes) {
         {"f = a;", "5: error: array a needs an index here"},
         {"f = a[3];", "7: error: index is outside of array a; expected 0 to 2"},
         {"f = c[3];", "7: error: index is outside of a color; expected 0 to 2"},
+        {"f = a[-3];", "7: error: index is outside of array a; expected 0 to 2"},
+        {"f = a[2 + 1];", "9: error: index is outside of array a; expected 0 to 2"},
+        {"f = c[-1];", "7: error: index is outside of a color; expected 0 to 2"},
+        {"f = comp(c, 7);", "13: error: index is outside of a color; expected 0 to 2"},
+        {"f = comp(m, 0, 4);", "16: error: index is outside of a matrix; expected 0 to 3"},
+        {"setcomp(c, -1, 1);", "12: error: index is outside of a color; expected 0 to 2"},
         {"f = m[0];", "6: error: only arrays, colors, points, vectors and normals can be indexed, "
                       "not a matrix"},
         {"a = 1;", "3: error: an array cannot be assigned as a whole"},
@@ -72,6 +78,9 @@ TEST(Errors, NamesAndTypes) {
         {"float b = {1};", "7: error: only arrays take initial values in { }"},
         {"float b[f];", "9: error: the length of array b must be a whole number from 1 to 65536, "
                         "known at compile time"},
+        {"float b[-----------------------------------------1];", // Its cost once doubled a sign.
+         "9: error: the length of array b must be a whole number from 1 to 65536, known at compile "
+         "time"},
         {"float b[1000000000];", "9: error: the length of array b must be a whole number from 1 to "
                                  "65536, known at compile time"},
         {"f = sin(1, 2);", "5: error: sin cannot be called with (float, float); expected float "

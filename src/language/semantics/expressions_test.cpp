@@ -57,6 +57,8 @@ TEST(Expressions, OverloadsAndPromotions) {
         {"q = transform(\"a\", \"b\", q);", "q = transform:point(\"a\", \"b\", q)"},
         {"q = rotate(q, f, q, q);", "q = rotate:point(q, f, q, q)"},
         {"m = rotate(m, f, w);", "m = rotate:matrix(m, f, w)"},
+        // In a function of the same name the built-in one is meant.
+        {"float noise(point p) { return 2 * noise(p * 2); } f = noise(q);", "f = noise(q)"},
         {"f = spline(f, a);", "f = spline:float(f, a)"},
         {"c = spline(\"bezier\", f, c, c, c, c, c);",
          "c = spline:color(\"bezier\", f, c, c, c, c, c)"},

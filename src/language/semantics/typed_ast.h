@@ -64,8 +64,9 @@ enum class ExprKind {
                  ///< (f * identity), triple -> triple (components kept)
     FromSpace,   ///< operands[0] was given in the space named by operands[1] (string): a point is
                  ///< transformed from there to "current", likewise a vector and a normal, each by
-                 ///< its own rule; a colour is converted to "rgb"; a matrix M becomes the matrix
-                 ///< that acts in current space as M does in the named one
+                 ///< its own rule; a colour is converted to "rgb"; a matrix becomes the one
+                 ///< that takes points from current space to the named one and then acts there:
+                 ///< matrix "shader" 1 does what transform("shader", p) does (RI 3.2)
     Call,        ///< `function` applied to operands, one a formal; output formals get Variable,
                  ///< Element or Component operands (by reference); arrays are passed whole
     Builtin      ///< `overload` applied to operands, converted to its parameters' types; further

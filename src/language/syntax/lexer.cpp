@@ -16,6 +16,9 @@ constexpr const char *punctuators[] = {
     "(",  ")",  "[",  "]",  "{",  "}",  ",",  ";",  ":",  "?",  ".",  "+",  "-",
     "*",  "/",  "^",  "=",  "<",  ">",  "!",  "#",  "%",  "&",  "|",  "~"};
 
+/// Beyond so many flaws this is no text; the rest is not looked at.
+constexpr int flawLimit = 10'000;
+
 bool isLetter(char c) { return std::isalpha((unsigned char)c) && (unsigned char)c < 128; }
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 bool isWordPart(char c) { return c == '_' || isLetter(c) || isDigit(c); }
@@ -33,11 +36,12 @@ public:
             skipSpace();
             if (atEnd())
                 break;
-            if (reporter_.hopeless()) // Binary rubbish: stop looking at each byte.
+            if (flaws_ > flawLimit) {
+                reporter_.error(here(), "so much of this file is unreadable that the rest is not "
+                                        "looked at");
                 break;
-            Token token = next();
-            if (!token.spelling.empty())
-                tokens.push_back(std::move(token));
+            }
+            tokens.push_back(next());
         }
         Token end;
         end.where = here();
@@ -63,11 +67,15 @@ private:
         ++at_;
     }
 
-    // A backslash at the end of a line makes one line of two, even inside a word.
+    // A backslash at the end of a line makes one line of two, even inside a word. Blanks behind it
+    // can't be seen, so they don't count.
     void skipJoints() {
-        while (peek() == '\\' && peek(1) == '\n') {
-            step();
-            step();
+        while (peek() == '\\') {
+            size_t lineEnd = text_.find_first_not_of(" \t\v\f", at_ + 1);
+            if (lineEnd == text_.npos || text_[lineEnd] != '\n')
+                return;
+            while (at_ <= lineEnd)
+                step();
         }
     }
 
@@ -113,6 +121,7 @@ private:
         space_ = true;
     }
 
+    // As good as a blank: its line ends end neither a line nor a directive.
     void blockComment() {
         Place start = here();
         start.length = 2;
@@ -120,7 +129,6 @@ private:
         advance();
         advance();
         while (!atEnd() && !(peek() == '*' && peek(1) == '/')) {
-            startsLine_ |= peek() == '\n';
             text += peek();
             advance();
         }
@@ -151,6 +159,11 @@ private:
         bool sameLine = token.where.line == line_;
         token.where.length = sameLine ? std::max(1, column_ - token.where.column) : 1;
         return token;
+    }
+
+    void mark(Token &token, const Place &where, std::string message) {
+        ++flaws_;
+        token.flaw = std::make_shared<Flaw>(where, std::move(message));
     }
 
     void take(Token &token) {
@@ -191,8 +204,9 @@ private:
             while (isWordPart(peek()))
                 advance();
             where.length = std::max(1, column_ - where.column);
-            reporter_.error(where, "letters stand directly after the number " + s +
-                                       "; expected an operator between them");
+            mark(token, where,
+                 "letters stand directly after the number " + s +
+                     "; expected an operator between them");
         }
     }
 
@@ -208,8 +222,8 @@ private:
             }
         }
         if (peek() != '"') {
-            reporter_.error(token.where, "string is not closed; expected '\"' before the end of "
-                                         "the line");
+            mark(token, token.where,
+                 "string is not closed; expected '\"' before the end of the line");
             return;
         }
         take(token);
@@ -252,8 +266,9 @@ private:
         unsigned char c = (unsigned char)peek();
         std::string what = std::isprint(c) ? std::string("'") + char(c) + "'"
                                            : "with code " + std::to_string(int(c));
-        reporter_.error(token.where, "stray character " + what + " outside of a string or comment");
-        advance(); // The token stays without spelling, and is dropped.
+        mark(token, token.where, "stray character " + what + " outside of a string or comment");
+        token.kind = TokenKind::Stray;
+        take(token);
     }
 
     SourceFile &file_;
@@ -261,6 +276,7 @@ private:
     const std::string &text_;
     size_t at_ = 0;
     int line_ = 1, column_ = 1;
+    int flaws_ = 0;
     bool startsLine_ = true;
     bool space_ = false;
 };

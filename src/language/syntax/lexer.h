@@ -10,7 +10,8 @@
 namespace candela::sl {
 
 /// The tokens of a file, an End token last. Comments go to file.comments. A backslash before a
-/// line end joins the lines. Stray bytes and open comments or strings are reported and skipped.
+/// line end joins the lines, also with blanks between. Stray bytes, open strings and the like are
+/// flaws of their tokens; an open comment is reported.
 std::vector<Token> tokenize(SourceFile &file, Reporter &);
 
 } // namespace candela::sl

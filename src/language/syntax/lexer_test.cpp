@@ -14,6 +14,9 @@ struct Lexed {
     explicit Lexed(std::string_view text) : file(std::make_unique<SourceFile>("test.sl", text)) {
         Reporter reporter(diagnostics);
         tokens = tokenize(*file, reporter);
+        for (const Token &token : tokens)
+            if (token.flaw)
+                reporter.error(token.flaw->where, token.flaw->message);
     }
 
     std::string spellings() const {
@@ -74,6 +77,22 @@ TEST(Lexer, JoinsContinuedLines) {
     EXPECT_EQ(lexed.spellings(), "alpha beta");
     EXPECT_FALSE(lexed.tokens[1].startsLine);
     EXPECT_EQ(lexed.tokens[1].where.line, 3);
+}
+
+TEST(Lexer, JoinsLinesAlsoWithBlanksBehindTheBackslash) {
+    Lexed lexed("al\\ \t\npha \\ \r\n beta");
+    EXPECT_EQ(lexed.diagnostics.text(), "");
+    EXPECT_EQ(lexed.spellings(), "alpha beta");
+    EXPECT_FALSE(lexed.tokens[1].startsLine);
+    EXPECT_EQ(lexed.tokens[1].where.line, 3);
+}
+
+TEST(Lexer, ACommentOfSeveralLinesIsABlank) {
+    Lexed lexed("a /* \n */ b\n/* \n */ c");
+    ASSERT_EQ(lexed.tokens.size(), 4u);
+    EXPECT_FALSE(lexed.tokens[1].startsLine);
+    EXPECT_TRUE(lexed.tokens[1].spaceBefore);
+    EXPECT_TRUE(lexed.tokens[2].startsLine);
 }
 
 TEST(Lexer, KeepsComments) {

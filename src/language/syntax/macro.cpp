@@ -132,7 +132,7 @@ void MacroTable::paste(std::vector<Token> &left, const std::vector<Token> &right
     std::string spelling = left.back().spelling + right.front().spelling;
     SourceFile scratch("", spelling);
     std::vector<Token> tokens = tokenize(scratch, reporter_);
-    if (tokens.size() != 2) {
+    if (tokens.size() != 2 || tokens[0].flaw) {
         reporter_.error(where, "'##' makes '" + spelling + "', which is not one word");
         return;
     }

@@ -91,11 +91,12 @@ bool Parser::isReserved(size_t ahead) const {
 }
 
 // 3.1 shaders call their variables "normal" or "vector": a type word is a name where a type makes
-// no sense.
+// no sense. Before a '-' both make sense; there it is a name if a variable is called so.
 bool Parser::isName(size_t ahead) const {
     if (!peek(ahead).isIdentifier() || isReserved(ahead))
         return false;
     return !baseTypeNamed(peek(ahead).spelling) ||
+           (at("-", ahead + 1) && namedAsTypes_.contains(peek(ahead).spelling)) ||
            atAny({"=", "+=", "-=", "*=", "/=", ";",  ",",  ")",  "]",  ".", "*", "/", "^",
                   "+", "==", "!=", "<",  ">",  "<=", ">=", "&&", "||", "?", ":", "["},
                  ahead + 1);

@@ -84,6 +84,8 @@ void Parser::declarator(ast::Variable &variable, bool isFormal) {
     }
     if (accept("="))
         initialiser(variable);
+    if (baseTypeNamed(variable.name))
+        namedAsTypes_.insert(variable.name);
     bool lengthless = variable.isArray && !variable.length && !variable.initialised;
     if (lengthless && !isFormal && !variable.external)
         fail(variable.where, "array " + variable.name + " needs a length or initial values");
@@ -175,6 +177,7 @@ void Parser::oldStyleFormals(std::vector<ast::Variable> &list) {
 }
 
 ast::Function Parser::function() {
+    DeclaredNames own(*this);
     ast::Function result;
     if (isTypeWord())
         result.result = baseTypeNamed(take().spelling);
@@ -193,6 +196,7 @@ bool Parser::startsShader(size_t ahead) const {
 }
 
 ast::Shader Parser::shader() {
+    DeclaredNames own(*this);
     ast::Shader result;
     result.doc = commentBefore(peek().where);
     result.kind = *shaderKindNamed(take().spelling);

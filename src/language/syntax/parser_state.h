@@ -4,6 +4,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -101,8 +102,17 @@ private:
         Parser &parser_;
     };
 
+    /// Variables that are declared while it lives are forgotten with it.
+    struct DeclaredNames {
+        explicit DeclaredNames(Parser &parser) : parser_(parser), outer_(parser.namedAsTypes_) {}
+        ~DeclaredNames() { parser_.namedAsTypes_ = std::move(outer_); }
+        Parser &parser_;
+        std::set<std::string> outer_;
+    };
+
     const std::vector<Token> &tokens_;
     Reporter &reporter_;
+    std::set<std::string> namedAsTypes_; ///< Type words that are names of variables here.
     size_t at_ = 0;
     int depth_ = 0;
 };

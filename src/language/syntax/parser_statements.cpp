@@ -97,6 +97,7 @@ ast::StmtPtr Parser::statementProper() {
 }
 
 ast::StmtPtr Parser::block() {
+    DeclaredNames own(*this);
     ast::StmtPtr result = make(StmtKind::Block);
     int line = take().where.line;
     while (!atEnd() && !at("}") && !reporter_.hopeless())
@@ -132,6 +133,7 @@ ast::StmtPtr Parser::whileStatement() {
 }
 
 ast::StmtPtr Parser::forStatement() {
+    DeclaredNames own(*this);
     ast::StmtPtr result = make(StmtKind::For);
     take();
     expect("(", "after 'for'");

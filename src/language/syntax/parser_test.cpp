@@ -129,6 +129,27 @@ TEST(Parser, KeywordLikeNames) {
     EXPECT_EQ(parsed.diagnostics.text(), "");
 }
 
+std::string lastValue(const std::string &statements) {
+    Parsed parsed("surface s(point point = 1) { " + statements + " }");
+    EXPECT_EQ(parsed.diagnostics.text(), "") << statements;
+    return ast::print(*parsed.shader().body->body.back()->value->operands.at(1));
+}
+
+TEST(Parser, MinusAfterAVariableThatIsCalledLikeAType) {
+    const std::pair<const char *, const char *> table[] = {
+        {"normal normal = N; x = normal - a;", "(normal - a)"},
+        {"color color = Cs; x = color - .25;", "(color - 0.25)"},
+        {"x = point - a;", "(point - a)"},
+        {"x = normal - a;", "(normal (-a))"},
+        {"{ normal normal = N; } x = normal - a;", "(normal (-a))"},
+        {"for (vector vector = 1; ;) ; x = vector - a;", "(vector (-a))"},
+        {"float f(normal normal) { return normal - 1; } x = normal - a;", "(normal (-a))"},
+        {"normal normal = N; x = a - normal - b;", "((a - normal) - b)"},
+    };
+    for (auto [statements, expected] : table)
+        EXPECT_EQ(lastValue(statements), expected);
+}
+
 struct Mistake {
     const char *text;
     const char *expected;

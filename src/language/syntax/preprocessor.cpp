@@ -66,7 +66,7 @@ private:
         std::vector<Token> tokens = tokenize(*file, reporter_);
         tokens.pop_back(); // End
         sources_.push_back(std::move(file));
-        macros_.define(name, {false, {}, std::move(tokens)});
+        macros_.define(name, {false, {}, withoutFlaws(std::move(tokens))});
     }
 
     void processFile(SourceFile &file, int depth) {
@@ -77,13 +77,32 @@ private:
             if (token.is("#") && token.startsLine && !token.hidden)
                 directive(restOfLine(stream), token, depth, outerBranches);
             else if (active() && !macros_.expand(token, stream))
-                result_.tokens.push_back(std::move(token));
+                emit(std::move(token));
         }
         for (; branches_.size() > outerBranches; branches_.pop_back())
             reporter_.error(branches_.back().where,
                             "conditional is not closed; expected #endif before the end of file");
         if (depth == 0)
             result_.tokens.push_back(stream.peek());
+    }
+
+    void emit(Token token) {
+        reportFlaw(token);
+        if (token.kind != TokenKind::Stray)
+            result_.tokens.push_back(std::move(token));
+    }
+
+    void reportFlaw(const Token &token) {
+        if (token.flaw)
+            reporter_.error(token.flaw->where, token.flaw->message);
+    }
+
+    /// Tokens that count from here on: their flaws are told, stray bytes dropped.
+    std::vector<Token> withoutFlaws(std::vector<Token> tokens) {
+        for (const Token &token : tokens)
+            reportFlaw(token);
+        std::erase_if(tokens, [](const Token &token) { return token.kind == TokenKind::Stray; });
+        return tokens;
     }
 
     bool active() const { return branches_.empty() || branches_.back().active; }
@@ -120,7 +139,7 @@ private:
     static std::string textOf(const std::vector<Token> &tokens) {
         std::string result;
         for (const Token &token : tokens)
-            result += (result.empty() ? "" : " ") +
+            result += (result.empty() || !token.spaceBefore ? "" : " ") +
                       (token.kind == TokenKind::Text ? token.text : token.spelling);
         return result;
     }
@@ -161,7 +180,8 @@ private:
         return macros_.isDefined(line[0].spelling) == name.is("ifdef");
     }
 
-    bool condition(const std::vector<Token> &line, const Token &directive) {
+    bool condition(const std::vector<Token> &written, const Token &directive) {
+        const std::vector<Token> line = withoutFlaws(written);
         std::vector<Token> answered;
         for (size_t i = 0; i < line.size(); ++i) {
             if (!line[i].is("defined")) {
@@ -197,7 +217,7 @@ private:
             if (!parameters(line, at, macro))
                 return;
         }
-        macro.body.assign(line.begin() + long(at), line.end());
+        macro.body = withoutFlaws({line.begin() + long(at), line.end()});
         macros_.define(line[0].spelling, std::move(macro));
     }
 
@@ -228,6 +248,7 @@ private:
     }
 
     void include(std::vector<Token> line, const Token &directive, int depth) {
+        line = withoutFlaws(std::move(line));
         if (!line.empty() && line[0].isIdentifier())
             line = macros_.expandAll(line);
         std::string name;

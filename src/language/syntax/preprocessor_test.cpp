@@ -50,6 +50,8 @@ TEST(Preprocessor, Expands) {
         {"#define A 1\n#undef A\nA", "A"},
         {"#pragma nolint\n#line 7\na", "a"},
         {"#define F(x) x * F(x)\nF(2)", "2 * F ( 2 )"},
+        {"#define F(x) x + \\ \n 1\nF(2)", "2 + 1"},
+        {"#define A 1 /* one\n or */ + 2\nA", "1 + 2"},
     };
     for (auto [text, expected] : table) {
         Result result(text);
@@ -76,6 +78,40 @@ TEST(Preprocessor, Conditions) {
         EXPECT_EQ(result.spellings(), expected) << text;
         EXPECT_EQ(result.firstMessage(), "") << text;
     }
+}
+
+TEST(Preprocessor, LinesThatDoNotCountMayHoldAnything) {
+    const std::pair<const char *, const char *> table[] = {
+        {"#if 0\nIt's old code, don't read; 3dfoo @$ \"open\n#endif\na", ""},
+        {"#if 1\na\n#elif 3x @\n#else\n@ 3dfoo\n#endif", ""},
+        {"#if 0\n#define A @ 3x \"open\n#endif\na", ""},
+        {"#pragma foo \"bar\na", ""},
+        {"a\n#error don't \"open", "test.sl:2:2: error: #error: don't open"},
+        {"a #\n#ident @", ""},
+    };
+    for (auto [text, expected] : table) {
+        Result result(text);
+        EXPECT_EQ(result.spellings().substr(0, 1), "a") << text;
+        EXPECT_EQ(result.firstMessage(), expected) << text;
+    }
+}
+
+TEST(Preprocessor, ReportsFlawsWhereTheyCount) {
+    const std::pair<const char *, const char *> table[] = {
+        {"#define A 3dfoo\n", "test.sl:1:12: error: letters stand directly after the number 3; "
+                              "expected an operator between them"},
+        {"#define F(x) x\nF(@)",
+         "test.sl:2:3: error: stray character '@' outside of a string or comment"},
+        {"#if 1 @\n#endif",
+         "test.sl:1:7: error: stray character '@' outside of a string or comment"},
+        {"#include \"open", "test.sl:1:10: error: string is not closed; expected '\"' before the "
+                            "end of the line"},
+        {"#define C(a, b) a##b\nC(3, x)",
+         "test.sl:2:1: error: '##' makes '3x', which is not one word"},
+    };
+    for (auto [text, expected] : table)
+        EXPECT_EQ(Result(text).firstMessage(), expected) << text;
+    EXPECT_EQ(Result("#define F(x) x\nF(@)").spellings(), "");
 }
 
 TEST(Preprocessor, DefinesFromOptions) {

@@ -10,7 +10,15 @@
 
 namespace candela::sl {
 
-enum class TokenKind { End, Identifier, Number, Text, Punctuator };
+/// Stray: a byte that begins no word.
+enum class TokenKind { End, Identifier, Number, Text, Punctuator, Stray };
+
+/// What is wrong with a word. Told only where the word counts: lines that a condition leaves out,
+/// #pragma and #error may hold anything.
+struct Flaw {
+    Place where;
+    std::string message;
+};
 
 struct Token {
     TokenKind kind = TokenKind::End;
@@ -22,6 +30,7 @@ struct Token {
     bool spaceBefore = false;
     /// Macros that this token came out of and that must not expand it again.
     std::shared_ptr<const std::set<std::string>> hidden;
+    std::shared_ptr<const Flaw> flaw; ///< Null: none.
 
     bool is(const char *punctuatorOrWord) const {
         return (kind == TokenKind::Punctuator || kind == TokenKind::Identifier) &&

@@ -36,6 +36,35 @@ bool fits(ValueType given, const std::string &wanted) {
            (givenTriple && isTriple(wanted));
 }
 
+std::size_t componentsOf(const ir::ShaderParameter &parameter) {
+    return parameter.type == "string" ? 1 : parameter.defaults.size() / parameter.arraySize;
+}
+
+std::size_t elementsOf(const Parameter &given, const ir::ShaderParameter &parameter) {
+    return parameter.type == "string" ? given.strings.size()
+                                      : given.floats.size() / componentsOf(parameter);
+}
+
+std::string shape(const std::string &type, std::size_t elements) {
+    return type + (elements == 1 ? "" : "[" + std::to_string(elements) + "]");
+}
+
+/// True if the value that the record gives can stand for the parameter; else it is reported.
+bool isUsable(const Parameter &given, const ir::ShaderParameter &parameter,
+              const ir::LoweredShader &shader, const ShaderRecord &record,
+              DiagnosticSink &diagnostics) {
+    const bool sameType = fits(given.declaration.type, parameter.type);
+    const std::size_t elements = sameType ? elementsOf(given, parameter) : 1;
+    if (sameType && elements == std::size_t(parameter.arraySize))
+        return true;
+    diagnostics.error(record.parameters.where,
+                      "parameter \"" + parameter.name + "\" of shader \"" + shader.name +
+                          "\" is a " + shape(parameter.type, sameType ? parameter.arraySize : 1) +
+                          ", but a " + shape(typeName(given.declaration.type), elements) +
+                          " is given: its default is used");
+    return false;
+}
+
 /// Points, vectors and normals from a space to current space.
 void transformTriples(const std::string &type, const Matrix4 &currentFromSpace,
                       std::vector<float> &values) {
@@ -49,20 +78,46 @@ void transformTriples(const std::string &type, const Matrix4 &currentFromSpace,
     }
 }
 
-Matrix4 spaceOf(const std::string &name, const ShaderRecord &record, const Options &options) {
-    if (name == "current" || name == "camera")
-        return {};
-    auto found = options.coordinateSystems.find(name);
-    if (name == "shader" || name == "object" || found == options.coordinateSystems.end())
-        return record.currentFromShader.atOpen();
-    return found->second;
+/// Matrices that start at a space to such as start at current space.
+void startAtCurrent(const Matrix4 &currentFromSpace, std::vector<float> &values) {
+    const Matrix4 spaceFromCurrent = inverse(currentFromSpace).value_or(Matrix4{});
+    for (auto at = values.begin(); at != values.end(); at += 16) {
+        Matrix4 fromSpace;
+        std::copy_n(at, 16, fromSpace.m.begin());
+        std::ranges::copy((spaceFromCurrent * fromSpace).m, at);
+    }
 }
 
-std::vector<float> defaultValues(const ir::ShaderParameter &parameter, const ShaderRecord &record,
-                                 const Options &options) {
+/// The space of a default, which must be one that the file defines before the shader is bound.
+Matrix4 spaceOf(const ir::ShaderParameter &parameter, const ir::LoweredShader &shader,
+                const ShaderRecord &record, const Options &options, DiagnosticSink &diagnostics) {
+    const std::string &name = parameter.defaultSpace;
+    if (name == "current" || name == "camera")
+        return {};
+    if (name == "shader" || name == "object")
+        return record.currentFromShader.atOpen();
+    auto found = options.coordinateSystems.find(name);
+    if (found != options.coordinateSystems.end())
+        return found->second;
+    diagnostics.warning(record.parameters.where,
+                        "the default of parameter \"" + parameter.name + "\" of shader \"" +
+                            shader.name + "\" is in the coordinate system \"" + name +
+                            "\", which is not known here: taking \"shader\"");
+    return record.currentFromShader.atOpen();
+}
+
+std::vector<float> defaultValues(const ir::LoweredShader &shader,
+                                 const ir::ShaderParameter &parameter, const ShaderRecord &record,
+                                 const Options &options, DiagnosticSink &diagnostics) {
     std::vector<float> values = parameter.defaults;
-    if (isTriple(parameter.type))
-        transformTriples(parameter.type, spaceOf(parameter.defaultSpace, record, options), values);
+    const bool isMatrix = parameter.type == "matrix";
+    if (!isMatrix && !isTriple(parameter.type))
+        return values;
+    const Matrix4 currentFromSpace = spaceOf(parameter, shader, record, options, diagnostics);
+    if (isMatrix)
+        startAtCurrent(currentFromSpace, values);
+    else
+        transformTriples(parameter.type, currentFromSpace, values);
     return values;
 }
 
@@ -71,15 +126,9 @@ std::optional<std::vector<float>> givenValues(const ir::LoweredShader &shader,
                                               const ShaderRecord &record,
                                               DiagnosticSink &diagnostics) {
     const Parameter *given = record.parameters.find(parameter.name);
-    if (!given || parameter.type == "string")
+    if (!given || !isUsable(*given, parameter, shader, record, diagnostics) ||
+        parameter.type == "string") // Strings are folded into the code already.
         return std::nullopt;
-    if (!fits(given->declaration.type, parameter.type)) {
-        diagnostics.error(record.parameters.where,
-                          "parameter \"" + parameter.name + "\" of shader \"" + shader.name +
-                              "\" is a " + parameter.type + ", but a " +
-                              typeName(given->declaration.type) + " is given: its default is used");
-        return std::nullopt;
-    }
     std::vector<float> values = given->floats;
     if (isTriple(parameter.type))
         transformTriples(parameter.type, record.currentFromShader.atOpen(), values);
@@ -116,10 +165,9 @@ std::vector<float> parameterBlock(const ir::LoweredShader &shader, const ShaderR
     std::map<std::string, std::vector<float>> values;
     for (const ir::ShaderParameter &parameter : shader.parameters) {
         auto given = givenValues(shader, parameter, record, diagnostics);
-        std::vector<float> standing = defaultValues(parameter, record, options);
-        if (given)
-            std::copy_n(given->begin(), std::min(given->size(), standing.size()), standing.begin());
-        values[parameter.name] = std::move(standing);
+        values[parameter.name] =
+            given ? std::move(*given)
+                  : defaultValues(shader, parameter, record, options, diagnostics);
     }
     Matrix4 currentFromShader = record.currentFromShader.atOpen();
     std::vector<float> &hidden = values["shader"];

@@ -2,6 +2,7 @@
 #include "world/shading/shader_code.h"
 
 #include <algorithm>
+#include <cstdio>
 
 namespace candela {
 
@@ -12,6 +13,23 @@ void storeMatrices(const Matrix4 &currentFromSpace, float *to) {
     std::ranges::copy(currentFromSpace.m, to);
     std::ranges::copy(spaceFromCurrent.m, to + 16);
 }
+
+/// The line where the text asks for a coordinate system first; 0 if that is not known.
+int lineOfSpace(const ir::Region &region, int space) {
+    for (const ir::Instruction &i : region.body) {
+        if ((i.op == ir::Op::Space || i.op == ir::Op::SpaceInverse) && i.immediate == space)
+            return i.line;
+        for (const ir::Region &inner : i.regions)
+            if (const int line = lineOfSpace(inner, space))
+                return line;
+    }
+    return 0;
+}
+
+// Lines of points that are shaded side by side come in any order but whole: POSIX locks the stream
+// for the time of a call.
+const ShaderCallbacks toStandardOutput{nullptr,
+                                       [](void *, const char *text) { std::fputs(text, stdout); }};
 
 } // namespace
 
@@ -54,8 +72,9 @@ void ShaderCode::bindSpaces(const std::map<std::string, Matrix4> &systems,
     for (std::size_t i = 0; i < names.size(); ++i) {
         auto found = systems.find(names[i]);
         if (found == systems.end())
-            diagnostics.warning({}, "shader \"" + name() + "\" asks for the coordinate system \"" +
-                                        names[i] +
+            diagnostics.warning({}, "shader \"" + name() + "\", line " +
+                                        std::to_string(lineOfSpace(shader_.whole.body, int(i))) +
+                                        ": asks for the coordinate system \"" + names[i] +
                                         "\", which the scene does not define: taking \"current\"");
         storeMatrices(found == systems.end() ? Matrix4{} : found->second, spaceMatrices_[i].data());
         spaces_.push_back(spaceMatrices_[i].data());
@@ -72,6 +91,7 @@ void ShaderCode::bind(ShaderArgs &args) const {
     args.spaces = spaces_.data();
     args.categoryAccepts = categoryAccepts_.empty() ? nullptr : categoryAccepts_.data();
     args.lightCount = lightCount_;
+    args.callbacks = &toStandardOutput;
 }
 
 } // namespace candela

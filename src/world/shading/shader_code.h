@@ -52,7 +52,8 @@ public:
     void bindCategories(std::vector<std::uint8_t> accepts, int lightCount);
     const std::vector<std::string> &categories() const { return shader_.whole.categories; }
 
-    /// Fills what belongs to the shader: parameters, spaces, categories, callbacks.
+    /// Fills what belongs to the shader: parameters, spaces, categories, and printf() to standard
+    /// output.
     void bind(ShaderArgs &) const;
 
 private:

@@ -86,7 +86,8 @@ const ir::LoweredShader *ShaderLibrary::State::lowerOnce(const sl::TypedShader &
     for (ir::StringValue &value : stringValues(record))
         for (const sl::Parameter &parameter : shader.parameters)
             if (parameter.symbol->name == value.name &&
-                parameter.symbol->type.base == sl::BaseType::String) {
+                parameter.symbol->type.base == sl::BaseType::String &&
+                int(value.value.size()) == std::max(1, parameter.symbol->type.length)) {
                 addToKey(key, value.name);
                 for (const std::string &text : value.value)
                     addToKey(key, text);

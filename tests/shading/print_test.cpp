@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// printf() in shaders: each point that is shaded speaks once, on standard output.
+#include "tests/support/program.h"
+#include "tests/support/scratch_folder.h"
+
+#include <gtest/gtest.h>
+#include <set>
+#include <sstream>
+
+namespace candela::test {
+namespace {
+
+/// Eight by eight points and a margin of a square that fills the view, with nothing else to be lit
+/// by or to hit.
+std::string frame(const std::string &integrator, const std::string &parameters) {
+    return "FrameBegin 1\nOption \"render\" \"string integrator\" [\"" + integrator +
+           "\"]\nFormat 8 8 1\nPixelFilter \"box\" 1 1\nPixelSamples 1 1\n"
+           "Display \"out.exr\" \"openexr\" \"rgb\"\nProjection \"orthographic\"\n"
+           "ScreenWindow -.2 .2 -.2 .2\nWorldBegin\n"
+           "LightSource \"distantlight\" 1 \"point from\" [0 0 0] \"point to\" [0 0 1]\n"
+           "Surface \"talking\" " +
+           parameters +
+           "\nTranslate 0 0 1\nPolygon \"P\" [-.5 -.5 0 .5 -.5 0 .5 .5 0 -.5 .5 0]\n"
+           "WorldEnd\nFrameEnd\n";
+}
+
+std::string outputOf(const std::string &rib) {
+    ScratchFolder folder;
+    const Outcome run =
+        runCandela({folder.write("scene.rib", rib), "--quiet", "--shader-path",
+                    CANDELA_SOURCE_DIR "/tests/shading/shaders", "--output-dir", folder.path()});
+    EXPECT_EQ(run.status, 0) << run.text();
+    return run.out;
+}
+
+/// Points are thrown at random, so that no two are shaded at the same place.
+void expectPointsSpeakOnce(const std::string &rib) {
+    std::istringstream lines(outputOf(rib));
+    std::set<std::string> places;
+    for (std::string line; std::getline(lines, line);) {
+        EXPECT_TRUE(line.starts_with("shaded at ")) << line;
+        EXPECT_TRUE(places.insert(line).second) << line << " twice";
+    }
+    EXPECT_GE(places.size(), 64u);
+}
+
+TEST(Print, EachShadedPointSpeaksOnce) {
+    for (const char *integrator : {"path", "classic"})
+        expectPointsSpeakOnce(frame(integrator, ""));
+}
+
+// They are asked Shade besides Prepare.
+TEST(Print, ShadersThatAreNotAffineToo) {
+    for (const char *integrator : {"path", "classic"})
+        expectPointsSpeakOnce(frame(integrator, "\"float threshold\" [.5]"));
+}
+
+} // namespace
+} // namespace candela::test
