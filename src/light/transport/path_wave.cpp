@@ -179,8 +179,8 @@ void PathWave::shadeChunk(int code, const int *order, int count, int iteration) 
     iteration_ = iteration;
     for (int pair : {lightPositionPair, directionPair})
         sampleNumbers(pair);
-    // One light needs no choice; and no camera path is deeper than the wave.
-    if (scene_.lightCount() > 1 || iteration + 1 >= rouletteDepth || purpose_ != Purpose::Camera)
+    // Roulette, too, takes a number of this pair; and no camera path is deeper than the wave.
+    if (scene_.readsLightChoice() || iteration + 1 >= rouletteDepth || purpose_ != Purpose::Camera)
         sampleNumbers(lightChoicePair);
     if (settings_.kind == IntegratorKind::Classic)
         lightClassic(lit ? ambient.data() : nullptr);

@@ -217,8 +217,7 @@ void draw(const Job &job, int i, int light, double choice, Drawn &drawn) {
 
 /// The commonest scene: one flat light, on for all. False if it isn't that.
 bool sampleOnlyFlatLight(const SceneState &state, const LightQuery &query, LightSamples &samples) {
-    const int index = state.lights.only;
-    if (index < 0 || !state.lights.lights[index].flat || !state.lights.onEverywhere(index + 1))
+    if (!state.lights.isOneFlatLight())
         return false;
     for (int first = 0; first < query.count; first += lightBatchSize) {
         const int count = std::min(lightBatchSize, query.count - first);
@@ -232,7 +231,7 @@ bool sampleOnlyFlatLight(const SceneState &state, const LightQuery &query, Light
             to.value[c] += first;
         to.distance += first, to.pdfSolidAngle += first, to.light += first;
         to.castsShadow += first;
-        sampleFlatLight(state, index, part, true, to);
+        sampleFlatLight(state, state.lights.only, part, true, to);
     }
     return true;
 }

@@ -73,6 +73,8 @@ struct LightTable {
                 return false;
         return true;
     }
+    /// There is one light to sample, flat and on for all: it needs no choice.
+    bool isOneFlatLight() const { return only >= 0 && lights[only].flat && onEverywhere(only + 1); }
     /// Sets probabilities and batches once the powers are known.
     void finish();
 };

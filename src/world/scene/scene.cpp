@@ -128,6 +128,7 @@ Vec3 Scene::offsetOrigin(Vec3 P, Vec3 Ng, Vec3 direction, float offset) {
 
 bool Scene::hasLights() const { return state_->lights.any(); }
 bool Scene::hasAmbient() const { return !state_->lights.ambient.empty(); }
+bool Scene::readsLightChoice() const { return !state_->lights.isOneFlatLight(); }
 int Scene::lightCount() const { return int(state_->lights.lights.size()); }
 bool Scene::lightIsOn(std::int32_t lightSet, std::int32_t light) const {
     return state_->lights.on(lightSet, light);

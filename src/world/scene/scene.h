@@ -64,6 +64,8 @@ public:
     bool hasAmbient() const;
     /// One sample a point, lights chosen by power. Black where the light isn't on for the point.
     void sampleLights(const LightQuery &, LightSamples &) const;
+    /// sampleLights() reads LightQuery::choice: which light, and where on it.
+    bool readsLightChoice() const;
     /// `classic`: one sample of light `index` (of lightCount()) at every point, no choice.
     int lightCount() const;
     void sampleLight(int index, const LightQuery &, LightSamples &) const;
