@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace candela {
 
@@ -157,6 +158,7 @@ void PathWave::traceAndShade(int iteration) {
 }
 
 void PathWave::shadeChunk(int code, const int *order, int count, int iteration) {
+    iteration_ = iteration;
     vertices_.meet(scene_, code, active_.rays, hits_, order, count);
     gatherState(order, count);
     if (vertices_.code().reads(ShaderInput::seed)) {
@@ -176,7 +178,6 @@ void PathWave::shadeChunk(int code, const int *order, int count, int iteration) 
         scene_.ambient(count, vertices_.P(), vertices_.points.lightSet, ambient.data());
     vertices_.prepare(lit ? ambient.data() : nullptr);
     addVisible(order);
-    iteration_ = iteration;
     for (int pair : {lightPositionPair, directionPair})
         sampleNumbers(pair);
     // Roulette, too, takes a number of this pair; and no camera path is deeper than the wave.
@@ -208,17 +209,26 @@ void PathWave::gatherState(const int *order, int count) {
         lanes::take(count, order, active_.throughput[c], throughput(c));
         std::fill_n(gathered(c), count, 0.0f);
     }
-    lanes::take(count, order, active_.lastPdf, lastPdf());
-    lanes::take(count, order, hits_.t, travelled());
-    lanes::take(count, order, active_.travelled, scratch_[0]);
-    lanes::add(count, scratch_[0], travelled());
+    order_ = order;
+    hasHistory_ = false;
     lanes::take(count, order, active_.slot, slot());
     lanes::take(count, order, active_.depth, depth());
-    lanes::take(count, order, active_.lightSet, lastLightSet());
     lanes::take(count, order, active_.seen, seen());
     lanes::gather(count, slot(), reinterpret_cast<const int *>(results_.keys[0]),
                   reinterpret_cast<int *>(keys_[0]));
     lanes::gather(count, slot(), results_.sampleIndex, reinterpret_cast<int *>(keys_[1]));
+}
+
+/// What the last scattering left: few vertices ask for it.
+void PathWave::takeHistory() {
+    if (std::exchange(hasHistory_, true))
+        return;
+    const int count = vertices_.count();
+    lanes::take(count, order_, active_.lastPdf, lastPdf());
+    lanes::take(count, order_, hits_.t, travelled());
+    lanes::take(count, order_, active_.travelled, scratch_[0]);
+    lanes::add(count, scratch_[0], travelled());
+    lanes::take(count, order_, active_.lightSet, lastLightSet());
 }
 
 /// gathered += throughput * contribution
@@ -242,9 +252,19 @@ void PathWave::deliverLight() {
     for (int c = 0; c < colorSamples; ++c) {
         float *radiance = results_.radiance[c];
         const float *light = gathered(c);
+        if (slotsAreConsecutive()) {
+            lanes::add(count, light, radiance + slot()[0]);
+            continue;
+        }
         for (int i = 0; i < count; ++i)
             radiance[slot()[i]] += light[i];
     }
+}
+
+/// As long as no path has ended or been binned apart: at most first vertices.
+bool PathWave::slotsAreConsecutive() const {
+    const int count = vertices_.count();
+    return iteration_ == 0 && slot()[count - 1] - slot()[0] == count - 1;
 }
 
 void PathWave::reportNonFinite(int i) {
@@ -260,6 +280,7 @@ void PathWave::addEmission() {
     const std::int32_t *light = vertices_.points.light;
     if (lanes::allEqual(count, light, 0))
         return;
+    takeHistory();
     float *radiance[colorSamples];
     for (int c = 0; c < colorSamples; ++c) {
         radiance[c] = answers_[c];
@@ -286,10 +307,17 @@ void PathWave::addVisible(const int *order) {
     const int count = vertices_.count();
     if (lanes::allEqual(count, seen(), 0))
         return;
-    for (int i = 0; i < count; ++i)
-        if (seen()[i])
-            for (int c = 0; c < colorSamples; ++c)
-                results_.opacity[c][slot()[i]] += throughput(c)[i] * vertices_.Oi(c)[i];
+    for (int c = 0; c < colorSamples; ++c) {
+        float *opacity = results_.opacity[c];
+        const float *through = throughput(c), *Oi = vertices_.Oi(c);
+        if (slotsAreConsecutive()) { // All of them are seen.
+            lanes::multiplyAdd(count, through, Oi, opacity + slot()[0]);
+            continue;
+        }
+        for (int i = 0; i < count; ++i)
+            if (seen()[i])
+                opacity[slot()[i]] += through[i] * Oi[i];
+    }
     for (std::size_t plane = 0; plane < firstHit_.size(); ++plane) {
         const FirstHitPlane &from = firstHit_[plane];
         for (int i = 0; i < count; ++i) {
@@ -467,6 +495,7 @@ void PathWave::append(int count, const int *lane, const float *gain, const float
 /// Directions of mirrors and of what passes straight through have any length; and what passes has
 /// not been scattered.
 void PathWave::correctSpecialEvents(int count, const int *lane, int first) {
+    takeHistory();
     MutableVec3Planes direction = events_.direction();
     for (int k = 0; k < count; ++k) {
         const int i = lane[k], at = first + k;

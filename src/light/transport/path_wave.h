@@ -58,6 +58,7 @@ private:
     void traceAndShade(int iteration);
     void shadeChunk(int code, const int *order, int count, int iteration);
     void gatherState(const int *order, int count);
+    void takeHistory();
     void addEmission();
     void addVisible(const int *order);
     void lightClassic(const float *const *ambient);
@@ -68,6 +69,7 @@ private:
     void sampleNumbers(int pair);
     void gatherLight(const float *const *contribution);
     void deliverLight();
+    bool slotsAreConsecutive() const;
     void reportNonFinite(int i);
     void scatterOn();
     void append(int count, const int *lane, const float *gain, const float *pdf);
@@ -106,6 +108,8 @@ private:
     ClassicLight classic_;
     std::unique_ptr<GatheredLight> gatheredLight_; ///< Made when a shader first needs it.
     int iteration_ = 0;
+    const int *order_ = nullptr; ///< The chunk's rays in active_ and hits_.
+    bool hasHistory_ = false;    ///< lastPdf(), travelled() and lastLightSet() are taken.
     Planes<float> state_;
     Planes<int> stateIntegers_;  ///< As above; then two of the step that runs.
     Planes<std::uint32_t> keys_; ///< pixel key, sample index.

@@ -72,14 +72,15 @@ CANDELA_HOT void directions(int count, const float *__restrict lightOffset, floa
         float dx = px[k] - x[k], dy = py[k] - y[k], dz = pz[k] - z[k];
         float squared = dx * dx + dy * dy + dz * dz;
         float length = std::sqrt(squared);
-        float cosine = std::fabs(dx * nx[k] + dy * ny[k] + dz * nz[k]) / length;
+        float height = std::fabs(dx * nx[k] + dy * ny[k] + dz * nz[k]); // Length times cosine.
+        float perHeight = 1 / height;
         float largest = std::fabs(px[k]);
         largest = std::fabs(py[k]) > largest ? std::fabs(py[k]) : largest;
         largest = std::fabs(pz[k]) > largest ? std::fabs(pz[k]) : largest;
         float offset = lightOffset[k] + roundingShare * largest;
-        float before = 1 - offset / (length * cosine);
+        float before = 1 - offset * perHeight;
         before = before > 0.5f ? before : 0.5f;
-        float density = areaDensity * squared / cosine;
+        float density = areaDensity * squared * length * perHeight;
         lx[k] = dx * before, ly[k] = dy * before, lz[k] = dz * before;
         distance[k] = length * before;
         pdf[k] = density * 0 == 0 ? density : 0.0f;
