@@ -27,6 +27,33 @@ struct Walk {
     std::vector<std::uint8_t> keep;
     int capacity;
 
+    /// Takes the rays that no opaque surface stops.
+    void begin(const RayBatch &from, const std::uint8_t *blocked) {
+        lane.clear();
+        for (int i = 0; i < from.count; ++i)
+            if (blocked[i] == 0) {
+                copyRay(int(lane.size()), from, i);
+                lane.push_back(i);
+            }
+        rays.count = int(lane.size());
+    }
+    /// `order` becomes the rays that have hit surfaces of one code.
+    void takeHitsOf(const Scene &scene, int code) {
+        order.clear();
+        for (int i = 0; i < rays.count; ++i)
+            if (hits.primitive[i] != noHit && scene.codeOf(hits.primitive[i]) == code)
+                order.push_back(i);
+    }
+    void dropTheRest() {
+        int kept = 0;
+        for (int i = 0; i < rays.count; ++i)
+            if (keep[i]) {
+                copyRay(kept, rays, i);
+                lane[kept++] = lane[i];
+            }
+        lane.resize(kept);
+        rays.count = kept;
+    }
     void copyRay(int to, const RayBatch &from, int i) {
         rays.originX[to] = from.originX[i], rays.originY[to] = from.originY[i];
         rays.originZ[to] = from.originZ[i], rays.directionX[to] = from.directionX[i];
@@ -57,6 +84,36 @@ void stepBehind(RayBatch &rays, int i, const ShadingPoints &points, int k) {
     rays.tMax[i] -= step;
 }
 
+/// Opacities at the hits of `order`: walk.points and walk.opacity.
+void askOpacity(const Scene &scene, int code, Walk &walk) {
+    const QuestionCode &question = scene.code(code).question(ir::Question::Opacity);
+    const int count = int(walk.order.size()), Oi = question.output("Oi");
+    scene.shadingPoints(walk.rays, walk.hits, walk.order.data(), count, walk.points);
+    float *outputs[64] = {};
+    for (int c = 0; c < colorSamples; ++c) {
+        std::fill_n(walk.opacity[c], count, 1.0f);
+        if (Oi >= 0)
+            outputs[Oi + c] = walk.opacity[c];
+    }
+    ShaderArgs args;
+    scene.bind(code, walk.points, args);
+    args.outputs = outputs;
+    if (question.code && Oi >= 0)
+        question.code(&args);
+}
+
+/// The k-th ray of `order` loses what the surface keeps and starts anew behind it.
+void passSurface(Walk &walk, int k, float *const *transmittance) {
+    const int i = walk.order[k], lane = walk.lane[i];
+    bool open = false;
+    for (int c = 0; c < colorSamples; ++c) {
+        transmittance[c][lane] *= 1 - std::clamp(walk.opacity[c][k], 0.0f, 1.0f);
+        open |= transmittance[c][lane] > 0;
+    }
+    stepBehind(walk.rays, i, walk.points, k);
+    walk.keep[i] = open;
+}
+
 } // namespace
 
 bool Scene::transmittance(const RayBatch &rays, float *const *transmittance) const {
@@ -76,57 +133,19 @@ bool Scene::transmittance(const RayBatch &rays, float *const *transmittance) con
 void Scene::walkThroughTransparent(const RayBatch &rays, const std::uint8_t *blocked,
                                    float *const *transmittance) const {
     Walk &walk = walkFor(rays.count);
-    walk.lane.clear();
-    for (int i = 0; i < rays.count; ++i)
-        if (blocked[i] == 0) {
-            walk.copyRay(int(walk.lane.size()), rays, i);
-            walk.lane.push_back(i);
-        }
+    walk.begin(rays, blocked);
     for (int layer = 0; layer < layersAtMost && !walk.lane.empty(); ++layer) {
-        int count = walk.rays.count = int(walk.lane.size());
         state_->rays->intersect(walk.rays, walk.hits, RayWorld::Which::Transparent, false);
-        walk.keep.assign(count, 0);
+        walk.keep.assign(walk.lane.size(), 0);
         for (int code = 0; code < codeCount(); ++code) {
-            walk.order.clear();
-            for (int i = 0; i < count; ++i)
-                if (walk.hits.primitive[i] != noHit && codeOf(walk.hits.primitive[i]) == code)
-                    walk.order.push_back(i);
+            walk.takeHitsOf(*this, code);
             if (walk.order.empty())
                 continue;
-            const QuestionCode &question = this->code(code).question(ir::Question::Opacity);
-            int hitCount = int(walk.order.size());
-            shadingPoints(walk.rays, walk.hits, walk.order.data(), hitCount, walk.points);
-            float *outputs[64] = {};
-            int Oi = question.output("Oi");
-            for (int c = 0; c < colorSamples; ++c) {
-                std::fill_n(walk.opacity[c], hitCount, 1.0f);
-                if (Oi >= 0)
-                    outputs[Oi + c] = walk.opacity[c];
-            }
-            ShaderArgs args;
-            bind(code, walk.points, args);
-            args.outputs = outputs;
-            if (question.code && Oi >= 0)
-                question.code(&args);
-            for (int k = 0; k < hitCount; ++k) {
-                int i = walk.order[k], lane = walk.lane[i];
-                bool open = false;
-                for (int c = 0; c < colorSamples; ++c) {
-                    float through = 1 - std::clamp(walk.opacity[c][k], 0.0f, 1.0f);
-                    transmittance[c][lane] *= through;
-                    open |= transmittance[c][lane] > 0;
-                }
-                stepBehind(walk.rays, i, walk.points, k);
-                walk.keep[i] = open;
-            }
+            askOpacity(*this, code, walk);
+            for (int k = 0; k < walk.points.count; ++k)
+                passSurface(walk, k, transmittance);
         }
-        int kept = 0;
-        for (int i = 0; i < count; ++i)
-            if (walk.keep[i]) {
-                walk.copyRay(kept, walk.rays, i);
-                walk.lane[kept++] = walk.lane[i];
-            }
-        walk.lane.resize(kept);
+        walk.dropTheRest();
     }
     for (int lane : walk.lane)
         for (int c = 0; c < colorSamples; ++c)
