@@ -22,24 +22,53 @@ public:
             return transformPoint(currentFromObject.atOpen(), {x, y, z});
         }
     };
+    struct Instance {
+        int object;
+        std::shared_ptr<const Attributes> attributes;
+        MotionTransform currentFromObject;
+    };
+    struct Object {
+        std::vector<Primitive> primitives;
+        std::vector<Instance> instances;
+    };
     struct World {
         Options options;
         std::vector<std::shared_ptr<const LightRecord>> lights;
         std::vector<Primitive> primitives;
+        std::vector<Instance> instances;
+        std::map<int, Object> objects;
+        int openObject = -1;
         std::map<std::string, Matrix4> coordinateSystems;
         bool ended = false;
     };
     std::vector<World> worlds;
 
-    void worldBegin(const Options &options) override { worlds.push_back({options, {}, {}, {}}); }
+    void worldBegin(const Options &options) override {
+        worlds.emplace_back();
+        worlds.back().options = options;
+    }
     void light(std::shared_ptr<const LightRecord> light) override {
         worlds.back().lights.push_back(std::move(light));
     }
     void primitive(std::shared_ptr<const PrimitiveRecord> record,
                    std::shared_ptr<const Attributes> attributes,
                    const MotionTransform &currentFromObject) override {
-        worlds.back().primitives.push_back(
-            {std::move(record), std::move(attributes), currentFromObject});
+        World &world = worlds.back();
+        auto &list =
+            world.openObject < 0 ? world.primitives : world.objects[world.openObject].primitives;
+        list.push_back({std::move(record), std::move(attributes), currentFromObject});
+    }
+    void objectBegin(int object) override {
+        worlds.back().openObject = object;
+        worlds.back().objects[object] = {};
+    }
+    void objectEnd() override { worlds.back().openObject = -1; }
+    void instance(int object, std::shared_ptr<const Attributes> attributes,
+                  const MotionTransform &currentFromObject) override {
+        World &world = worlds.back();
+        auto &list =
+            world.openObject < 0 ? world.instances : world.objects[world.openObject].instances;
+        list.push_back({object, std::move(attributes), currentFromObject});
     }
     void coordinateSystem(const std::string &name, const Matrix4 &currentFromSpace) override {
         worlds.back().coordinateSystems[name] = currentFromSpace;

@@ -27,6 +27,15 @@ public:
     virtual void primitive(std::shared_ptr<const PrimitiveRecord>,
                            std::shared_ptr<const Attributes>,
                            const MotionTransform &currentFromObject) = 0;
+    /// The primitives (and instances of other objects) up to objectEnd() make up the object of that
+    /// number, counted from 0 in each world, and are not drawn themselves. Their matrices lead from
+    /// their own space to the object's. Of their attributes those that shape them count (bases,
+    /// texture coordinates, orientation); for all else the instance's do. Definitions do not nest.
+    virtual void objectBegin(int object) = 0;
+    virtual void objectEnd() = 0;
+    /// Draws a finished object with these attributes; also inside the definition of another one.
+    virtual void instance(int object, std::shared_ptr<const Attributes>,
+                          const MotionTransform &currentFromObject) = 0;
     /// A coordinate system named inside the world block.
     virtual void coordinateSystem(const std::string &name, const Matrix4 &currentFromSpace) = 0;
     /// The world is complete: render it.

@@ -104,6 +104,10 @@ public:
     void light(std::shared_ptr<const LightRecord>) override;
     void primitive(std::shared_ptr<const PrimitiveRecord>, std::shared_ptr<const Attributes>,
                    const MotionTransform &currentFromObject) override;
+    void objectBegin(int object) override;
+    void objectEnd() override;
+    void instance(int object, std::shared_ptr<const Attributes>,
+                  const MotionTransform &currentFromObject) override;
     void coordinateSystem(const std::string &name, const Matrix4 &currentFromSpace) override;
     void worldEnd() override;
 

@@ -5,6 +5,7 @@
 #include "world/scene/scene.h"
 #include "world/scene/scene_state.h"
 
+#include <algorithm>
 #include <chrono>
 
 namespace candela {
@@ -27,6 +28,8 @@ struct SceneCompiler::State {
     Options options;
     std::vector<std::shared_ptr<const LightRecord>> lights;
     std::vector<DeclaredPrimitive> primitives;
+    std::vector<std::vector<DeclaredPrimitive>> objects;
+    int openObject = -1;
     std::map<std::string, Matrix4> systems;
 
     bool isClassic() const;
@@ -40,6 +43,8 @@ void SceneCompiler::worldBegin(const Options &options) {
     state_->options = options;
     state_->lights.clear();
     state_->primitives.clear();
+    state_->objects.clear();
+    state_->openObject = -1;
     state_->systems = options.coordinateSystems;
 }
 
@@ -50,8 +55,27 @@ void SceneCompiler::light(std::shared_ptr<const LightRecord> record) {
 void SceneCompiler::primitive(std::shared_ptr<const PrimitiveRecord> record,
                               std::shared_ptr<const Attributes> attributes,
                               const MotionTransform &currentFromObject) {
-    state_->primitives.push_back(
-        {std::move(record), std::move(attributes), currentFromObject.atOpen()});
+    auto &list = state_->openObject >= 0 ? state_->objects[state_->openObject] : state_->primitives;
+    list.push_back({std::move(record), std::move(attributes), currentFromObject.atOpen()});
+}
+
+void SceneCompiler::objectBegin(int object) {
+    state_->openObject = object;
+    state_->objects.resize(std::max<std::size_t>(state_->objects.size(), object + 1));
+}
+
+void SceneCompiler::objectEnd() { state_->openObject = -1; }
+
+void SceneCompiler::instance(int object, std::shared_ptr<const Attributes> attributes,
+                             const MotionTransform &currentFromObject) {
+    auto &list = state_->openObject >= 0 ? state_->objects[state_->openObject] : state_->primitives;
+    for (DeclaredPrimitive part : std::vector(state_->objects[object])) {
+        auto merged = std::make_shared<Attributes>(*attributes);
+        merged->uBasis = part.attributes->uBasis, merged->vBasis = part.attributes->vBasis;
+        merged->textureCoordinates = part.attributes->textureCoordinates;
+        merged->flipNormal = attributes->flipNormal != part.attributes->flipNormal;
+        list.push_back({part.record, merged, part.currentFromObject * currentFromObject.atOpen()});
+    }
 }
 
 void SceneCompiler::coordinateSystem(const std::string &name, const Matrix4 &currentFromSpace) {
