@@ -45,7 +45,9 @@ def instances(path, across=1000, side=71):
     with open(path, "w", encoding="ascii") as file:
         begin(file, path.stem, f"0 -60 {across / 4:g}")
         file.write(LAMP.format(radiance=20) +
-                   f"Translate 0 {across} 0\nSphere 50 -50 50 360\nAttributeEnd\nIlluminate 1 1\n"
+                   f"Translate 0 {across} 0\n"
+                   'Polygon "P" [-50 0 -50  50 0 -50  50 0 50  -50 0 50]\n'
+                   "AttributeEnd\nIlluminate 1 1\n"
                    f"ObjectBegin 1\nSurface \"matte\"\n{mesh(side)}ObjectEnd\n")
         turn = random.Random(1)
         for row in range(across):
