@@ -29,6 +29,7 @@ public:
     /// Surface::evaluateVariable at `count` mesh coordinates; answers begin at place `first`.
     void evaluate(int index, int first, int count, const float *meshU, const float *meshV,
                   float *const *value, float *const *valueDu, float *const *valueDv) const;
+    bool hasNormals() const { return normal_.has_value(); }
     /// Sets N to the variable "N" (or "Np") where that is not zero, and the derivatives to those of
     /// the unit normal along it; without it, does nothing. Null planes are not wanted.
     void overrideNormals(int count, const float *meshU, const float *meshV, Vec3Planes N,

@@ -26,6 +26,7 @@ public:
     /// By Gauss quadrature of |dPdu x dPdv| with 8 x 8 points a patch.
     float area() const override;
     void evaluate(const SurfaceQuery &, const SurfaceAnswer &) const override;
+    bool hasOwnNormals() const override { return variables_.hasNormals(); }
     std::span<const VariableInfo> variables() const override { return variables_.infos(); }
     void evaluateVariable(int index, const SurfaceQuery &, float *const *value,
                           float *const *valueDu, float *const *valueDv) const override;

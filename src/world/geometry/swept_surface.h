@@ -21,6 +21,7 @@ public:
     void evaluate(const SurfaceQuery &, const SurfaceAnswer &) const override;
     std::optional<float> wholeSphere() const override;
     void sphereCoordinates(int count, const Vec3Planes &P, float *u, float *v) const override;
+    bool hasOwnNormals() const override { return variables_.hasNormals(); }
     std::span<const VariableInfo> variables() const override { return variables_.infos(); }
     void evaluateVariable(int index, const SurfaceQuery &, float *const *value,
                           float *const *valueDu, float *const *valueDv) const override;

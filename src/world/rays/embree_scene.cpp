@@ -31,9 +31,8 @@ RTCGeometry makeTriangles(RTCDevice device, const RayShape &shape) {
     const std::size_t count = shape.triangles.size();
     auto *corners = static_cast<Vec3 *>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3), 3 * count));
-    auto *indices = static_cast<std::uint32_t *>(
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                3 * sizeof(std::uint32_t), count));
+    auto *indices = static_cast<std::uint32_t *>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), count));
     if (!corners || !indices) // The device has been told of it.
         return geometry;
     sealTriangles(shape.positions, shape.triangles, corners);

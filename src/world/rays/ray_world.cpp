@@ -52,8 +52,10 @@ template <> struct Packet<4> {
 CANDELA_HOT void judgeRays(int count, RayPlanes from, int *__restrict valid) {
     for (int i = 0; i < count; ++i) {
         // Infinities and NaN survive the multiplication by zero as NaN.
-        bool finite = (from.ox[i] + from.oy[i] + from.oz[i] + from.dx[i] + from.dy[i] +
-                       from.dz[i] + from.tMin[i]) * 0 == 0;
+        bool finite = (from.ox[i] + from.oy[i] + from.oz[i] + from.dx[i] + from.dy[i] + from.dz[i] +
+                       from.tMin[i]) *
+                          0 ==
+                      0;
         // Beyond this, products of coordinates leave the range of floats.
         constexpr float largest = 1e18f;
         float size = std::fabs(from.ox[i]) + std::fabs(from.oy[i]) + std::fabs(from.oz[i]);
@@ -70,8 +72,7 @@ CANDELA_HOT void copyWhere(int count, const int *__restrict valid, const float *
         to[i] = valid[i] ? from[i] : otherwise;
 }
 
-template <int width>
-void load(const RayBatch &rays, int first, Packet<width> &packet, int *valid) {
+template <int width> void load(const RayBatch &rays, int first, Packet<width> &packet, int *valid) {
     const RayPlanes from{rays.origin[0] + first,    rays.origin[1] + first,
                          rays.origin[2] + first,    rays.direction[0] + first,
                          rays.direction[1] + first, rays.direction[2] + first,
@@ -103,8 +104,8 @@ template <int width> void prime(unsigned mask, Packet<width> &packet) {
 }
 
 template <int width>
-void traceNearest(RTCScene scene, RTCIntersectContext &context, unsigned mask,
-                  const RayBatch &rays, HitBatch &hits) {
+void traceNearest(RTCScene scene, RTCIntersectContext &context, unsigned mask, const RayBatch &rays,
+                  HitBatch &hits) {
     alignas(64) Packet<width> packet;
     alignas(64) int valid[width];
     prime(mask, packet);

@@ -2,7 +2,7 @@
 // What surfaces send of themselves: the one function behind hits on lights and light sampling.
 #include "world/scene/light_question.h"
 #include "world/scene/scene_state.h"
-#include "world/scene/surface_points.h"
+#include "world/points/surface_points.h"
 
 #include <algorithm>
 #include <optional>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "foundation/base/vec3.h"
-#include "world/scene/shading_points.h"
+#include "world/points/shading_points.h"
 
 #include <cstdint>
 #include <optional>

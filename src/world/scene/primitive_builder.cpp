@@ -2,7 +2,7 @@
 #include "world/scene/primitive_builder.h"
 
 #include "foundation/base/parallel.h"
-#include "world/scene/dice_rate.h"
+#include "world/shapes/dice_rate.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include "foundation/base/hot.h"
 #include "foundation/base/lanes.h"
 #include "world/scene/scene_state.h"
-#include "world/scene/surface_points.h"
+#include "world/points/surface_points.h"
 
 #include <cmath>
 #include <map>

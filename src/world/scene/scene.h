@@ -7,7 +7,7 @@
 #include "world/camera/camera.h"
 #include "world/rays/ray_batch.h"
 #include "world/scene/lights.h"
-#include "world/scene/shading_points.h"
+#include "world/points/shading_points.h"
 #include "world/shading/shader_library.h"
 
 #include <functional>

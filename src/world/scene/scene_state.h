@@ -7,7 +7,7 @@
 #include "world/scene/flat_points.h"
 #include "world/scene/light_table.h"
 #include "world/scene/scene.h"
-#include "world/scene/surface_points.h"
+#include "world/points/surface_points.h"
 #include "world/scene/uv_density.h"
 
 #include <array>

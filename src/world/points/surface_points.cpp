@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "world/scene/surface_points.h"
+#include "world/points/surface_points.h"
 
 #include "foundation/base/hot.h"
 
@@ -8,15 +8,11 @@
 
 namespace candela {
 
-void interpolateUv(int count, const std::uint32_t *triangle, const float *baryU, const float *baryV,
+void interpolateUv(int count, const std::uint32_t *element, const float *baryU, const float *baryV,
                    const std::array<std::uint32_t, 3> *triangles,
                    const std::array<float, 2> *vertexUv, float *u, float *v) {
     for (int i = 0; i < count; ++i) {
-        if (triangle[i] == noTriangle) {
-            u[i] = baryU[i], v[i] = baryV[i];
-            continue;
-        }
-        const auto &corners = triangles[triangle[i]];
+        const auto &corners = triangles[element[i]];
         const auto &a = vertexUv[corners[0]], &b = vertexUv[corners[1]], &c = vertexUv[corners[2]];
         u[i] = a[0] + baryU[i] * (b[0] - a[0]) + baryV[i] * (c[0] - a[0]);
         v[i] = a[1] + baryU[i] * (b[1] - a[1]) + baryV[i] * (c[1] - a[1]);
@@ -46,15 +42,18 @@ CANDELA_HOT void subtractPlanes(int count, const float *__restrict a, const floa
         to[i] = a[i] - b[i];
 }
 
-CANDELA_HOT void crossPlanes(int count, const float *__restrict ax, const float *__restrict ay,
-                             const float *__restrict az, const float *__restrict bx,
-                             const float *__restrict by, const float *__restrict bz,
-                             float *__restrict length) {
+CANDELA_HOT void unitPlanes(int count, const float *__restrict sign, float *__restrict x,
+                            float *__restrict y, float *__restrict z) {
     for (int i = 0; i < count; ++i) {
-        float x = ay[i] * bz[i] - az[i] * by[i];
-        float y = az[i] * bx[i] - ax[i] * bz[i];
-        float z = ax[i] * by[i] - ay[i] * bx[i];
-        length[i] = std::sqrt(x * x + y * y + z * z);
+        // Squares of a normal, an area, leave the range of floats long before it does.
+        float ax = std::fabs(x[i]), ay = std::fabs(y[i]), az = std::fabs(z[i]);
+        float most = ax > ay ? ax : ay;
+        most = az > most ? az : most;
+        float down = most > 0 ? 1 / most : 1.0f;
+        float sx = x[i] * down, sy = y[i] * down, sz = z[i] * down;
+        float squared = sx * sx + sy * sy + sz * sz;
+        float scale = sign[i] / std::sqrt(squared > 0 ? squared : 1.0f);
+        x[i] = sx * scale, y[i] = sy * scale, z[i] = sz * scale;
     }
 }
 
@@ -83,12 +82,43 @@ void transformVectors(int count, const Matrix4 &m, Vec3Planes p) {
                     p.x, p.y, p.z);
 }
 
-void transformNormals(int count, const Matrix4 &m, float sign, Vec3Planes p) {
+void transformNormals(int count, const Matrix4 &m, Vec3Planes p) {
     transformPlanes(count,
-                    {{sign * m.at(0, 0), sign * m.at(1, 0), sign * m.at(2, 0), sign * m.at(0, 1),
-                      sign * m.at(1, 1), sign * m.at(2, 1), sign * m.at(0, 2), sign * m.at(1, 2),
-                      sign * m.at(2, 2), 0, 0, 0}},
+                    {{m.at(0, 0), m.at(1, 0), m.at(2, 0), m.at(0, 1), m.at(1, 1), m.at(2, 1),
+                      m.at(0, 2), m.at(1, 2), m.at(2, 2), 0, 0, 0}},
                     p.x, p.y, p.z);
+}
+
+void transformPointsEach(int count, const float *matrices, const std::uint32_t *row, Vec3Planes p) {
+    for (int i = 0; i < count; ++i) {
+        const float *m = matrices + 32 * std::size_t(row[i]);
+        float x = p.x[i], y = p.y[i], z = p.z[i];
+        p.x[i] = x * m[0] + y * m[4] + z * m[8] + m[12];
+        p.y[i] = x * m[1] + y * m[5] + z * m[9] + m[13];
+        p.z[i] = x * m[2] + y * m[6] + z * m[10] + m[14];
+    }
+}
+
+void transformVectorsEach(int count, const float *matrices, const std::uint32_t *row,
+                          Vec3Planes p) {
+    for (int i = 0; i < count; ++i) {
+        const float *m = matrices + 32 * std::size_t(row[i]);
+        float x = p.x[i], y = p.y[i], z = p.z[i];
+        p.x[i] = x * m[0] + y * m[4] + z * m[8];
+        p.y[i] = x * m[1] + y * m[5] + z * m[9];
+        p.z[i] = x * m[2] + y * m[6] + z * m[10];
+    }
+}
+
+void transformNormalsEach(int count, const float *matrices, const std::uint32_t *row,
+                          Vec3Planes p) {
+    for (int i = 0; i < count; ++i) {
+        const float *m = matrices + 32 * std::size_t(row[i]) + 16;
+        float x = p.x[i], y = p.y[i], z = p.z[i];
+        p.x[i] = x * m[0] + y * m[1] + z * m[2];
+        p.y[i] = x * m[4] + y * m[5] + z * m[6];
+        p.z[i] = x * m[8] + y * m[9] + z * m[10];
+    }
 }
 
 void scatter(int count, const std::int32_t *place, const float *from, float *to) {
@@ -100,8 +130,8 @@ void subtract(int count, const float *a, const float *b, float *to) {
     subtractPlanes(count, a, b, to);
 }
 
-void crossLengths(int count, Vec3Planes a, Vec3Planes b, float *length) {
-    crossPlanes(count, a.x, a.y, a.z, b.x, b.y, b.z, length);
+void makeUnit(int count, const float *sign, Vec3Planes v) {
+    unitPlanes(count, sign, v.x, v.y, v.z);
 }
 
 void addRounding(int count, Vec3Planes P, float share, float *offset) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "world/scene/dice_rate.h"
+#include "world/shapes/dice_rate.h"
 
 #include <algorithm>
 #include <cmath>

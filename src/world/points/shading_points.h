@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A batch of surface points ready to be asked: the inputs of one shader's code for hits on any
-// primitives that share it.
+// A batch of surface points ready to be asked: the inputs of one shader's code for points on any
+// shapes that share it.
 #pragma once
 
 #include "foundation/base/planes.h"
@@ -15,29 +15,33 @@ struct ShadingPoints {
     explicit ShadingPoints(int capacity);
 
     int count = 0;
-    /// All ShaderInput planes; only those the shader reads are filled, but P, N, Ng, I always.
+    /// All ShaderInput planes; only those the shader reads are filled, but P, N, Ng, I always. N
+    /// and Ng are of unit length.
     Planes<float> inputs;
     std::vector<float *> inputTable; ///< inputs as ShaderArgs wants it.
     Planes<std::int32_t> integers;
     std::int32_t *parameterOffset, *objectIndex;
-    std::int32_t *lightSet;  ///< Which lights shine on it: index for Scene::lightIsOn.
-    std::int32_t *primitive; ///< Index of the primitive.
+    std::int32_t *lightSet; ///< Which lights shine on it: index for Scene::lightIsOn.
+    std::int32_t *id;       ///< Which placed shape, from 1.
+    std::int32_t *light;    ///< The light that the point belongs to: index + 1, 0 = none.
+    /// Where on the light, for Scene::lightDensity: instance, shape and element that it lies on.
+    std::uint32_t *instance, *shape, *element;
+    Planes<std::uint32_t> places;
     /// Half of the thickness of the zone around P in which a new ray would meet the very
     /// surface it leaves (dicing error plus rounding): see Scene::offsetOrigin.
     float *offset;
-    /// pdf, per unit area, with which light sampling chooses this point; 0 = not a light.
-    float *lightPdfArea;
-    /// The light this point belongs to (index + 1 of LightRecord order, emitting surfaces after
-    /// them), 0 = none.
-    std::int32_t *light;
+    float *u, *v; ///< On the element; see HitBatch.
     Planes<float> floats;
     Planes<float> variables; ///< Planes that override parameters.
     std::vector<float *> variableTable;
+    /// "object" space of points on instances, if the code reads it: see objectIndex.
+    std::vector<float> objectMatrices;
 
     /// How many planes override parameters is known only when a shader is at hand. What the planes
     /// held is lost.
     void makeRoomForVariables(int planes);
     float *input(int shaderInput) { return inputTable[shaderInput]; }
+    float *input(ShaderInput first, int component) { return inputTable[int(first) + component]; }
 };
 
 } // namespace candela

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bytes of a thread's own, kept from call to call so that hot paths do not allocate.
+#pragma once
+
+#include "foundation/base/planes.h"
+
+#include <vector>
+
+namespace candela {
+
+template <class T> class Scratch {
+public:
+    /// Room for `count` values; what was there is lost if it grows.
+    T *get(std::size_t count) {
+        if (values_.size() < count)
+            values_.resize(count + count / 2);
+        return values_.data();
+    }
+
+private:
+    std::vector<T> values_;
+};
+
+/// Floats that begin at 64 bytes, as planes do.
+class AlignedScratch {
+public:
+    float *get(std::size_t count) {
+        if (std::size_t(storage_.lanes()) < count)
+            storage_ = Planes<float>(1, int(count + count / 2));
+        return storage_[0];
+    }
+
+private:
+    Planes<float> storage_{1, laneBlock};
+};
+
+} // namespace candela

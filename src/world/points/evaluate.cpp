@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world/points/evaluate.h"
+
+#include "foundation/base/lanes.h"
+#include "foundation/base/scratch.h"
+#include "world/points/point_runs.h"
+#include "world/points/surface_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace candela {
+
+namespace {
+
+/// Rounding of a point's coordinates and of the rays that come and go there: sixteen units.
+constexpr float pointRounding = 16 * 0x1p-24f;
+
+Vec3Planes vec3(ShadingPoints &points, ShaderInput input) {
+    return {points.input(input, 0), points.input(input, 1), points.input(input, 2)};
+}
+
+/// What the appearances say of all their points.
+void takeAppearances(const PointTables &tables, const SurfaceCode &code, const int *row,
+                     float *normalSign, float *elementSign, ShadingPoints &points) {
+    constexpr int columns = offsetof(Appearance, Os) / sizeof(float) + colorSamples;
+    float *planes[columns] = {};
+    auto word = [&](std::size_t bytes) -> float *& { return planes[bytes / sizeof(float)]; };
+    auto integers = [](std::int32_t *plane) { return reinterpret_cast<float *>(plane); };
+    word(offsetof(Appearance, parameterOffset)) = integers(points.parameterOffset);
+    word(offsetof(Appearance, lightSet)) = integers(points.lightSet);
+    word(offsetof(Appearance, light)) = integers(points.light);
+    word(offsetof(Appearance, id)) = integers(points.id);
+    word(offsetof(Appearance, normalSign)) = normalSign;
+    word(offsetof(Appearance, elementSign)) = elementSign;
+    word(offsetof(Appearance, offset)) = points.offset;
+    for (int c = 0; c < colorSamples; ++c) {
+        if (code.wanted.Cs)
+            (&word(offsetof(Appearance, Cs)))[c] = points.input(ShaderInput::Cs, c);
+        if (code.wanted.Os)
+            (&word(offsetof(Appearance, Os)))[c] = points.input(ShaderInput::Os, c);
+    }
+    lanes::gatherRows(points.count, reinterpret_cast<const float *>(tables.appearances.data()), row,
+                      columns, planes);
+}
+
+/// Lanes on instances: their number, size and "object" space.
+void takeInstances(const PointTables &tables, const SurfaceCode &code, ShadingPoints &points) {
+    points.objectMatrices.clear();
+    for (int i = 0; i < points.count; ++i) {
+        const std::uint32_t number = points.instance[i];
+        points.objectIndex[i] = std::int32_t(points.shape[i]);
+        if (number == noHit)
+            continue;
+        points.id[i] += tables.instances[number].firstId;
+        points.offset[i] *= tables.instances[number].stretch;
+        points.objectIndex[i] = 0;
+        if (!code.readsObjectSpace)
+            continue;
+        const Matrix4 currentFromShape = tables.currentFromShape(number, points.shape[i]);
+        const Matrix4 shapeFromCurrent = inverse(currentFromShape).value_or(Matrix4{});
+        points.objectIndex[i] = -1 - std::int32_t(points.objectMatrices.size() / 32);
+        for (const Matrix4 *matrix : {&currentFromShape, &shapeFromCurrent})
+            points.objectMatrices.insert(points.objectMatrices.end(), matrix->m.begin(),
+                                         matrix->m.end());
+    }
+    if (points.objectMatrices.empty())
+        return;
+    // One table for the batch: those of the world's shapes that occur join the instances'.
+    for (int i = 0; i < points.count; ++i) {
+        std::int32_t &index = points.objectIndex[i];
+        if (index < 0) {
+            index = -1 - index;
+            continue;
+        }
+        const float *matrices = tables.shapeMatrices.data() + 32 * std::size_t(index);
+        index = std::int32_t(points.objectMatrices.size() / 32);
+        points.objectMatrices.insert(points.objectMatrices.end(), matrices, matrices + 32);
+    }
+}
+
+/// What the points lie on, and how that looks.
+void locate(const PointTables &tables, const SurfaceCode &code, float *normalSign,
+            float *elementSign, ShadingPoints &points) {
+    constexpr int rowWords = sizeof(Appearance) / sizeof(float);
+    static_assert(rowWords == 16);
+    thread_local Scratch<int> own;
+    int *row = own.get(paddedLanes(points.count));
+    for (int i = 0; i < points.count; ++i)
+        row[i] = rowWords * tables.appearanceOf(points.instance[i], points.shape[i]);
+    takeAppearances(tables, code, row, normalSign, elementSign, points);
+    if (tables.instances.empty())
+        std::copy_n(reinterpret_cast<const std::int32_t *>(points.shape), points.count,
+                    points.objectIndex);
+    else
+        takeInstances(tables, code, points);
+}
+
+/// du and dv: how far u and v run over the footprint.
+void fillFootprint(const Camera &camera, const float *footprint, ShadingPoints &points) {
+    for (int i = 0; i < points.count; ++i) {
+        auto lengthOf = [&](ShaderInput input) {
+            return length(
+                {points.input(input, 0)[i], points.input(input, 1)[i], points.input(input, 2)[i]});
+        };
+        float width = footprint ? footprint[i] : camera.pixelSize(lengthOf(ShaderInput::P));
+        float alongU = lengthOf(ShaderInput::dPdu), alongV = lengthOf(ShaderInput::dPdv);
+        points.input(ShaderInput::du, 0)[i] = alongU > 0 ? std::min(width / alongU, 1.0f) : 1;
+        points.input(ShaderInput::dv, 0)[i] = alongV > 0 ? std::min(width / alongV, 1.0f) : 1;
+    }
+}
+
+} // namespace
+
+void evaluatePoints(const PointTables &tables, const Camera &camera, const SurfaceCode &code,
+                    const float *footprint, ShadingPoints &points) {
+    if (points.count == 0)
+        return;
+    points.makeRoomForVariables(int(code.variableName.size()));
+    const int stride = paddedLanes(points.count);
+    thread_local AlignedScratch own;
+    float *signs = own.get(2 * stride), *normalSign = signs, *elementSign = signs + stride;
+    locate(tables, code, normalSign, elementSign, points);
+    makeUnit(points.count, elementSign, vec3(points, ShaderInput::Ng));
+    for (int c = 0; c < 3; ++c)
+        std::copy_n(points.input(ShaderInput::Ng, c), points.count,
+                    points.input(ShaderInput::N, c));
+    if (!code.fromElements)
+        evaluateRuns(tables, code, normalSign, points);
+    addRounding(points.count, vec3(points, ShaderInput::P), pointRounding, points.offset);
+    if (code.wanted.footprint)
+        fillFootprint(camera, footprint, points);
+}
+
+void placeElementNormals(const PointTables &tables, int count, const std::uint32_t *instance,
+                         float *const *Ng) {
+    for (int i = 0; i < count; ++i)
+        if (instance[i] != noHit)
+            transformNormalsEach(1, tables.instanceMatrices.data(), instance + i,
+                                 {Ng[0] + i, Ng[1] + i, Ng[2] + i});
+}
+
+void bindPoints(const PointTables &tables, int code, const ShadingPoints &points,
+                ShaderArgs &args) {
+    args.count = points.count;
+    args.inputs = points.inputTable.data();
+    args.parameterOffset = points.parameterOffset;
+    args.objectIndex = points.objectIndex;
+    args.objectMatrices =
+        points.objectMatrices.empty() ? tables.shapeMatrices.data() : points.objectMatrices.data();
+    args.variables = points.variableTable.data();
+    tables.codes[code].code->bind(args);
+}
+
+} // namespace candela

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Points on elements become shading points on the true surface, in current space. Evaluation is a
+// row of stages: locate (what the point lies on), geometry (in the shape's own space), place (by
+// the instance), variables, footprint.
+#pragma once
+
+#include "world/points/point_tables.h"
+#include "world/points/shading_points.h"
+
+namespace candela {
+
+/// Evaluates points of which the caller has filled in: instance, shape, element, u and v; P, the
+/// point on the element, and Ng, the element's normal of any length, both in current space, Ng not
+/// yet turned; and count. All shapes share `code`. Fills all else but I, E and time. `footprint` is
+/// the width of each point's footprint in metres, null = a pixel's at its distance from the camera.
+void evaluatePoints(const PointTables &, const Camera &, const SurfaceCode &code,
+                    const float *footprint, ShadingPoints &);
+
+/// Normals of elements on instances, from object to current space; `count` points.
+void placeElementNormals(const PointTables &, int count, const std::uint32_t *instance,
+                         float *const *Ng);
+
+/// ShaderArgs for a question about the points.
+void bindPoints(const PointTables &, int code, const ShadingPoints &, ShaderArgs &);
+
+} // namespace candela

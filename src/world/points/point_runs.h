@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// The part of evaluation that asks surfaces: a shape at a time, whatever order its points come in.
+#pragma once
+
+#include "world/points/point_tables.h"
+#include "world/points/shading_points.h"
+
+namespace candela {
+
+/// Fills what the elements do not tell: points and normals of curved surfaces and of those with
+/// normals of their own, derivatives, parameters, variables. `normalSign` a point.
+void evaluateRuns(const PointTables &, const SurfaceCode &, const float *normalSign,
+                  ShadingPoints &);
+
+} // namespace candela

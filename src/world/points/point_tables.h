@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// What shading points are made from: shapes, where instances place them, how they look, and the
+// codes that shade them.
+#pragma once
+
+#include "foundation/units/color.h"
+#include "interface/ri/attributes.h"
+#include "world/camera/camera.h"
+#include "world/shading/shader_library.h"
+#include "world/shapes/shape.h"
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace candela {
+
+/// What every point needs to know of the shape it lies on as it is placed and attributed there: a
+/// cache line.
+struct alignas(64) Appearance {
+    std::int32_t parameterOffset = 0; ///< Of the surface shader's parameter block.
+    std::int32_t code = 0;            ///< Index into PointTables::codes.
+    std::int32_t lightSet = 0;        ///< Which lights shine on it.
+    std::int32_t light = 0;           ///< The light that it is: index + 1, 0 = none.
+    std::int32_t id = 0;              ///< What the channel "id" shows, from 1; + the instance's.
+    float normalSign = 1;             ///< -1: the natural normal is turned round.
+    float elementSign = 1;            ///< Shape::elementSign times normalSign.
+    float offset = 0;                 ///< Shape::offset.
+    std::array<float, colorSamples> Cs{}, Os{};
+};
+
+/// The rest of an appearance, which few points ask for.
+struct AppearanceDetail {
+    std::shared_ptr<const Attributes> attributes;
+    /// For each distinct name in the code's variables: which variable of the surface it is.
+    std::vector<int> overriding;
+};
+
+/// A placed object. Its shapes are consecutive, and so are their appearances.
+struct Instance {
+    std::uint32_t firstShape = 0;
+    std::int32_t firstAppearance = 0;
+    std::int32_t firstId = 0;
+    float stretch = 1; ///< The largest factor by which it stretches lengths.
+};
+
+/// Inputs that evaluation may leave out.
+struct WantedInputs {
+    bool dPd = false, dNd = false, uv = false, footprint = false, st = false, Cs = false;
+    bool Os = false, stDerivatives = false, E = false;
+
+    /// Adds what a shader reads.
+    void add(const ShaderCode &);
+    /// Nothing but position, normals and colours: elements that are flat tell all.
+    bool isPlain() const { return !(dPd || dNd || uv || footprint || st); }
+};
+
+/// A surface shader's code and what was worked out about it once.
+struct SurfaceCode {
+    std::shared_ptr<ShaderCode> code;
+    /// Distinct names among the code's variables, and for each variable plane its name's number.
+    std::vector<std::string> variableNames;
+    std::vector<int> variableName, variableComponent;
+    /// What this code reads, and the shaders of area lights on its shapes.
+    WantedInputs wanted;
+    bool readsObjectSpace = false;
+    /// All points of it are told by the elements alone, without asking surfaces.
+    bool fromElements = false;
+};
+
+SurfaceCode surfaceCode(std::shared_ptr<ShaderCode>);
+
+struct PointTables {
+    std::vector<Shape> shapes; ///< First those of the world, then those of objects.
+    std::uint32_t worldShapes = 0;
+    std::vector<float> shapeMatrices; ///< Of the world's shapes: 32 floats each, see ShaderArgs.
+    std::vector<Instance> instances;
+    std::vector<float> instanceMatrices; ///< currentFromObject and its inverse: 32 floats each.
+    std::vector<Appearance> appearances; ///< Those of the world's shapes first, in their order.
+    std::vector<AppearanceDetail> details;
+    std::vector<SurfaceCode> codes;
+
+    /// Index of the appearance of a shape; `instance` = noHit in the world.
+    std::int32_t appearanceOf(std::uint32_t instance, std::uint32_t shape) const {
+        if (instance == noHit)
+            return std::int32_t(shape);
+        return instances[instance].firstAppearance +
+               std::int32_t(shape - instances[instance].firstShape);
+    }
+    Matrix4 currentFromShape(std::uint32_t instance, std::uint32_t shape) const;
+    const float *matricesOf(std::uint32_t instance) const {
+        return instanceMatrices.data() + 32 * std::size_t(instance);
+    }
+};
+
+} // namespace candela

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world/shapes/shape.h"
+
+#include "world/shapes/cut_triangles.h"
+#include "world/shapes/dice_rate.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace candela {
+
+namespace {
+
+/// Rounding of an intersection, against the extent of the element: eight units of a float.
+constexpr float elementRounding = 8 * 0x1p-24f;
+
+/// The shape's elements against the natural normals, by vote of some triangles.
+float signByVote(const Shape &shape, const RayShape &mesh) {
+    int vote = 0;
+    const std::size_t step = std::max<std::size_t>(1, mesh.triangles.size() / 15);
+    for (std::size_t k = 0; k < mesh.triangles.size(); k += step) {
+        auto [a, b, c] = mesh.triangles[k];
+        std::uint32_t piece = shape.naming == Naming::Direct ? std::uint32_t(k)
+                              : shape.pieces.empty()         ? 0
+                                                             : shape.pieces[k];
+        float u = 1 / 3.0f, v = 1 / 3.0f, x = 0, y = 0, z = 0;
+        if (shape.naming == Naming::Corners) {
+            const auto *uv = shape.vertexUv.data();
+            u = (uv[a][0] + uv[b][0] + uv[c][0]) / 3, v = (uv[a][1] + uv[b][1] + uv[c][1]) / 3;
+        }
+        SurfaceAnswer answer;
+        answer.Ng = {&x, &y, &z};
+        shape.surface->evaluate({1, &piece, &u, &v}, answer);
+        Vec3 normal = normalize(transformNormal(shape.shapeFromOuter, normalize(Vec3{x, y, z})));
+        Vec3 p0 = mesh.positions[a];
+        Vec3 element = cross(mesh.positions[b] - p0, mesh.positions[c] - p0);
+        float along = dot(normalize(element), normal);
+        vote += along > 0 ? 1 : along < 0 ? -1 : 0;
+    }
+    return vote < 0 ? -1 : 1;
+}
+
+float longestEdge(const RayShape &mesh) {
+    float squared = 0;
+    for (const auto &t : mesh.triangles)
+        for (int k = 0; k < 3; ++k) {
+            Vec3 edge = mesh.positions[t[k]] - mesh.positions[t[(k + 1) % 3]];
+            squared = std::max(squared, dot(edge, edge));
+        }
+    return std::sqrt(squared);
+}
+
+bool hasFlatNormals(const Surface &surface, const DicedMesh &diced) {
+    if (!diced.vertexUv.empty() || diced.chordError > 0)
+        return false;
+    return !surface.hasOwnNormals();
+}
+
+} // namespace
+
+int numericVariable(const Surface &surface, const std::string &name) {
+    auto variables = surface.variables();
+    for (std::size_t i = 0; i < variables.size(); ++i)
+        if (variables[i].name == name && variables[i].declaration.type != ValueType::String)
+            return int(i);
+    return -1;
+}
+
+std::optional<Shape> makeShape(std::shared_ptr<const Surface> surface,
+                               const Matrix4 &outerFromShape) {
+    auto shapeFromOuter = inverse(outerFromShape);
+    if (!shapeFromOuter)
+        return std::nullopt;
+    Shape shape;
+    shape.s = numericVariable(*surface, "s"), shape.t = numericVariable(*surface, "t");
+    shape.Cs = numericVariable(*surface, "Cs"), shape.Os = numericVariable(*surface, "Os");
+    shape.surface = std::move(surface);
+    shape.outerFromShape = outerFromShape, shape.shapeFromOuter = *shapeFromOuter;
+    return shape;
+}
+
+std::optional<OuterSphere> outerSphere(const Shape &shape) {
+    std::optional<float> radius = shape.surface->wholeSphere();
+    if (!radius)
+        return std::nullopt;
+    // The rows must be at right angles and of one length.
+    Vec3 rows[3];
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column)
+            rows[row][column] = shape.outerFromShape.at(row, column);
+    const float squared = dot(rows[0], rows[0]);
+    for (int row = 0; row < 3; ++row)
+        if (!(std::fabs(dot(rows[row], rows[row]) - squared) <= 1e-6f * squared) ||
+            !(std::fabs(dot(rows[row], rows[(row + 1) % 3])) <= 1e-6f * squared))
+            return std::nullopt;
+    return OuterSphere{transformPoint(shape.outerFromShape, {0, 0, 0}),
+                       *radius * std::sqrt(squared)};
+}
+
+RayShape dice(Shape &shape, const DiceRate &rate, Vec3 eye) {
+    RayShape result;
+    if (std::optional<OuterSphere> sphere = outerSphere(shape)) {
+        shape.naming = Naming::Sphere;
+        shape.elements = 1;
+        result.centre = sphere->centre, result.radius = sphere->radius;
+        // The natural normal of a sphere turned inside out in parameters points inwards.
+        float x, y, z, px, py, pz, u = 0.3f, v = 0.4f;
+        SurfaceAnswer answer;
+        answer.Ng = {&x, &y, &z}, answer.P = {&px, &py, &pz};
+        const std::uint32_t piece = 0;
+        shape.surface->evaluate({1, &piece, &u, &v}, answer);
+        shape.elementSign = dot(Vec3{x, y, z}, Vec3{px, py, pz}) < 0 ? -1 : 1;
+        shape.offset = elementRounding * sphere->radius;
+        return result;
+    }
+    DicedMesh diced = shape.surface->dice(rate);
+    for (Vec3 &position : diced.positions)
+        position = transformPoint(shape.outerFromShape, position);
+    shape.flat = hasFlatNormals(*shape.surface, diced);
+    if (diced.vertexUv.empty())
+        shape.pieces = cutLargeTriangles(diced, eye);
+    shape.naming = diced.vertexUv.empty() ? Naming::Direct : Naming::Corners;
+    if (shape.naming == Naming::Corners) {
+        shape.triangles = diced.triangles;
+        shape.vertexUv = std::move(diced.vertexUv);
+    }
+    shape.elements = std::uint32_t(diced.triangles.size());
+    result.positions = std::move(diced.positions);
+    result.triangles = std::move(diced.triangles);
+    shape.elementSign = signByVote(shape, result);
+    shape.offset = diced.chordError * largestStretch(shape.outerFromShape) +
+                   elementRounding * longestEdge(result);
+    return result;
+}
+
+} // namespace candela

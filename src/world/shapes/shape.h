@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shapes: surfaces, diced once, wherever they stand. A shape of the world stands in current space;
+// one of an object stands in the object's space and is placed by any number of instances. That
+// space is called the outer one here, the surface's own the shape's.
+#pragma once
+
+#include "foundation/base/matrix4.h"
+#include "world/geometry/surface.h"
+#include "world/rays/ray_world.h"
+
+#include <memory>
+#include <vector>
+
+namespace candela {
+
+/// How the elements that rays hit name points of the surface, as (piece, u, v).
+enum class Naming : std::uint8_t {
+    Direct,  ///< The element is the piece, barycentric coordinates are (u,v).
+    Corners, ///< (u,v) is interpolated from the element's corners.
+    Sphere,  ///< An exact sphere: (u,v) follows from where the point lies.
+};
+
+struct Shape {
+    std::shared_ptr<const Surface> surface;
+    Matrix4 outerFromShape, shapeFromOuter;
+    Naming naming = Naming::Direct;
+    /// Every normal that shaders see is that of the element.
+    bool flat = false;
+    /// Times (p1 - p0) x (p2 - p0) of an element's corners in the outer space (of a sphere, times
+    /// the outward normal): along the natural normal, carried along as a covector.
+    float elementSign = 1;
+    /// Outer units: no element is farther than this from the true surface, and rays that start
+    /// within as much of an element may meet it by rounding.
+    float offset = 0;
+
+    /// Naming::Corners: of each element, and (u,v) of each vertex. `pieces` is empty where all of
+    /// the surface is one piece.
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    std::vector<std::array<float, 2>> vertexUv;
+    std::vector<std::uint32_t> pieces;
+    std::uint32_t elements = 0;
+
+    /// Index into Surface::variables(), -1 = none.
+    int s = -1, t = -1, Cs = -1, Os = -1;
+};
+
+/// A shape of the surface; not diced yet. Nothing if the matrix is singular.
+std::optional<Shape> makeShape(std::shared_ptr<const Surface>, const Matrix4 &outerFromShape);
+
+/// Index of a numeric variable of the surface by its name, -1 = none.
+int numericVariable(const Surface &, const std::string &name);
+
+/// The whole sphere that the shape is in its outer space, if its surface is one and the matrix
+/// leaves it one.
+struct OuterSphere {
+    Vec3 centre;
+    float radius;
+};
+std::optional<OuterSphere> outerSphere(const Shape &);
+
+/// Dices: fills in naming, signs and offset; what rays will meet. Triangles that are large against
+/// their distance from `eye` (outer space) are cut, so that rounding goes with the distance.
+RayShape dice(Shape &, const DiceRate &, Vec3 eye);
+
+} // namespace candela
