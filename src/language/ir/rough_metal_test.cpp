@@ -48,6 +48,7 @@ double reflected(ShaderRun &run, double alpha, double cosEye, int rows) {
     const double sine = std::sqrt(1 - cosEye * cosEye);
     const Vec3 toEye{float(sine), 0, float(cosEye)};
     run.setInput(ShaderInput::N, {0, 0, 1});
+    run.setInput(ShaderInput::Ng, {0, 0, 1});
     run.setInput(ShaderInput::I, {-toEye.x, -toEye.y, -toEye.z});
     run.setInput(ShaderInput::Cs, {1, 1, 1});
     run.setInput(ShaderInput::Os, {1, 1, 1});
