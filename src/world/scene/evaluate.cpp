@@ -153,7 +153,7 @@ void evaluateColors(const Run &run, const WantedInputs &wanted, const PrimitiveS
 }
 
 /// pdf of light sampling at the points of an emitting primitive, per unit area.
-void evaluateDensity(const Run &run, const PlaneSet &planes, float *scratchLengths, float *pdf) {
+void evaluateDensity(const Run &run, float *scratchAreas, Scratch<float> &scratch, float *pdf) {
     const ScenePrimitive &primitive = run.primitive;
     int n = run.query.count;
     if (!primitive.uvDensity) {
@@ -161,11 +161,11 @@ void evaluateDensity(const Run &run, const PlaneSet &planes, float *scratchLengt
             pdf[i] = primitive.density[run.triangle[i]];
         return;
     }
-    crossLengths(n, planes.vec3(ShaderInput::dPdu, run.first),
-                 planes.vec3(ShaderInput::dPdv, run.first), scratchLengths);
+    transformedAreas(*primitive.surface, primitive.currentFromObject, run.query,
+                     scratch.get(3 * std::size_t(n)), scratchAreas);
     for (int i = 0; i < n; ++i) {
         float density = primitive.uvDensity->at(run.query.u[i], run.query.v[i]);
-        pdf[i] = scratchLengths[i] > 0 ? density / scratchLengths[i] : 0;
+        pdf[i] = scratchAreas[i] > 0 ? density / scratchAreas[i] : 0;
     }
 }
 
@@ -306,10 +306,7 @@ void SceneState::evaluate(const TrianglePoints &points, const SceneCode &code,
             std::fill_n(pieces + first, n, 0u);
         }
         Run run{primitive, {n, pieces + first, u + first, v + first}, triangles + first, first};
-        WantedInputs wantedHere = wanted;
-        // Emitters with (u,v) need the Jacobian, whoever shades them.
-        wantedHere.dPd |= summaries[index].light != 0 && primitive.uvDensity;
-        evaluateGeometry(run, wantedHere, planes);
+        evaluateGeometry(run, wanted, planes);
         evaluateColors(run, wanted, summaries[index], planes);
         if (wanted.st) {
             evaluateTexture(run, primitive.s, ShaderInput::s, wanted.stDerivatives,
@@ -319,7 +316,7 @@ void SceneState::evaluate(const TrianglePoints &points, const SceneCode &code,
         }
         if (summaries[index].light != 0) {
             float *pdf = baryU + first; // The triangle's own coordinates have had their use.
-            evaluateDensity(run, planes, baryV + first, pdf);
+            evaluateDensity(run, baryV + first, own.extra, pdf);
             for (int i = 0; i < n; ++i)
                 out.lightPdfArea[at(first + i)] = pdf[i];
         }

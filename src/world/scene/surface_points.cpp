@@ -46,18 +46,6 @@ CANDELA_HOT void subtractPlanes(int count, const float *__restrict a, const floa
         to[i] = a[i] - b[i];
 }
 
-CANDELA_HOT void crossPlanes(int count, const float *__restrict ax, const float *__restrict ay,
-                             const float *__restrict az, const float *__restrict bx,
-                             const float *__restrict by, const float *__restrict bz,
-                             float *__restrict length) {
-    for (int i = 0; i < count; ++i) {
-        float x = ay[i] * bz[i] - az[i] * by[i];
-        float y = az[i] * bx[i] - ax[i] * bz[i];
-        float z = ax[i] * by[i] - ay[i] * bx[i];
-        length[i] = std::sqrt(x * x + y * y + z * z);
-    }
-}
-
 CANDELA_HOT void roundingPlanes(int count, const float *__restrict x, const float *__restrict y,
                                 const float *__restrict z, float share, float *__restrict offset) {
     for (int i = 0; i < count; ++i) {
@@ -98,10 +86,6 @@ void scatter(int count, const std::int32_t *place, const float *from, float *to)
 
 void subtract(int count, const float *a, const float *b, float *to) {
     subtractPlanes(count, a, b, to);
-}
-
-void crossLengths(int count, Vec3Planes a, Vec3Planes b, float *length) {
-    crossPlanes(count, a.x, a.y, a.z, b.x, b.y, b.z, length);
 }
 
 void addRounding(int count, Vec3Planes P, float share, float *offset) {

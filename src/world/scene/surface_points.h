@@ -27,8 +27,6 @@ void scatter(int count, const std::int32_t *place, const float *from, float *to)
 
 /// to = a - b.
 void subtract(int count, const float *a, const float *b, float *to);
-/// |a x b| of each point.
-void crossLengths(int count, Vec3Planes a, Vec3Planes b, float *length);
 /// offset += share of max(|x|,|y|,|z|).
 void addRounding(int count, Vec3Planes P, float share, float *offset);
 
