@@ -6,13 +6,12 @@
 // same memory, so a batch may be prepared at one width and answered at another.
 #pragma once
 
+#include "foundation/base/planes.h"
+
 #include <cstddef>
 #include <cstdint>
 
 namespace candela {
-
-/// Widest batch step. All planes hold a multiple of this many floats and are 64-byte aligned.
-inline constexpr int laneBlock = 16;
 
 /// Component planes in the order of shader_inputs.def: inputPlane("P") is the first of three.
 enum class ShaderInput : std::uint16_t {

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "world/geometry/surface.h"
+#include "world/rays/ray_world.h"
 #include "world/scene/flat_points.h"
 #include "world/scene/light_table.h"
-#include "world/scene/ray_world.h"
 #include "world/scene/scene.h"
 #include "world/scene/surface_points.h"
 #include "world/scene/uv_density.h"

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "foundation/base/vec3.h"
-#include "world/scene/ray_batch.h"
+#include "world/rays/ray_batch.h"
 
 #include <array>
 #include <cstdint>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "world/scene/ray_world.h"
+#include "world/rays/ray_world.h"
 
 #include "foundation/base/hot.h"
 #include "foundation/base/parallel.h"
-#include "world/scene/sealed_triangles.h"
+#include "world/rays/sealed_triangles.h"
 
 #include <embree3/rtcore.h>
 
@@ -40,7 +40,7 @@ void refuseFromBehind(const RTCFilterFunctionNArguments *args) {
 }
 
 struct RayPlanes {
-    const float *ox, *oy, *oz, *dx, *dy, *dz, *tMax;
+    const float *ox, *oy, *oz, *dx, *dy, *dz, *tMin, *tMax;
 };
 
 /// Copies 16 rays in; valid[i] = -1 where ray i is finite, has a direction and ends beyond its
@@ -49,29 +49,29 @@ CANDELA_HOT void copyPacket(RayPlanes from, int first, RTCRay16 &__restrict out,
                             int *__restrict valid) {
     const float *ox = from.ox + first, *oy = from.oy + first, *oz = from.oz + first;
     const float *dx = from.dx + first, *dy = from.dy + first, *dz = from.dz + first;
-    const float *tMax = from.tMax + first;
+    const float *tMin = from.tMin + first, *tMax = from.tMax + first;
     for (int i = 0; i < packet; ++i) {
         out.org_x[i] = ox[i], out.org_y[i] = oy[i], out.org_z[i] = oz[i];
         out.dir_x[i] = dx[i], out.dir_y[i] = dy[i], out.dir_z[i] = dz[i];
-        out.tfar[i] = tMax[i];
+        out.tnear[i] = tMin[i], out.tfar[i] = tMax[i];
         // Infinities and NaN survive the multiplication by zero as NaN.
-        bool finite = (ox[i] + oy[i] + oz[i] + dx[i] + dy[i] + dz[i]) * 0 == 0;
+        bool finite = (ox[i] + oy[i] + oz[i] + dx[i] + dy[i] + dz[i] + tMin[i]) * 0 == 0;
         bool directed = (dx[i] != 0) | (dy[i] != 0) | (dz[i] != 0);
-        valid[i] = finite & directed & (tMax[i] > 0) ? -1 : 0;
+        valid[i] = finite & directed & (tMin[i] >= 0) & (tMax[i] > tMin[i]) ? -1 : 0;
     }
 }
 
 /// What is the same in all packets of a call; Embree leaves it as it is.
 void prime(unsigned mask, RTCRay16 &out) {
     for (int i = 0; i < packet; ++i) {
-        out.tnear[i] = 0, out.time[i] = 0;
+        out.time[i] = 0;
         out.mask[i] = mask, out.id[i] = unsigned(i), out.flags[i] = 0;
     }
 }
 
 void load(const RayBatch &rays, int first, RTCRay16 &out, int *valid) {
-    copyPacket({rays.originX, rays.originY, rays.originZ, rays.directionX, rays.directionY,
-                rays.directionZ, rays.tMax},
+    copyPacket({rays.origin[0], rays.origin[1], rays.origin[2], rays.direction[0],
+                rays.direction[1], rays.direction[2], rays.tMin, rays.tMax},
                first, out, valid);
     if (rays.count - first < packet)
         std::fill(valid + (rays.count - first), valid + packet, 0);
@@ -153,8 +153,12 @@ void RayWorld::intersect(const RayBatch &rays, HitBatch &hits, Which which, bool
         std::fill_n(bundle.hit.geomID, packet, noHit);
         rtcIntersect16(valid, handles_->scene, &context, &bundle);
         std::size_t bytes = packet * sizeof(float);
-        std::memcpy(hits.primitive + first, bundle.hit.geomID, bytes);
-        std::memcpy(hits.triangle + first, bundle.hit.primID, bytes);
+        std::memcpy(hits.shape + first, bundle.hit.geomID, bytes);
+        std::memcpy(hits.instance + first, bundle.hit.instID[0], bytes);
+        std::memcpy(hits.Ng[0] + first, bundle.hit.Ng_x, bytes);
+        std::memcpy(hits.Ng[1] + first, bundle.hit.Ng_y, bytes);
+        std::memcpy(hits.Ng[2] + first, bundle.hit.Ng_z, bytes);
+        std::memcpy(hits.element + first, bundle.hit.primID, bytes);
         std::memcpy(hits.t + first, bundle.ray.tfar, bytes);
         std::memcpy(hits.u + first, bundle.hit.u, bytes);
         std::memcpy(hits.v + first, bundle.hit.v, bytes);
