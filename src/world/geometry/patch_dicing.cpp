@@ -11,15 +11,29 @@ static double sum(const std::vector<int> &counts) {
     return std::accumulate(counts.begin(), counts.end(), 0.0);
 }
 
+/// The ladder 1, 2, 3, 4, 6, 8, 12...: patches that share a side and are much alike agree about it.
+static int onLadder(int count) {
+    int step = 1;
+    while (step < count)
+        step = step > 1 && step * 3 / 2 >= count ? step * 3 / 2 : step * 2;
+    return step;
+}
+
 PatchCuts choosePatchCuts(const PatchGrid &grid, std::span<const PatchBounds> bounds,
                           const DiceRate &rate) {
     PatchCuts cuts{std::vector<int>(grid.patchesU, 1), std::vector<int>(grid.patchesV, 1), 0};
     double share = std::max(1.0, maximalCells / grid.patches());
     for (int patch = 0; patch < grid.patches(); ++patch) {
-        DiceCounts counts = chooseCounts(bounds[patch].derivatives, rate, {1, 1}, share);
+        // Between two sides that are points one row has no inside.
+        int least = std::ranges::count(bounds[patch].collapsed, true) >= 2 ? 2 : 1;
+        DiceCounts counts = chooseCounts(bounds[patch].derivatives, rate, {least, least}, share);
+        // Nearly as many one way as the other become equal, so that it makes no difference to
+        // neighbours which way a patch that bends alike both ways runs along their side.
+        if (std::max(counts.u, counts.v) <= 1.2 * std::min(counts.u, counts.v) + 1)
+            counts.u = counts.v = std::max(counts.u, counts.v);
         int &column = cuts.columns[patch % grid.patchesU], &row = cuts.rows[patch / grid.patchesU];
-        column = std::max(column, counts.u);
-        row = std::max(row, counts.v);
+        column = std::max(column, onLadder(counts.u));
+        row = std::max(row, onLadder(counts.v));
     }
     // Columns and rows take the most of their patches, which together can be too much.
     double excess = std::sqrt(sum(cuts.columns) * sum(cuts.rows) / maximalCells);

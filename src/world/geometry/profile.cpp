@@ -135,7 +135,7 @@ ProfileLimits CircularProfile::limits() const {
     limits.zHigh = z[1];
     limits.areaPerRadian = circularArea(major, minor, from, to);
     limits.closed = std::abs(std::abs(phiSweep) - 2 * pi) < 1e-6;
-    limits.leastRows = std::max(2, int(std::ceil(std::abs(phiSweep) * 3 / pi)));
+    limits.leastRows = std::max(2, int(std::ceil(std::abs(phiSweep) * 3 / pi - 1e-6)));
     return limits;
 }
 

@@ -15,10 +15,11 @@ static double onLadder(double cells) {
     return step;
 }
 
-/// Cells to a full turn of this radius: diagonals no longer than `edge`, and half of `chord`.
+/// Cells to a full turn of this radius: diagonals no longer than `edge`, and a quarter of `chord`,
+/// as much as a sphere's rows and its twist take where all are in balance.
 static double cellsPerTurn(double radius, double edge, double chord) {
     double around = 2 * pi * radius;
-    return onLadder(std::max(around * std::sqrt(2.0) / edge, pi * std::sqrt(radius / chord)));
+    return onLadder(std::max(around * std::sqrt(2.0) / edge, pi * std::sqrt(2 * radius / chord)));
 }
 
 /// Derivatives by a full turn and by t.

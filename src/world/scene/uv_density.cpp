@@ -18,26 +18,37 @@ float gaussPoint(int index) {
     return (float(index / 2) + (index % 2 ? 1 - low : low)) / cells;
 }
 
-/// |dPdu x dPdv| at the Gauss points of one line of constant v.
+/// Transformed area per unit (u,v) at the Gauss points of one line of constant v.
 void jacobians(const Surface &surface, const Matrix4 &matrix, float v, double *jacobian) {
-    float us[gauss], vs[gauss], planes[6][gauss];
+    float us[gauss], vs[gauss];
     std::uint32_t pieces[gauss] = {};
     for (int k = 0; k < gauss; ++k)
         us[k] = gaussPoint(k), vs[k] = v;
-    SurfaceAnswer answer;
-    answer.dPdu = {planes[0], planes[1], planes[2]};
-    answer.dPdv = {planes[3], planes[4], planes[5]};
-    surface.evaluate({gauss, pieces, us, vs}, answer);
-    for (int k = 0; k < gauss; ++k) {
-        double value = length(cross(transformVector(matrix, answer.dPdu.get(k)),
-                                    transformVector(matrix, answer.dPdv.get(k))));
-        jacobian[k] = std::isfinite(value) ? value : 0;
-    }
+    float area[gauss], planes[3 * gauss];
+    transformedAreas(surface, matrix, {gauss, pieces, us, vs}, planes, area);
+    for (int k = 0; k < gauss; ++k)
+        jacobian[k] = std::isfinite(area[k]) ? area[k] : 0;
 }
 
 int cellOf(float x) { return std::clamp(int(x * cells), 0, cells - 1); }
 
 } // namespace
+
+void transformedAreas(const Surface &surface, const Matrix4 &matrix, const SurfaceQuery &query,
+                      float *scratch, float *area) {
+    SurfaceAnswer answer;
+    answer.Ng = {scratch, scratch + query.count, scratch + 2 * query.count};
+    answer.areaScale = area;
+    surface.evaluate(query, answer);
+    auto row = [&](int k) { return Vec3{matrix.at(k, 0), matrix.at(k, 1), matrix.at(k, 2)}; };
+    // Area vectors transform by the cofactors.
+    Vec3 x = cross(row(1), row(2)), y = cross(row(2), row(0)), z = cross(row(0), row(1));
+    for (int k = 0; k < query.count; ++k) {
+        Vec3 n = answer.Ng.get(k);
+        n *= 1 / std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
+        area[k] *= length(x * n.x + y * n.y + z * n.z) / length(n);
+    }
+}
 
 UvDensity::UvDensity(const Surface &surface, const Matrix4 &currentFromObject)
     : density_(cells * cells, 0) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Uniform sampling of a parametric surface by area, nearly: a density over (u,v) that is constant
-// in each cell of a grid. Exact densities are per unit (u,v); the Jacobian makes them exact per
-// area too, so no sample is biased by how the surface is diced.
+// in each cell of a grid. Exact densities are per unit (u,v), the coordinates of Surface queries;
+// the Jacobian by those makes them exact per area too, so no sample is biased by how the surface is
+// diced.
 #pragma once
 
 #include "foundation/base/matrix4.h"
@@ -10,6 +11,11 @@
 #include <vector>
 
 namespace candela {
+
+/// Area in the transformed space per unit of the query's own coordinates; `scratch` holds three
+/// floats a point.
+void transformedAreas(const Surface &, const Matrix4 &currentFromObject, const SurfaceQuery &,
+                      float *scratch, float *area);
 
 class UvDensity {
 public:
