@@ -2,7 +2,7 @@
 // Rays a CPU second through Candela's ray world against bare Embree on the same rays: those of
 // scene A in waves of 4096. Prints JSON; Mrays/s on one core, the best of several rounds.
 #include "cornell_box.h"
-#include "world/scene/ray_world.h"
+#include "world/rays/ray_world.h"
 
 #include <cstdio>
 #include <cstring>
@@ -22,9 +22,9 @@ double cpuSeconds() {
 }
 
 void set(RayBatch &rays, int i, Vec3 origin, Vec3 direction, float end) {
-    rays.originX[i] = origin.x, rays.originY[i] = origin.y, rays.originZ[i] = origin.z;
-    rays.directionX[i] = direction.x, rays.directionY[i] = direction.y;
-    rays.directionZ[i] = direction.z, rays.tMax[i] = end, rays.time[i] = 0;
+    rays.origin[0][i] = origin.x, rays.origin[1][i] = origin.y, rays.origin[2][i] = origin.z;
+    rays.direction[0][i] = direction.x, rays.direction[1][i] = direction.y;
+    rays.direction[2][i] = direction.z, rays.tMax[i] = end, rays.time[i] = 0;
 }
 
 /// A primitive a quadrilateral, as the RIB file has it.
@@ -67,10 +67,10 @@ private:
     static void follow(const CornellBox &box, const RayBatch &rays, const HitBatch &hits,
                        RandomNumbers &random, RayBatch &next, RayBatch &toLamp) {
         for (int i = 0; i < rays.count; ++i) {
-            if (hits.primitive[i] == noHit || hits.primitive[i] == 0)
+            if (hits.shape[i] == noHit || hits.shape[i] == 0)
                 continue;
-            Vec3 direction{rays.directionX[i], rays.directionY[i], rays.directionZ[i]};
-            Vec3 n = box.normals[2 * hits.primitive[i]];
+            Vec3 direction{rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]};
+            Vec3 n = box.normals[2 * hits.shape[i]];
             n = dot(n, direction) > 0 ? -n : n;
             Vec3 P = CornellBox::eye + direction * hits.t[i] + n * 1e-4f;
             set(next, next.count++, P, cosineDirection(n, random), INFINITY);
@@ -116,9 +116,9 @@ private:
             std::memcpy(to, from + first, packet * sizeof(float));
         };
         RTCRay16 &ray = hit.ray;
-        copy(ray.org_x, rays.originX), copy(ray.org_y, rays.originY);
-        copy(ray.org_z, rays.originZ), copy(ray.dir_x, rays.directionX);
-        copy(ray.dir_y, rays.directionY), copy(ray.dir_z, rays.directionZ);
+        copy(ray.org_x, rays.origin[0]), copy(ray.org_y, rays.origin[1]);
+        copy(ray.org_z, rays.origin[2]), copy(ray.dir_x, rays.direction[0]);
+        copy(ray.dir_y, rays.direction[1]), copy(ray.dir_z, rays.direction[2]);
         copy(ray.tfar, rays.tMax);
         for (int i = 0; i < packet; ++i) {
             valid[i] = first + i < rays.count ? -1 : 0;

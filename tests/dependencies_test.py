@@ -27,7 +27,7 @@ BELOW = {
 # Each third-party library has one door: how its headers begin, its CMake targets, its room.
 DOORS = [
     ("LLVM", r"llvm(-c)?/", r"LLVM\w*", "src/language/jit"),
-    ("Embree", r"embree\d*/", r"embree", "src/world/scene"),
+    ("Embree", r"embree\d*/", r"embree", "src/world/rays"),
     ("OpenEXR", r"(OpenEXR/|Imath/|Imf|Imath|half\.h)", r"(OpenEXR|Imath)::\w+", "src/image"),
     ("libpng", r"(libpng\w*/)?png\w*\.h", r"PNG::\w+", "src/image"),
     ("SLEEF", r"sleef", r"(PkgConfig::)?SLEEF", "src/language/runtime"),
@@ -163,7 +163,7 @@ SOUND_TREE = {
     "src/interface/rib/CMakeLists.txt": "candela_room(rib ROOMS ri DOOR ZLIB::ZLIB)",
     "src/language/jit/CMakeLists.txt": "candela_room(jit ROOMS base DOOR LLVM)",
     "src/language/jit/jit.h": '#include "foundation/base/vec3.h"',
-    "src/world/scene/CMakeLists.txt": "candela_room(scene ROOMS ri jit DOOR embree)",
+    "src/world/scene/CMakeLists.txt": "candela_room(scene ROOMS ri jit)",
     "src/world/scene/scene.h": '#include "interface/ri/options.h"',
     "src/light/transport/CMakeLists.txt": "candela_room(transport ROOMS scene)",
     "src/light/transport/path.h": '#include "world/scene/scene.h"',
@@ -186,8 +186,8 @@ BREAKS = [
     ("src/interface/ri/CMakeLists.txt", "candela_room(ri ROOMS base scene)"),
     ("src/light/transport/CMakeLists.txt", "candela_room(transport ROOMS scene image)"),
     ("src/language/jit/CMakeLists.txt", "candela_room(jit ROOMS ri DOOR LLVM)"),
-    ("src/world/scene/CMakeLists.txt", "candela_room(scene ROOMS ri jit attic DOOR embree)"),
-    ("src/world/scene/CMakeLists.txt", "candela_room(scene ROOMS ri jit DOOR embree TBB::tbb)"),
+    ("src/world/scene/CMakeLists.txt", "candela_room(scene ROOMS ri jit attic)"),
+    ("src/world/scene/CMakeLists.txt", "candela_room(scene ROOMS ri jit TBB::tbb)"),
     ("src/image/CMakeLists.txt", "candela_room(image ROOMS scene DOOR Boost::regex)"),
     ("src/image/CMakeLists.txt",
      "candela_room(image ROOMS scene)\ntarget_link_libraries(image PRIVATE transport)"),

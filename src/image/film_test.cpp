@@ -3,7 +3,7 @@
 
 #include "foundation/base/hash.h"
 #include "foundation/base/parallel.h"
-#include "world/scene/pixel_filter.h"
+#include "world/camera/pixel_filter.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

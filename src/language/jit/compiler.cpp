@@ -43,6 +43,15 @@ static std::string hostFeatures() {
     return features;
 }
 
+std::string cpuOfLevel(runtime::IsaLevel level) {
+    switch (level) {
+    case runtime::IsaLevel::V2: return "x86-64-v2";
+    case runtime::IsaLevel::V3: return "x86-64-v3";
+    case runtime::IsaLevel::V4: break;
+    }
+    return "x86-64-v4";
+}
+
 std::optional<CodeTarget> codeTarget(const std::string &cpu, int width) {
     CodeTarget target;
     target.width = width;

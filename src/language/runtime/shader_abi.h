@@ -6,13 +6,12 @@
 // same memory, so a batch may be prepared at one width and answered at another.
 #pragma once
 
+#include "foundation/base/planes.h"
+
 #include <cstddef>
 #include <cstdint>
 
 namespace candela {
-
-/// Widest batch step. All planes hold a multiple of this many floats and are 64-byte aligned.
-inline constexpr int laneBlock = 16;
 
 /// Component planes in the order of shader_inputs.def: inputPlane("P") is the first of three.
 enum class ShaderInput : std::uint16_t {
@@ -27,6 +26,9 @@ struct ShaderCallbacks {
     void *context = nullptr;
     /// printf(): the text for one lane, already formatted.
     void (*print)(void *context, const char *text) = nullptr;
+    /// An array is indexed outside its elements there: called from any thread, as often as it
+    /// happens.
+    void (*indexOutside)(void *context, const char *file, std::int32_t line) = nullptr;
 };
 
 /// No question but finite light samples: see ShaderArgs::answeredRequest.

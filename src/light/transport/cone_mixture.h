@@ -4,7 +4,8 @@
 // never light (ALGORITHMS 1: 90 % cones, 5 % uniform, 5 % cosine lobe).
 #pragma once
 
-#include "world/scene/planes.h"
+#include "foundation/base/planes.h"
+#include "language/runtime/shader_abi.h"
 
 #include <array>
 #include <vector>

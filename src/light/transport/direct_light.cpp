@@ -79,13 +79,14 @@ int ShadowRays::attenuate(SurfaceVertices &vertices, const LightSamples &samples
     float *direction = planes_[3], *end = planes_[4];
     vertices.rayOrigins(L, origin);
     rays_.count = count;
-    float *origins[3] = {rays_.originX, rays_.originY, rays_.originZ};
-    float *directions[3] = {rays_.directionX, rays_.directionY, rays_.directionZ};
+    float *origins[3] = {rays_.origin[0], rays_.origin[1], rays_.origin[2]};
+    float *directions[3] = {rays_.direction[0], rays_.direction[1], rays_.direction[2]};
     for (int c = 0; c < 3; ++c) {
         towardsLight(all, P[c], origin[c], L[c], samples.distance, direction, end);
         lanes::take(count, lanes, origin[c], origins[c]);
         lanes::take(count, lanes, direction, directions[c]);
     }
+    std::fill_n(rays_.tMin, count, 0.0f);
     lanes::take(count, lanes, end, rays_.tMax);
     lanes::take(count, lanes, vertices.points.input(int(ShaderInput::time)), rays_.time);
 

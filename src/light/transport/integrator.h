@@ -2,7 +2,7 @@
 // The estimators' common face: a scene and a sample count in, samples of whole pixels out.
 #pragma once
 
-#include "world/scene/pixel_filter.h"
+#include "world/camera/pixel_filter.h"
 #include "world/scene/sample_sink.h"
 #include "world/scene/scene.h"
 

@@ -75,13 +75,15 @@ void PathWave::startGathering(int count, const int *lane, const GatheringRays &f
              reinterpret_cast<int *>(results_.keys[0]));
 
     RayBatch &rays = active_.rays;
-    take(from.origin[0], rays.originX), take(from.origin[1], rays.originY);
-    take(from.origin[2], rays.originZ);
-    take(from.direction[0], rays.directionX);
-    take(from.direction[1], rays.directionY);
-    take(from.direction[2], rays.directionZ);
+    take(from.origin[0], rays.origin[0]), take(from.origin[1], rays.origin[1]);
+    take(from.origin[2], rays.origin[2]);
+    take(from.direction[0], rays.direction[0]);
+    take(from.direction[1], rays.direction[1]);
+    take(from.direction[2], rays.direction[2]);
     take(from.time, rays.time);
-    std::fill_n(static_cast<float *>(rays.tMax), count, INFINITY);
+    std::fill_n(rays.tMax, count, INFINITY);
+    for (float *plane : {rays.tMin, rays.width, rays.spread})
+        std::fill_n(plane, count, 0.0f);
 
     take(from.pdf, active_.lastPdf);
     takeInts(from.lightSet, active_.lightSet);

@@ -2,9 +2,10 @@
 // The state of a wave: many paths advanced a vertex at a time, structure of arrays.
 #pragma once
 
+#include "foundation/base/planes.h"
 #include "foundation/units/color.h"
-#include "world/scene/planes.h"
-#include "world/scene/ray_batch.h"
+#include "language/runtime/shader_abi.h"
+#include "world/rays/ray_batch.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -146,7 +146,7 @@ void PathWave::run() {
 void PathWave::traceAndShade(int iteration) {
     bool fromCamera = iteration == 0 && purpose_ == Purpose::Camera;
     scene_.intersect(active_.rays, hits_, fromCamera ? Coherence::Primary : Coherence::Secondary);
-    bins_.sort(active_.count, hits_.primitive);
+    bins_.sort(active_.count, hits_.shape);
     next_.count = next_.rays.count = 0;
     for (int bin = 0; bin < bins_.count(); ++bin) {
         std::span<const int> rays = bins_.rays(bin);
@@ -469,11 +469,14 @@ void PathWave::append(int count, const int *lane, const float *gain, const float
 
     RayBatch &rays = next_.rays;
     auto take = [&](const float *from, float *to) { lanes::take(count, lane, from, to + first); };
-    take(origin[0], rays.originX), take(origin[1], rays.originY), take(origin[2], rays.originZ);
-    take(direction[0], rays.directionX), take(direction[1], rays.directionY);
-    take(direction[2], rays.directionZ);
+    take(origin[0], rays.origin[0]), take(origin[1], rays.origin[1]),
+        take(origin[2], rays.origin[2]);
+    take(direction[0], rays.direction[0]), take(direction[1], rays.direction[1]);
+    take(direction[2], rays.direction[2]);
     take(vertices_.points.input(int(ShaderInput::time)), rays.time);
     std::fill_n(rays.tMax + first, count, INFINITY);
+    for (float *plane : {rays.tMin, rays.width, rays.spread})
+        std::fill_n(plane + first, count, 0.0f);
     for (int c = 0; c < colorSamples; ++c) {
         float *next = answers_[colorSamples + c];
         lanes::multiply(vertices_.count(), gain, next);
@@ -502,8 +505,8 @@ void PathWave::correctSpecialEvents(int count, const int *lane, int first) {
         if (events_.event()[i] == finiteRequests)
             continue;
         Vec3 unit = normalize({direction[0][i], direction[1][i], direction[2][i]});
-        next_.rays.directionX[at] = unit.x, next_.rays.directionY[at] = unit.y;
-        next_.rays.directionZ[at] = unit.z;
+        next_.rays.direction[0][at] = unit.x, next_.rays.direction[1][at] = unit.y;
+        next_.rays.direction[2][at] = unit.z;
         if (events_.event()[i] != straightThrough)
             continue;
         --next_.depth[at];

@@ -4,8 +4,8 @@
 
 #include "foundation/base/box3.h"
 #include "foundation/base/matrix4.h"
+#include "world/camera/camera.h"
 #include "world/geometry/surface.h"
-#include "world/scene/camera.h"
 
 namespace candela {
 

@@ -2,7 +2,8 @@
 // Asking light shaders.
 #pragma once
 
-#include "world/scene/planes.h"
+#include "foundation/base/planes.h"
+#include "language/runtime/shader_abi.h"
 #include "world/scene/scene_state.h"
 
 namespace candela {

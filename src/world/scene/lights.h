@@ -3,8 +3,9 @@
 // surfaces that emit. Lights are chosen by power; the interface leaves room for a light tree.
 #pragma once
 
+#include "foundation/base/planes.h"
 #include "interface/ri/attributes.h"
-#include "world/scene/planes.h"
+#include "language/runtime/shader_abi.h"
 
 #include <array>
 #include <cstdint>

@@ -175,15 +175,15 @@ TEST(Lights, DensitiesOfHitsIntegrateToOne) {
             for (int i = 0; i < columns; ++i) {
                 double z = 1 - 2 * (row + 0.5) / rows, phi = 2 * M_PI * (i + 0.5) / columns;
                 double r = std::sqrt(1 - z * z);
-                rays.originX[i] = rays.originY[i] = rays.originZ[i] = 0;
-                rays.directionX[i] = float(r * std::cos(phi));
-                rays.directionY[i] = float(r * std::sin(phi));
-                rays.directionZ[i] = float(z), rays.tMax[i] = INFINITY;
+                rays.origin[0][i] = rays.origin[1][i] = rays.origin[2][i] = 0;
+                rays.direction[0][i] = float(r * std::cos(phi));
+                rays.direction[1][i] = float(r * std::sin(phi));
+                rays.direction[2][i] = float(z), rays.tMin[i] = 0, rays.tMax[i] = INFINITY;
             }
             scene.intersect(rays, hits, Coherence::Secondary);
             std::vector<int> order;
             for (int i = 0; i < columns; ++i)
-                if (hits.primitive[i] != noHit)
+                if (hits.shape[i] != noHit)
                     order.push_back(i);
             scene.shadingPoints(rays, hits, order.data(), int(order.size()), points);
             for (int k = 0; k < points.count; ++k) {
@@ -219,13 +219,13 @@ TEST(Lights, SamplesAndHitsAgree) {
         HitBatch hits(64);
         rays.count = 64;
         for (int i = 0; i < 64; ++i) {
-            rays.directionX[i] = samples.out.L[0][i], rays.directionY[i] = samples.out.L[1][i];
-            rays.directionZ[i] = samples.out.L[2][i], rays.tMax[i] = INFINITY;
+            rays.direction[0][i] = samples.out.L[0][i], rays.direction[1][i] = samples.out.L[1][i];
+            rays.direction[2][i] = samples.out.L[2][i], rays.tMin[i] = 0, rays.tMax[i] = INFINITY;
         }
         scene.intersect(rays, hits, Coherence::Secondary);
         int compared = 0;
         for (int i = 0; i < 64; ++i) {
-            if (hits.primitive[i] == noHit || samples.out.value[0][i] == 0)
+            if (hits.shape[i] == noHit || samples.out.value[0][i] == 0)
                 continue;
             ShadingPoints point(1);
             scene.shadingPoints(rays, hits, &i, 1, point);
@@ -241,7 +241,7 @@ TEST(Lights, SamplesAndHitsAgree) {
                         1, 0.02);
             Planes<float> planes(colorSamples, 1);
             float *radiance[colorSamples] = {planes[0], planes[1], planes[2]};
-            scene.emission(scene.codeOf(hits.primitive[i]), point, radiance);
+            scene.emission(scene.codeOf(hits.shape[i]), point, radiance);
             EXPECT_FLOAT_EQ(radiance[0][0], 7);
             EXPECT_FLOAT_EQ(samples.out.value[0][i], 7);
             ++compared;

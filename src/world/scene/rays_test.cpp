@@ -2,7 +2,7 @@
 // Rays against brute force, ties, and what comes through transparent surfaces.
 #include "world/scene/test_world.h"
 
-#include "world/scene/ray_world.h"
+#include "world/rays/ray_world.h"
 
 #include "foundation/base/parallel.h"
 
@@ -49,9 +49,9 @@ double distanceTo(const RayMesh &mesh, int triangle, Vec3 o, Vec3 d) {
 }
 
 void setRay(RayBatch &rays, int i, Vec3 o, Vec3 d, float tMax = INFINITY) {
-    rays.originX[i] = o.x, rays.originY[i] = o.y, rays.originZ[i] = o.z;
-    rays.directionX[i] = d.x, rays.directionY[i] = d.y, rays.directionZ[i] = d.z;
-    rays.tMax[i] = tMax;
+    rays.origin[0][i] = o.x, rays.origin[1][i] = o.y, rays.origin[2][i] = o.z;
+    rays.direction[0][i] = d.x, rays.direction[1][i] = d.y, rays.direction[2][i] = d.z;
+    rays.tMin[i] = 0, rays.tMax[i] = tMax;
 }
 
 TEST(Rays, NearestHitsAreThoseOfBruteForce) {
@@ -70,13 +70,13 @@ TEST(Rays, NearestHitsAreThoseOfBruteForce) {
         world.intersect(rays, hits, RayWorld::Which::All, coherent);
         int found = 0;
         for (int i = 0; i < count; ++i) {
-            Vec3 o{rays.originX[i], rays.originY[i], rays.originZ[i]};
-            Vec3 d{rays.directionX[i], rays.directionY[i], rays.directionZ[i]};
+            Vec3 o{rays.origin[0][i], rays.origin[1][i], rays.origin[2][i]};
+            Vec3 d{rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]};
             double nearest = INFINITY;
             for (const RayMesh &mesh : meshes)
                 for (int k = 0; k < int(mesh.triangles.size()); ++k)
                     nearest = std::min(nearest, distanceTo(mesh, k, o, d));
-            if (hits.primitive[i] == noHit) {
+            if (hits.shape[i] == noHit) {
                 EXPECT_EQ(nearest, INFINITY);
                 continue;
             }
@@ -122,9 +122,9 @@ TEST(Rays, EquallyNearHitsDoNotDependOnThreads) {
         RayWorld(meshes).intersect(rays, together, RayWorld::Which::All, false);
         int hits = 0;
         for (int i = 0; i < count; ++i) {
-            hits += alone.primitive[i] != noHit;
-            ASSERT_EQ(alone.primitive[i], together.primitive[i]) << i;
-            ASSERT_EQ(alone.triangle[i], together.triangle[i]) << i;
+            hits += alone.shape[i] != noHit;
+            ASSERT_EQ(alone.shape[i], together.shape[i]) << i;
+            ASSERT_EQ(alone.element[i], together.element[i]) << i;
         }
         EXPECT_GT(hits, 2000);
     }
@@ -179,10 +179,10 @@ TEST(Rays, NoneSlipsBetweenTriangles) {
             world.intersect(rays, hits, RayWorld::Which::All, false);
             world.occluded(rays, blocked.data());
             for (int i = 0; i < count; ++i) {
-                ASSERT_NE(hits.primitive[i], noHit) << centre.x << " " << steps << " ray " << i;
+                ASSERT_NE(hits.shape[i], noHit) << centre.x << " " << steps << " ray " << i;
                 ASSERT_EQ(blocked[i], 1) << centre.x << " " << steps << " ray " << i;
-                Vec3 d{rays.directionX[i], rays.directionY[i], rays.directionZ[i]};
-                Vec3 from{rays.originX[i], rays.originY[i], rays.originZ[i]};
+                Vec3 d{rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]};
+                Vec3 from{rays.origin[0][i], rays.origin[1][i], rays.origin[2][i]};
                 float chord = 0.5f - 0.5f * std::cos(float(M_PI) / float(steps)) + 1e-3f;
                 ASSERT_NEAR(length(from + d * hits.t[i] - centre), 0.5f, 2 * chord);
             }
@@ -206,10 +206,10 @@ TEST(Rays, BadRaysAreNotTraced) {
     std::uint8_t blocked[16];
     world.occluded(rays, blocked);
     for (int i = 0; i < 4; ++i) {
-        EXPECT_EQ(hits.primitive[i], noHit);
+        EXPECT_EQ(hits.shape[i], noHit);
         EXPECT_EQ(blocked[i], 2);
     }
-    EXPECT_EQ(hits.primitive[4], 0u);
+    EXPECT_EQ(hits.shape[4], 0u);
     EXPECT_EQ(blocked[4], 1);
 }
 
@@ -228,12 +228,12 @@ TEST(Rays, OneSidedPrimitivesAreSeenFromTheFrontOnly) {
             setRay(rays, 0, {0, 0, 0}, {0, 0, 1});
             setRay(rays, 1, {0, 0, 9}, {0, 0, -1});
             scene.intersect(rays, hits, Coherence::Secondary);
-            ASSERT_NE(hits.primitive[0] == noHit, hits.primitive[1] == noHit);
-            int seen = hits.primitive[0] == noHit ? 1 : 0;
+            ASSERT_NE(hits.shape[0] == noHit, hits.shape[1] == noHit);
+            int seen = hits.shape[0] == noHit ? 1 : 0;
             ShadingPoints points(2);
             scene.shadingPoints(rays, hits, &seen, 1, points);
             float Nz = points.input(int(ShaderInput::N) + 2)[0];
-            EXPECT_LT(Nz * rays.directionZ[seen], 0) << "the normal looks at the viewer";
+            EXPECT_LT(Nz * rays.direction[2][seen], 0) << "the normal looks at the viewer";
         });
     }
 }

@@ -18,10 +18,10 @@ struct HitScratch {
     Scratch<float> u, v;
 };
 
-/// I holds the origins of the rays and becomes what leads from there to P.
-CANDELA_HOT void subtractFrom(int count, const float *__restrict P, float *__restrict I) {
+/// I holds the directions of the rays and becomes what leads from the origins to the hits.
+CANDELA_HOT void reachOut(int count, const float *__restrict t, float *__restrict I) {
     for (int i = 0; i < count; ++i)
-        I[i] = P[i] - I[i];
+        I[i] *= t[i];
 }
 
 CANDELA_HOT void lookUpBins(int count, const std::uint32_t *__restrict primitive,
@@ -33,14 +33,16 @@ CANDELA_HOT void lookUpBins(int count, const std::uint32_t *__restrict primitive
     }
 }
 
-/// I = P - origin of the ray, and what else the rays tell.
-void fillFromRays(const RayBatch &rays, const int *order, const WantedInputs &wanted,
-                  ShadingPoints &points) {
-    const float *origin[3] = {rays.originX, rays.originY, rays.originZ};
+/// I = t times the ray's direction, and what else the rays tell.
+void fillFromRays(const RayBatch &rays, const HitBatch &hits, const int *order,
+                  const WantedInputs &wanted, ShadingPoints &points) {
+    thread_local Scratch<float> own;
+    float *t = own.get(points.count);
+    lanes::take(points.count, order, hits.t, t);
     for (int c = 0; c < 3; ++c) {
         float *I = points.input(int(ShaderInput::I) + c);
-        lanes::take(points.count, order, origin[c], I);
-        subtractFrom(points.count, points.input(int(ShaderInput::P) + c), I);
+        lanes::take(points.count, order, rays.direction[c], I);
+        reachOut(points.count, t, I);
         if (wanted.E)
             std::fill_n(points.input(int(ShaderInput::E) + c), points.count, 0.0f);
     }
@@ -95,13 +97,13 @@ void Scene::shadingPoints(const RayBatch &rays, const HitBatch &hits, const int 
     thread_local HitScratch own;
     std::uint32_t *primitive = own.primitive.get(count), *triangle = own.triangle.get(count);
     float *u = own.u.get(count), *v = own.v.get(count);
-    lanes::take(count, order, hits.primitive, primitive);
-    lanes::take(count, order, hits.triangle, triangle);
+    lanes::take(count, order, hits.shape, primitive);
+    lanes::take(count, order, hits.element, triangle);
     lanes::take(count, order, hits.u, u);
     lanes::take(count, order, hits.v, v);
     const SceneCode &code = state_->codes[codeOf(primitive[0])];
     state_->evaluate({count, primitive, triangle, u, v}, code, points);
-    fillFromRays(rays, order, code.wanted, points);
+    fillFromRays(rays, hits, order, code.wanted, points);
 }
 
 void Scene::bind(int code, const ShadingPoints &points, ShaderArgs &args) const {

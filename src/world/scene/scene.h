@@ -4,9 +4,9 @@
 #pragma once
 
 #include "interface/ri/scene_builder.h"
-#include "world/scene/camera.h"
+#include "world/camera/camera.h"
+#include "world/rays/ray_batch.h"
 #include "world/scene/lights.h"
-#include "world/scene/ray_batch.h"
 #include "world/scene/shading_points.h"
 #include "world/shading/shader_library.h"
 

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "world/geometry/surface.h"
+#include "world/rays/ray_world.h"
 #include "world/scene/flat_points.h"
 #include "world/scene/light_table.h"
-#include "world/scene/ray_world.h"
 #include "world/scene/scene.h"
 #include "world/scene/surface_points.h"
 #include "world/scene/uv_density.h"
@@ -49,7 +49,7 @@ struct alignas(64) PrimitiveSummary {
 /// Inputs that evaluation may leave out.
 struct WantedInputs {
     bool dPd = false, uv = false, footprint = false, st = false, Cs = false, Os = false;
-    bool stDerivatives = false;
+    bool stDerivatives = false, orientation = false;
     bool time = false, E = false;
 
     /// Adds what a shader reads.

@@ -3,7 +3,8 @@
 // primitives that share it.
 #pragma once
 
-#include "world/scene/planes.h"
+#include "foundation/base/planes.h"
+#include "language/runtime/shader_abi.h"
 
 #include <cstdint>
 #include <vector>

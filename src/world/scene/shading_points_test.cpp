@@ -21,16 +21,17 @@ struct Grid {
         rays.count = count;
         for (int i = 0; i < count; ++i) {
             int place = count - 1 - i;
-            rays.directionX[i] = (place % side + 0.5f) * 2 / side - 1;
-            rays.directionY[i] = (place / side + 0.5f) * 2 / side - 1;
-            rays.directionZ[i] = 1, rays.tMax[i] = INFINITY, rays.time[i] = 0.5f;
+            rays.direction[0][i] = (place % side + 0.5f) * 2 / side - 1;
+            rays.direction[1][i] = (place / side + 0.5f) * 2 / side - 1;
+            rays.direction[2][i] = 1, rays.tMin[i] = 0, rays.tMax[i] = INFINITY,
+            rays.time[i] = 0.5f;
         }
         scene.intersect(rays, hits, Coherence::Primary);
     }
     std::vector<int> ofCode(const Scene &scene, int code) const {
         std::vector<int> order;
         for (int i = 0; i < count; ++i)
-            if (hits.primitive[i] != noHit && scene.codeOf(hits.primitive[i]) == code)
+            if (hits.shape[i] != noHit && scene.codeOf(hits.shape[i]) == code)
                 order.push_back(i);
         return order;
     }
@@ -58,16 +59,17 @@ TEST(ShadingPoints, LieOnTheTrueSphereWhateverTheOrder) {
         scene.shadingPoints(grid.rays, grid.hits, order.data(), int(order.size()), grid.points);
         for (int k = 0; k < grid.points.count; ++k) {
             int primitive = grid.points.primitive[k];
-            ASSERT_EQ(primitive, int(grid.hits.primitive[order[k]]));
+            ASSERT_EQ(primitive, int(grid.hits.shape[order[k]]));
             Vec3 P = grid.vec3(ShaderInput::P, k), outward = P - centres[primitive];
             EXPECT_NEAR(length(outward), 1, 1e-5);
             EXPECT_NEAR(dot(normalize(grid.vec3(ShaderInput::N, k)), outward), 1, 1e-5);
-            EXPECT_EQ(grid.vec3(ShaderInput::I, k), P);
             Vec3 color = grid.vec3(ShaderInput::Cs, k);
             EXPECT_EQ(color, centres[primitive]);
             float t = grid.hits.t[order[k]];
-            EXPECT_LT(length(P - t * Vec3{grid.rays.directionX[order[k]],
-                                          grid.rays.directionY[order[k]], 1}),
+            for (int c = 0; c < 3; ++c)
+                EXPECT_EQ(grid.vec3(ShaderInput::I, k)[c], t * grid.rays.direction[c][order[k]]);
+            EXPECT_LT(length(P - t * Vec3{grid.rays.direction[0][order[k]],
+                                          grid.rays.direction[1][order[k]], 1}),
                       0.2f)
                 << "near where the ray met the dicing";
             EXPECT_NEAR(dot(grid.vec3(ShaderInput::dPdu, k), outward), 0, 1e-4);
@@ -126,13 +128,14 @@ TEST(ShadingPoints, OffsetRaysLeaveTheSurfaceTheyStartFrom) {
             Vec3 direction = normalize(s + Ng * 0.1f);
             Vec3 origin = Scene::offsetOrigin(grid.vec3(ShaderInput::P, k), Ng, direction,
                                               grid.points.offset[k]);
-            away.originX[k] = origin.x, away.originY[k] = origin.y, away.originZ[k] = origin.z;
-            away.directionX[k] = direction.x, away.directionY[k] = direction.y;
-            away.directionZ[k] = direction.z, away.tMax[k] = INFINITY;
+            away.origin[0][k] = origin.x, away.origin[1][k] = origin.y,
+            away.origin[2][k] = origin.z;
+            away.direction[0][k] = direction.x, away.direction[1][k] = direction.y;
+            away.direction[2][k] = direction.z, away.tMin[k] = 0, away.tMax[k] = INFINITY;
         }
         scene.intersect(away, hits, Coherence::Secondary);
         for (int k = 0; k < Grid::count; ++k)
-            EXPECT_NE(hits.primitive[k], std::uint32_t(grid.points.primitive[k])) << k;
+            EXPECT_NE(hits.shape[k], std::uint32_t(grid.points.primitive[k])) << k;
     });
 }
 

@@ -41,7 +41,7 @@ struct Walk {
     void takeHitsOf(const Scene &scene, int code) {
         order.clear();
         for (int i = 0; i < rays.count; ++i)
-            if (hits.primitive[i] != noHit && scene.codeOf(hits.primitive[i]) == code)
+            if (hits.shape[i] != noHit && scene.codeOf(hits.shape[i]) == code)
                 order.push_back(i);
     }
     void dropTheRest() {
@@ -55,10 +55,10 @@ struct Walk {
         rays.count = kept;
     }
     void copyRay(int to, const RayBatch &from, int i) {
-        rays.originX[to] = from.originX[i], rays.originY[to] = from.originY[i];
-        rays.originZ[to] = from.originZ[i], rays.directionX[to] = from.directionX[i];
-        rays.directionY[to] = from.directionY[i], rays.directionZ[to] = from.directionZ[i];
-        rays.tMax[to] = from.tMax[i], rays.time[to] = from.time[i];
+        rays.origin[0][to] = from.origin[0][i], rays.origin[1][to] = from.origin[1][i];
+        rays.origin[2][to] = from.origin[2][i], rays.direction[0][to] = from.direction[0][i];
+        rays.direction[1][to] = from.direction[1][i], rays.direction[2][to] = from.direction[2][i];
+        rays.tMin[to] = from.tMin[i], rays.tMax[to] = from.tMax[i], rays.time[to] = from.time[i];
     }
 };
 
@@ -67,21 +67,6 @@ Walk &walkFor(int capacity) {
     if (!own || own->capacity < capacity)
         own.emplace(capacity);
     return *own;
-}
-
-/// Starts ray i anew behind the surface it has met.
-void stepBehind(RayBatch &rays, int i, const ShadingPoints &points, int k) {
-    auto vec3 = [&](ShaderInput input) {
-        float *const *planes = points.inputTable.data() + int(input);
-        return Vec3{planes[0][k], planes[1][k], planes[2][k]};
-    };
-    Vec3 direction{rays.directionX[i], rays.directionY[i], rays.directionZ[i]};
-    Vec3 origin{rays.originX[i], rays.originY[i], rays.originZ[i]};
-    Vec3 next = Scene::offsetOrigin(vec3(ShaderInput::P), vec3(ShaderInput::Ng), direction,
-                                    points.offset[k]);
-    float step = dot(next - origin, direction) / dot(direction, direction);
-    rays.originX[i] = next.x, rays.originY[i] = next.y, rays.originZ[i] = next.z;
-    rays.tMax[i] -= step;
 }
 
 /// Opacities at the hits of `order`: walk.points and walk.opacity.
@@ -102,7 +87,7 @@ void askOpacity(const Scene &scene, int code, Walk &walk) {
         question.code(&args);
 }
 
-/// The k-th ray of `order` loses what the surface keeps and starts anew behind it.
+/// The k-th ray of `order` loses what the surface keeps and goes on behind it.
 void passSurface(Walk &walk, int k, float *const *transmittance) {
     const int i = walk.order[k], lane = walk.lane[i];
     bool open = false;
@@ -110,7 +95,7 @@ void passSurface(Walk &walk, int k, float *const *transmittance) {
         transmittance[c][lane] *= 1 - std::clamp(walk.opacity[c][k], 0.0f, 1.0f);
         open |= transmittance[c][lane] > 0;
     }
-    stepBehind(walk.rays, i, walk.points, k);
+    walk.rays.tMin[i] = passing(walk.hits.t[i]);
     walk.keep[i] = open;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "world/scene/sealed_triangles.h"
+#include "world/rays/sealed_triangles.h"
 
 #include <algorithm>
 #include <cmath>

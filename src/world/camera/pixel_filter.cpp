@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "world/scene/pixel_filter.h"
+#include "world/camera/pixel_filter.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "world/scene/camera.h"
+#include "world/camera/camera.h"
 
 #include "foundation/base/hot.h"
 
@@ -27,7 +27,7 @@ Matrix4 screenMatrix(bool perspective, float focal, double near, double far) {
 }
 
 struct RayPlanes {
-    float *ox, *oy, *oz, *dx, *dy, *dz, *tMax;
+    float *ox, *oy, *oz, *dx, *dy, *dz, *tMin, *tMax;
 };
 
 /// Where raster positions fall on the plane z = 1 (perspective) or z = 0 (orthographic).
@@ -42,7 +42,7 @@ CANDELA_HOT void perspectiveRays(int count, const float *__restrict x, const flo
                                  RayPlanes rays) {
     float *__restrict ox = rays.ox, *__restrict oy = rays.oy, *__restrict oz = rays.oz;
     float *__restrict dx = rays.dx, *__restrict dy = rays.dy, *__restrict dz = rays.dz;
-    float *__restrict tMax = rays.tMax;
+    float *__restrict tMin = rays.tMin, *__restrict tMax = rays.tMax;
     for (int i = 0; i < count; ++i) {
         float px = plane.left + plane.xAlongX * x[i] + plane.xAlongY * y[i];
         float py = plane.top + plane.yAlongY * y[i] + plane.yAlongX * x[i];
@@ -50,9 +50,8 @@ CANDELA_HOT void perspectiveRays(int count, const float *__restrict x, const flo
         float length = std::sqrt(vx * vx + vy * vy + focalDistance * focalDistance);
         float scale = 1 / length;
         dx[i] = vx * scale, dy[i] = vy * scale, dz[i] = focalDistance * scale;
-        float toNear = near / focalDistance;
-        ox[i] = lensX[i] + vx * toNear, oy[i] = lensY[i] + vy * toNear, oz[i] = near;
-        tMax[i] = (far - near) / dz[i];
+        ox[i] = lensX[i], oy[i] = lensY[i], oz[i] = 0;
+        tMin[i] = near / dz[i], tMax[i] = far / dz[i];
     }
 }
 
@@ -60,13 +59,13 @@ CANDELA_HOT void parallelRays(int count, const float *__restrict x, const float 
                               ImagePlane plane, float near, float far, RayPlanes rays) {
     float *__restrict ox = rays.ox, *__restrict oy = rays.oy, *__restrict oz = rays.oz;
     float *__restrict dx = rays.dx, *__restrict dy = rays.dy, *__restrict dz = rays.dz;
-    float *__restrict tMax = rays.tMax;
+    float *__restrict tMin = rays.tMin, *__restrict tMax = rays.tMax;
     for (int i = 0; i < count; ++i) {
         ox[i] = plane.left + plane.xAlongX * x[i] + plane.xAlongY * y[i];
         oy[i] = plane.top + plane.yAlongY * y[i] + plane.yAlongX * x[i];
-        oz[i] = near;
+        oz[i] = 0;
         dx[i] = 0, dy[i] = 0, dz[i] = 1;
-        tMax[i] = far - near;
+        tMin[i] = near, tMax[i] = far;
     }
 }
 
@@ -131,10 +130,10 @@ void Camera::rays(int count, const float *x, const float *y, const float *lensU,
     float lensX[chunk] = {}, lensY[chunk] = {};
     for (int first = 0; first < count; first += chunk) {
         int n = std::min(chunk, count - first);
-        RayPlanes planes{batch.originX + first,    batch.originY + first,
-                         batch.originZ + first,    batch.directionX + first,
-                         batch.directionY + first, batch.directionZ + first,
-                         batch.tMax + first};
+        RayPlanes planes{batch.origin[0] + first,    batch.origin[1] + first,
+                         batch.origin[2] + first,    batch.direction[0] + first,
+                         batch.direction[1] + first, batch.direction[2] + first,
+                         batch.tMin + first,         batch.tMax + first};
         if (!perspective_) {
             parallelRays(n, x + first, y + first, plane, near_, far_, planes);
             continue;
@@ -145,7 +144,9 @@ void Camera::rays(int count, const float *x, const float *y, const float *lensU,
         perspectiveRays(n, x + first, y + first, lensX, lensY, plane, focalDistance_, near_, far_,
                         planes);
     }
-    std::fill_n(static_cast<float *>(batch.time), count, shutterOpen_);
+    std::fill_n(batch.width, count, perspective_ ? 0 : pixelSize(0));
+    std::fill_n(batch.spread, count, perspective_ ? pixelSize(1) : 0);
+    std::fill_n(batch.time, count, shutterOpen_);
     if (hasShutterInterval())
         for (int i = 0; i < count; ++i)
             batch.time[i] += time01[i] * (shutterClose_ - shutterOpen_);

@@ -2,13 +2,15 @@
 // Memory for batches: 64-byte aligned planes of floats or integers, padded to whole lane blocks.
 #pragma once
 
-#include "language/runtime/shader_abi.h"
-
+#include <cstddef>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
 
 namespace candela {
+
+/// Widest batch step. All planes hold a multiple of this many values and are 64-byte aligned.
+inline constexpr int laneBlock = 16;
 
 /// Rounds a lane count up to whole blocks.
 inline int paddedLanes(int count) { return (count + laneBlock - 1) / laneBlock * laneBlock; }

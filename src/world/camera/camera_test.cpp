@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "world/scene/camera.h"
+#include "world/camera/camera.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -23,8 +23,8 @@ Ray ray(const Camera &camera, float x, float y, float lensU = 0.5f, float lensV 
         float time01 = 0) {
     RayBatch batch(1);
     camera.rays(1, &x, &y, &lensU, &lensV, &time01, batch);
-    return {{batch.originX[0], batch.originY[0], batch.originZ[0]},
-            {batch.directionX[0], batch.directionY[0], batch.directionZ[0]},
+    return {{batch.origin[0][0], batch.origin[1][0], batch.origin[2][0]},
+            {batch.direction[0][0], batch.direction[1][0], batch.direction[2][0]},
             batch.tMax[0],
             batch.time[0]};
 }
@@ -73,7 +73,7 @@ TEST(Camera, RasterAndNdcRoundTrip) {
                 Vec3 ndc = transformPoint(camera.ndcFromCamera(), P);
                 EXPECT_NEAR(ndc.x, x / 320, 1e-5);
                 EXPECT_NEAR(ndc.y, y / 200, 1e-5);
-                Vec3 start = transformPoint(camera.screenFromCamera(), r.origin);
+                Vec3 start = transformPoint(camera.screenFromCamera(), r.origin + r.direction * r.tMin);
                 EXPECT_NEAR(start.z, 0, 1e-5) << "screen depth is 0 at the near plane";
                 Vec3 end = r.origin + r.direction * r.tMax;
                 EXPECT_NEAR(transformPoint(camera.screenFromCamera(), end).z, 1, 1e-5);

@@ -6,7 +6,7 @@
 
 #include "foundation/base/matrix4.h"
 #include "interface/ri/options.h"
-#include "world/scene/ray_batch.h"
+#include "world/rays/ray_batch.h"
 
 namespace candela {
 
@@ -14,10 +14,11 @@ class Camera {
 public:
     explicit Camera(const Options &);
 
-    /// Rays through raster positions (x right, y down, pixels; centre of pixel 0 at 0.5), from
-    /// the near to the far clipping plane. Directions are of unit length. lensU, lensV in [0,1)
-    /// choose the point on the lens, time01 the moment of the shutter interval; they are read if
-    /// there is a lens, or an interval.
+    /// Rays through raster positions (x right, y down, pixels; centre of pixel 0 at 0.5). They
+    /// start at the lens (or, orthographic, on the plane z = 0) and reach from the near to the far
+    /// clipping plane. Directions are of unit length, footprints as wide as a pixel. lensU, lensV
+    /// in [0,1) choose the point on the lens, time01 the moment of the shutter interval; they are
+    /// read if there is a lens, or an interval.
     void rays(int count, const float *x, const float *y, const float *lensU, const float *lensV,
               const float *time01, RayBatch &) const;
 

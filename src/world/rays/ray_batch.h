@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rays and hits in structure-of-arrays batches, current space.
+#pragma once
+
+#include "foundation/base/planes.h"
+
+#include <array>
+#include <cstdint>
+
+namespace candela {
+
+inline constexpr std::uint32_t noHit = 0xffffffff;
+
+/// Points of a ray are origin + t direction with tMin < t <= tMax. A ray that passes a surface
+/// straight on keeps its origin and direction and raises tMin to the t of the surface.
+struct RayBatch {
+    explicit RayBatch(int capacity) : planes(11, capacity) {
+        for (int c = 0; c < 3; ++c)
+            origin[c] = planes[c], direction[c] = planes[3 + c];
+        tMin = planes[6], tMax = planes[7], time = planes[8];
+        width = planes[9], spread = planes[10];
+    }
+
+    int count = 0;
+    Planes<float> planes;
+    std::array<float *, 3> origin, direction; ///< Directions of any length: t is in its multiples.
+    float *tMin;                              ///< >= 0. Hits lie strictly beyond.
+    float *tMax;                              ///< <= tMin: the ray is not traced (it misses).
+    float *time;                              ///< Seconds, within the shutter interval.
+    /// The footprint: a cone that is `width` metres wide at the origin and grows by `spread`
+    /// metres a unit of t. What one sample stands for is about as wide.
+    float *width, *spread;
+};
+
+/// The tMin of a ray that passes what it has met at t: beyond t by more than the rounding with
+/// which the same element is met again.
+inline float passing(float t) { return t * (1 + 4 * 0x1p-23f); }
+
+/// What the rays met, index by index.
+struct HitBatch {
+    explicit HitBatch(int capacity) : integers(3, capacity), floats(6, capacity) {
+        shape = integers[0], element = integers[1], instance = integers[2];
+        t = floats[0], u = floats[1], v = floats[2];
+        for (int c = 0; c < 3; ++c)
+            Ng[c] = floats[3 + c];
+    }
+    Planes<std::uint32_t> integers;
+    Planes<float> floats;
+    std::uint32_t *shape;    ///< Which shape of the scene, or noHit.
+    std::uint32_t *element;  ///< Which triangle (or other element) of the shape.
+    std::uint32_t *instance; ///< Which instance, noHit for shapes that stand in the world itself.
+    float *t, *u, *v; ///< Distance in ray directions; barycentric coordinates on the element.
+    /// Normal of the element, of any length, in the instance's object space (current space in the
+    /// world itself), along (p1 - p0) x (p2 - p0) of the element's corners.
+    std::array<float *, 3> Ng;
+};
+
+} // namespace candela

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world/rays/ray_world.h"
+
+#include "foundation/base/hot.h"
+#include "world/rays/embree_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <pmmintrin.h>
+
+namespace candela {
+
+namespace {
+
+struct RayPlanes {
+    const float *ox, *oy, *oz, *dx, *dy, *dz, *tMin, *tMax;
+};
+
+/// A packet in memory as Embree has it, whatever its width: planes of rays, then of hits.
+template <int width> struct Packet;
+template <> struct Packet<16> {
+    RTCRayHit16 bundle;
+    void intersect(const int *valid, RTCScene scene, RTCIntersectContext *context) {
+        rtcIntersect16(valid, scene, context, &bundle);
+    }
+    void occluded(const int *valid, RTCScene scene, RTCIntersectContext *context) {
+        rtcOccluded16(valid, scene, context, &bundle.ray);
+    }
+};
+template <> struct Packet<8> {
+    RTCRayHit8 bundle;
+    void intersect(const int *valid, RTCScene scene, RTCIntersectContext *context) {
+        rtcIntersect8(valid, scene, context, &bundle);
+    }
+    void occluded(const int *valid, RTCScene scene, RTCIntersectContext *context) {
+        rtcOccluded8(valid, scene, context, &bundle.ray);
+    }
+};
+template <> struct Packet<4> {
+    RTCRayHit4 bundle;
+    void intersect(const int *valid, RTCScene scene, RTCIntersectContext *context) {
+        rtcIntersect4(valid, scene, context, &bundle);
+    }
+    void occluded(const int *valid, RTCScene scene, RTCIntersectContext *context) {
+        rtcOccluded4(valid, scene, context, &bundle.ray);
+    }
+};
+
+/// valid[i] = -1 where ray i is finite, has a direction and reaches beyond its beginning. Others
+/// must reach no kernel, not even masked: those lanes get a harmless ray that is too short.
+CANDELA_HOT void judgeRays(int count, RayPlanes from, int *__restrict valid) {
+    for (int i = 0; i < count; ++i) {
+        // Infinities and NaN survive the multiplication by zero as NaN.
+        bool finite = (from.ox[i] + from.oy[i] + from.oz[i] + from.dx[i] + from.dy[i] +
+                       from.dz[i] + from.tMin[i]) * 0 == 0;
+        // Beyond this, products of coordinates leave the range of floats.
+        constexpr float largest = 1e18f;
+        float size = std::fabs(from.ox[i]) + std::fabs(from.oy[i]) + std::fabs(from.oz[i]);
+        float length = std::fabs(from.dx[i]) + std::fabs(from.dy[i]) + std::fabs(from.dz[i]);
+        bool usable = (size < largest) & (length < largest) & (length > 1 / largest);
+        bool reaches = (from.tMin[i] >= 0) & (from.tMax[i] > from.tMin[i]);
+        valid[i] = finite & usable & reaches ? -1 : 0;
+    }
+}
+
+CANDELA_HOT void copyWhere(int count, const int *__restrict valid, const float *__restrict from,
+                           float otherwise, float *__restrict to) {
+    for (int i = 0; i < count; ++i)
+        to[i] = valid[i] ? from[i] : otherwise;
+}
+
+template <int width>
+void load(const RayBatch &rays, int first, Packet<width> &packet, int *valid) {
+    const RayPlanes from{rays.origin[0] + first,    rays.origin[1] + first,
+                         rays.origin[2] + first,    rays.direction[0] + first,
+                         rays.direction[1] + first, rays.direction[2] + first,
+                         rays.tMin + first,         rays.tMax + first};
+    judgeRays(width, from, valid);
+    if (rays.count - first < width)
+        std::fill(valid + (rays.count - first), valid + width, 0);
+    auto &to = packet.bundle.ray;
+    bool all = std::all_of(valid, valid + width, [](int v) { return v != 0; });
+    auto copy = [&](const float *plane, float otherwise, float *target) {
+        if (all)
+            std::memcpy(target, plane, width * sizeof(float));
+        else
+            copyWhere(width, valid, plane, otherwise, target);
+    };
+    copy(from.ox, 0, to.org_x), copy(from.oy, 0, to.org_y), copy(from.oz, 0, to.org_z);
+    copy(from.dx, 1, to.dir_x), copy(from.dy, 1, to.dir_y), copy(from.dz, 1, to.dir_z);
+    copy(from.tMin, 1, to.tnear), copy(from.tMax, -1, to.tfar);
+}
+
+/// What is the same in all packets of a call; Embree leaves it as it is.
+template <int width> void prime(unsigned mask, Packet<width> &packet) {
+    auto &ray = packet.bundle.ray;
+    std::fill_n(ray.time, width, 0.0f);
+    std::fill_n(ray.mask, width, mask);
+    std::fill_n(ray.flags, width, 0u);
+    for (int i = 0; i < width; ++i)
+        ray.id[i] = unsigned(i);
+}
+
+template <int width>
+void traceNearest(RTCScene scene, RTCIntersectContext &context, unsigned mask,
+                  const RayBatch &rays, HitBatch &hits) {
+    alignas(64) Packet<width> packet;
+    alignas(64) int valid[width];
+    prime(mask, packet);
+    auto &hit = packet.bundle.hit;
+    for (int first = 0; first < rays.count; first += width) {
+        load(rays, first, packet, valid);
+        std::fill_n(hit.geomID, width, noHit);
+        std::fill_n(hit.instID[0], width, noHit);
+        packet.intersect(valid, scene, &context);
+        auto keep = [&](const void *from, void *to) {
+            std::memcpy(static_cast<float *>(to) + first, from, width * sizeof(float));
+        };
+        keep(hit.geomID, hits.shape), keep(hit.primID, hits.element);
+        keep(hit.instID[0], hits.instance);
+        keep(packet.bundle.ray.tfar, hits.t), keep(hit.u, hits.u), keep(hit.v, hits.v);
+        keep(hit.Ng_x, hits.Ng[0]), keep(hit.Ng_y, hits.Ng[1]), keep(hit.Ng_z, hits.Ng[2]);
+    }
+}
+
+template <int width>
+void traceShadows(RTCScene scene, RTCIntersectContext &context, const RayBatch &rays,
+                  std::uint8_t *blocked) {
+    alignas(64) Packet<width> packet;
+    alignas(64) int valid[width];
+    prime(opaqueBit, packet);
+    for (int first = 0; first < rays.count; first += width) {
+        load(rays, first, packet, valid);
+        packet.occluded(valid, scene, &context);
+        int last = std::min(width, rays.count - first);
+        for (int i = 0; i < last; ++i)
+            blocked[first + i] = !valid[i] ? 2 : packet.bundle.ray.tfar[i] < 0 ? 1 : 0;
+    }
+}
+
+/// Instances carry the geometry numbers behind the world's own shapes.
+CANDELA_HOT void nameInstances(int count, std::uint32_t worldShapes,
+                               const std::uint32_t *__restrict firstShape,
+                               std::uint32_t *__restrict instance,
+                               std::uint32_t *__restrict shape) {
+    for (int i = 0; i < count; ++i) {
+        bool placed = instance[i] != noHit;
+        std::uint32_t number = placed ? instance[i] - worldShapes : 0;
+        shape[i] += placed ? firstShape[number] : 0;
+        instance[i] = placed ? number : noHit;
+    }
+}
+
+} // namespace
+
+FlushDenormals::FlushDenormals() : saved_(_mm_getcsr()) {
+    _mm_setcsr(saved_ | _MM_FLUSH_ZERO_ON | _MM_DENORMALS_ZERO_ON);
+}
+
+FlushDenormals::~FlushDenormals() { _mm_setcsr(saved_); }
+
+struct RayWorld::Handles {
+    EmbreeDevice device;
+    RTCScene scene = nullptr;
+    std::vector<RTCScene> objects;
+    int width = device.packetWidth();
+};
+
+RayWorld::RayWorld(const RayObject &world, std::span<const RayObject> objects,
+                   std::span<const RayInstance> instances)
+    : handles_(std::make_unique<Handles>()), worldShapes_(std::uint32_t(world.size())) {
+    FlushDenormals guard;
+    unsigned mask = maskOf(world);
+    for (const RayObject &object : objects) {
+        RTCScene scene = makeScene(handles_->device, object);
+        rtcCommitScene(scene);
+        handles_->objects.push_back(scene);
+    }
+    handles_->scene = makeScene(handles_->device, world);
+    firstShapeOfInstance_.reserve(instances.size());
+    for (const RayInstance &instance : instances) {
+        const unsigned own = maskOf(objects[instance.object]);
+        attachInstance(handles_->device, handles_->scene,
+                       worldShapes_ + unsigned(firstShapeOfInstance_.size()),
+                       handles_->objects[instance.object], own, instance.currentFromObject);
+        firstShapeOfInstance_.push_back(instance.firstShape);
+        mask |= own;
+    }
+    hasTransparent_ = mask & transparentBit;
+    rtcCommitScene(handles_->scene);
+}
+
+RayWorld::~RayWorld() {
+    rtcReleaseScene(handles_->scene);
+    for (RTCScene object : handles_->objects)
+        rtcReleaseScene(object);
+}
+
+std::string RayWorld::failure() const { return handles_->device.failure(); }
+
+void RayWorld::intersect(const RayBatch &rays, HitBatch &hits, Which which, bool coherent) const {
+    FlushDenormals guard;
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags =
+        coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+    const unsigned mask = which == Which::All ? opaqueBit | transparentBit : transparentBit;
+    RTCScene scene = handles_->scene;
+    switch (handles_->width) {
+    case 16: traceNearest<16>(scene, context, mask, rays, hits); break;
+    case 8: traceNearest<8>(scene, context, mask, rays, hits); break;
+    default: traceNearest<4>(scene, context, mask, rays, hits);
+    }
+    if (!firstShapeOfInstance_.empty())
+        nameInstances(rays.count, worldShapes_, firstShapeOfInstance_.data(), hits.instance,
+                      hits.shape);
+}
+
+void RayWorld::occluded(const RayBatch &rays, std::uint8_t *blocked) const {
+    FlushDenormals guard;
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+    RTCScene scene = handles_->scene;
+    switch (handles_->width) {
+    case 16: traceShadows<16>(scene, context, rays, blocked); break;
+    case 8: traceShadows<8>(scene, context, rays, blocked); break;
+    default: traceShadows<4>(scene, context, rays, blocked);
+    }
+}
+
+} // namespace candela
