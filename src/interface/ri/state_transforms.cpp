@@ -27,7 +27,7 @@ static bool isFiniteAsFloats(const Matrix4d &matrix) {
 void StateHandlers::setTransform(const SourceLocation &where, const char *request,
                                  const Matrix4d &matrix) {
     std::optional<Matrix4d> kept = affine(matrix);
-    if (inverse(matrix) && !kept)
+    if (!kept && inverse(matrix))
         warnOnce(where, "projective",
                  std::string(request) + ": this version has no perspective but that of Projection; "
                                         "requests that make things taper are left out");
