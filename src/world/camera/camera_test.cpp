@@ -16,7 +16,7 @@ Options perspectiveOptions(int width, int height, float fov) {
 
 struct Ray {
     Vec3 origin, direction;
-    float tMax, time;
+    float tMin, tMax, time;
 };
 
 Ray ray(const Camera &camera, float x, float y, float lensU = 0.5f, float lensV = 0.5f,
@@ -25,6 +25,7 @@ Ray ray(const Camera &camera, float x, float y, float lensU = 0.5f, float lensV 
     camera.rays(1, &x, &y, &lensU, &lensV, &time01, batch);
     return {{batch.origin[0][0], batch.origin[1][0], batch.origin[2][0]},
             {batch.direction[0][0], batch.direction[1][0], batch.direction[2][0]},
+            batch.tMin[0],
             batch.tMax[0],
             batch.time[0]};
 }
