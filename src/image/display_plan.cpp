@@ -111,7 +111,7 @@ std::vector<PlannedDisplay> planDisplays(const Options &options,
         if (!settle(display, options, available, policy, problem))
             sink.error(where, about + problem);
         else if (std::ranges::find(plan, display.path, &PlannedDisplay::path) != plan.end())
-            sink.error(where, about + "a display before it writes the same file; it is left out");
+            sink.warning(where, about + "a display before it writes the same file; it is left out");
         else
             plan.push_back(std::move(display));
     }

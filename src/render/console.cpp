@@ -23,7 +23,11 @@ std::string durationText(double seconds) {
 
 } // namespace
 
-Console::~Console() { clearLine(); }
+Console::~Console() {
+    clearLine();
+    for (const Diagnostic &note : limit_.rest())
+        std::fprintf(stderr, "%s\n", format(note).c_str());
+}
 
 void Console::clearLine() {
     if (lineShown_)
@@ -33,9 +37,11 @@ void Console::clearLine() {
 
 void Console::report(const Diagnostic &diagnostic) {
     std::lock_guard lock(mutex_);
-    clearLine();
     if (diagnostic.severity >= Severity::Error)
         failed_ = true;
+    if (!limit_.admits(diagnostic))
+        return;
+    clearLine();
     std::fprintf(stderr, "%s\n", format(diagnostic).c_str());
 }
 

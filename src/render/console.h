@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Standard error: diagnostics as they come, and a line of progress below them.
+// Standard error: diagnostics as they come (of each kind no more than are worth reading), and a
+// line of progress below them.
 #pragma once
 
+#include "foundation/base/diagnostic_limit.h"
 #include "foundation/base/diagnostics.h"
 
 #include <atomic>
@@ -15,10 +17,11 @@ class Console : public DiagnosticSink {
 public:
     /// Without `showProgress` (--quiet, or no terminal) only diagnostics are printed.
     explicit Console(bool showProgress) : showProgress_(showProgress) {}
+    /// Says how many more there were of what was too much to print.
     ~Console() override;
 
     void report(const Diagnostic &) override;
-    /// True once an error has been reported.
+    /// True once an error has been reported, printed or not.
     bool failed() const { return failed_; }
 
     /// A new task, named for the progress line; its clock starts.
@@ -35,6 +38,7 @@ private:
     const bool showProgress_;
     std::atomic<bool> failed_{false};
     std::mutex mutex_;
+    DiagnosticLimit limit_;
     std::string task_;
     Clock::time_point start_, lastShown_;
     double done_ = 0;

@@ -122,7 +122,7 @@ void renderFrame(const Scene &scene, const RenderSettings &settings, const std::
     try {
         renderAndWrite(scene, settings, file, listeners);
     } catch (const std::bad_alloc &) {
-        listeners.diagnostics.error({}, "the memory is not enough for this frame; it is not "
+        listeners.diagnostics.error({}, "there is not enough memory for this frame; it is not "
                                         "rendered");
     }
 }

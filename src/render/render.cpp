@@ -10,6 +10,7 @@
 #include "render/shader_folders.h"
 #include "render/statistics.h"
 
+#include <new>
 #include <unistd.h>
 
 namespace candela {
@@ -67,8 +68,14 @@ int renderFile(const std::string &path, const RenderSettings &settings) {
     });
     GraphicsState state(world, shaders, diagnostics, stateSettings(settings));
 
-    RibReader(state, diagnostics).readFile(path);
-    state.finish();
+    try {
+        RibReader(state, diagnostics).readFile(path);
+        state.finish();
+    } catch (const std::bad_alloc &) {
+        diagnostics.error({std::make_shared<const std::string>(path)},
+                          "there is not enough memory to read it; what is left of it is not "
+                          "rendered");
+    }
     if (!sawWorld && !console.failed())
         diagnostics.warning({std::make_shared<const std::string>(path)},
                             "there is no WorldBegin in it: nothing is rendered");

@@ -82,10 +82,18 @@ TEST_F(BadInput, DegeneratePolygon) {
     expectErrorAtTheLine("Polygon \"P\" [0 0 3 1 0 3]", {"Polygon"});
 }
 
-TEST_F(BadInput, PolygonOnALine) {
-    Outcome run = render(sceneWith("Polygon \"P\" [2 2 3 3 3 3 4 4 3]"));
-    EXPECT_EQ(run.signal, 0) << run.text();
-    expectDisc();
+// Nothing that could be seen is lost: a warning.
+TEST_F(BadInput, PolygonsWithoutArea) {
+    const char *table[] = {"Polygon \"P\" [2 2 3 3 3 3 4 4 3]", "Polygon \"P\" [2 2 3 2 2 3 2 2 3]",
+                           "PointsPolygons [3 3] [0 1 2 2 1 0] \"P\" [2 2 3 3 3 3 4 4 3]",
+                           "PointsPolygons [3 3] [0 1 2 0 1 3] \"P\" [2 2 3 3 3 3 4 4 3 3 4 3]"};
+    for (const char *polygons : table) {
+        Outcome run = render(sceneWith(polygons));
+        EXPECT_EQ(run.status, 0) << polygons << run.text();
+        EXPECT_TRUE(run.says("scene.rib:8")) << run.text();
+        EXPECT_TRUE(run.says("warning")) << run.text();
+        expectDisc();
+    }
 }
 
 TEST_F(BadInput, VertexThatIsNotANumber) {
@@ -97,14 +105,47 @@ TEST_F(BadInput, VertexThatIsInfinite) {
     expectErrorAtTheLine("Polygon \"P\" [0 0 3 1e99 0 3 1 1 3]", {"P"});
 }
 
-TEST_F(BadInput, SingularMatrix) {
-    expectErrorAtTheLine("Translate 9 0 5 ConcatTransform [1 0 0 0 0 1 0 0 0 0 0 0 0 0 0 1] "
-                         "Sphere 1 -1 1 360",
-                         {"singular"});
+TEST_F(BadInput, SingularTransformationsLeaveOutWhatIsFlat) {
+    const std::string transforms[] = {"ConcatTransform [1 0 0 0 0 1 0 0 0 0 0 0 0 0 0 1]",
+                                      "Scale 1 0 1", "Scale 0 0 0",
+                                      "Transform [1 1 0 0 1 1 0 0 0 0 1 0 0 0 5 1]"};
+    for (const std::string &transform : transforms) {
+        Outcome run = render(sceneWith("Translate 0 0 4 " + transform +
+                                       " Surface \"matte\" "
+                                       "LightSource \"pointlight\" 7 Sphere 1 -1 1 360"));
+        EXPECT_EQ(run.status, 0) << run.text();
+        EXPECT_TRUE(run.says("scene.rib:8")) << run.text();
+        EXPECT_TRUE(run.says("Sphere: the transformation is singular")) << run.text();
+        expectDisc();
+    }
+    expectReportedAndRendered("AttributeEnd WorldEnd Scale 1 1 0 WorldBegin WorldEnd Identity "
+                              "WorldBegin AttributeBegin",
+                              {"singular", "scene.rib:8"});
 }
 
-TEST_F(BadInput, ScaleByZero) {
-    expectErrorAtTheLine("Translate 9 0 5 Scale 1 0 1 Sphere 1 -1 1 360", {"singular"});
+TEST_F(BadInput, TransformationsThatAreNotFinite) {
+    for (const char *request : {"Translate 1e99 0 0", "Scale nan 1 1", "Rotate inf 0 0 1",
+                                "ConcatTransform [1e99 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1]",
+                                "Scale 1e30 1 1 Scale 1e30 1 1 Identity"})
+        expectErrorAtTheLine(std::string("Translate 9 0 5 ") + request, {});
+}
+
+TEST_F(BadInput, ObjectsThatDoNotMatch) {
+    const std::pair<const char *, const char *> table[] = {
+        {"ObjectEnd", "ObjectEnd without ObjectBegin"},
+        {"ObjectInstance 3", "no object '3'"},
+        {"ObjectBegin 1 ObjectInstance 1 ObjectEnd ObjectInstance 1", "no object '1'"},
+        {"ObjectBegin 1 ObjectBegin 2 Sphere 1 -1 1 360 ObjectEnd",
+         "ObjectBegin is not legal between ObjectBegin and ObjectEnd"},
+        {"ObjectBegin 1 AttributeBegin ObjectEnd", "ObjectEnd: the AttributeBegin at"},
+        {"AttributeBegin ObjectBegin 1 AttributeEnd ObjectEnd AttributeEnd",
+         "AttributeEnd without AttributeBegin"},
+        {"ObjectBegin 1 WorldEnd ObjectEnd WorldBegin AttributeBegin", "is still open"},
+    };
+    for (auto [requests, said] : table)
+        expectErrorAtTheLine(requests, {said});
+    expectReportedAndRendered("ObjectInstance 9 ObjectBegin 1 Translate 1e99 0 0 ObjectEnd",
+                              {"no object '9'", "Translate"});
 }
 
 TEST_F(BadInput, ShaderParameterOfAnotherType) {

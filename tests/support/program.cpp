@@ -36,6 +36,10 @@ void redirect(int stream, const std::string &path, int flags) {
         rlimit limit{rlim_t(settings.fileSizeLimit), rlim_t(settings.fileSizeLimit)};
         setrlimit(RLIMIT_FSIZE, &limit);
     }
+    if (settings.memoryLimit >= 0) {
+        rlimit limit{rlim_t(settings.memoryLimit), rlim_t(settings.memoryLimit)};
+        setrlimit(RLIMIT_AS, &limit);
+    }
     alarm(unsigned(settings.secondsAllowed)); // outlives exec: what hangs is ended
     execv(arguments[0], arguments.data());
     _exit(couldNotStart);

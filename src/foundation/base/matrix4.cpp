@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "foundation/base/matrix4.h"
 
+#include "foundation/base/matrix4d.h"
+
+#include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace candela {
 
@@ -19,50 +21,15 @@ Matrix4 operator*(const Matrix4 &a, const Matrix4 &b) {
 }
 
 std::optional<Matrix4> inverse(const Matrix4 &matrix) {
-    // Gauss-Jordan with partial pivoting on the matrix beside the identity.
-    double work[4][8];
-    for (int row = 0; row < 4; ++row)
-        for (int column = 0; column < 4; ++column) {
-            work[row][column] = matrix.at(row, column);
-            work[row][column + 4] = row == column;
-            if (!std::isfinite(work[row][column]))
-                return std::nullopt;
-        }
-    for (int pivot = 0; pivot < 4; ++pivot) {
-        int best = pivot;
-        for (int row = pivot + 1; row < 4; ++row)
-            if (std::fabs(work[row][pivot]) > std::fabs(work[best][pivot]))
-                best = row;
-        if (work[best][pivot] == 0)
-            return std::nullopt;
-        std::swap(work[pivot], work[best]);
-        double scale = 1 / work[pivot][pivot];
-        for (double &entry : work[pivot])
-            entry *= scale;
-        for (int row = 0; row < 4; ++row) {
-            if (row == pivot)
-                continue;
-            double factor = work[row][pivot];
-            for (int column = 0; column < 8; ++column)
-                work[row][column] -= factor * work[pivot][column];
-        }
-    }
-    Matrix4 result;
-    for (int row = 0; row < 4; ++row)
-        for (int column = 0; column < 4; ++column) {
-            result.at(row, column) = float(work[row][column + 4]);
-            if (!std::isfinite(result.at(row, column)))
-                return std::nullopt;
-        }
-    return result;
+    std::optional<Matrix4d> exact = inverse(inDouble(matrix));
+    if (!exact)
+        return std::nullopt;
+    Matrix4 result = exact->rounded();
+    bool finite = std::ranges::all_of(result.m, [](float entry) { return std::isfinite(entry); });
+    return finite ? std::optional(result) : std::nullopt;
 }
 
-double determinant3(const Matrix4 &a) {
-    auto e = [&](int r, int c) { return double(a.at(r, c)); };
-    return e(0, 0) * (e(1, 1) * e(2, 2) - e(1, 2) * e(2, 1)) -
-           e(0, 1) * (e(1, 0) * e(2, 2) - e(1, 2) * e(2, 0)) +
-           e(0, 2) * (e(1, 0) * e(2, 1) - e(1, 1) * e(2, 0));
-}
+double determinant3(const Matrix4 &a) { return determinant3(inDouble(a)); }
 
 Matrix4 translation(float x, float y, float z) {
     return {{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, y, z, 1}};
@@ -72,37 +39,12 @@ Matrix4 scaling(float x, float y, float z) {
     return {{x, 0, 0, 0, 0, y, 0, 0, 0, 0, z, 0, 0, 0, 0, 1}};
 }
 
-Matrix4 rotation(float degrees, Vec3 axis) {
-    Vec3 a = normalize(axis);
-    double angle = degrees * M_PI / 180;
-    double s = std::sin(angle), c = std::cos(angle), k = 1 - c;
-    double x = a.x, y = a.y, z = a.z;
-    auto f = [](double value) { return float(value); };
-    return {{f(x * x * k + c), f(x * y * k + z * s), f(x * z * k - y * s), 0, //
-             f(x * y * k - z * s), f(y * y * k + c), f(y * z * k + x * s), 0, //
-             f(x * z * k + y * s), f(y * z * k - x * s), f(z * z * k + c), 0, //
-             0, 0, 0, 1}};
-}
+Matrix4 rotation(float degrees, Vec3 axis) { return rotationInDouble(degrees, axis).rounded(); }
 
-Matrix4 skew(float degrees, Vec3 dy, Vec3 dx) {
-    // A point's height along `dy` (orthogonal to `dx`) moves it by tan(angle) along `dx`,
-    // where the angle is the one that turns `dy` by `degrees` towards `dx`.
-    Vec3 along = normalize(dx);
-    Vec3 unit = normalize(dy);
-    double lean = std::acos(std::fmax(-1.0, std::fmin(1.0, dot(unit, along))));
-    Vec3 up = normalize(unit - along * dot(unit, along));
-    double from = M_PI / 2 - lean, to = from + degrees * M_PI / 180;
-    float shear = float(std::tan(to) - std::tan(from));
-    Matrix4 result;
-    for (int row = 0; row < 3; ++row)
-        for (int column = 0; column < 3; ++column)
-            result.at(row, column) += up[row] * along[column] * shear;
-    return result;
-}
+Matrix4 skew(float degrees, Vec3 dy, Vec3 dx) { return skewInDouble(degrees, dy, dx).rounded(); }
 
 Matrix4 perspective(float fieldOfViewDegrees) {
-    float scale = float(1 / std::tan(fieldOfViewDegrees * M_PI / 360));
-    return {{scale, 0, 0, 0, 0, scale, 0, 0, 0, 0, 1, 1, 0, 0, -1, 0}};
+    return perspectiveInDouble(fieldOfViewDegrees).rounded();
 }
 
 Vec3 transformPoint(const Matrix4 &a, Vec3 p) {

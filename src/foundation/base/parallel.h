@@ -21,8 +21,9 @@ private:
 /// The number of threads that parallelFor may use now.
 int threadCount();
 
-/// Calls body(i) once for every i in [0, count), on any thread, in any order. The body must not
-/// throw. Flush-to-zero stays as the calling code set it on each thread.
+/// Calls body(i) once for every i in [0, count), on any thread, in any order. What a body
+/// throws (std::bad_alloc) comes out of here once the others have ended; calls not yet begun are
+/// left out. Flush-to-zero stays as the calling code set it on each thread.
 void parallelFor(std::size_t count, const std::function<void(std::size_t)> &body);
 
 } // namespace candela

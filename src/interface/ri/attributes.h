@@ -64,10 +64,12 @@ struct Attributes {
     bool smoothInterpolation = false;
     bool matte = false;
     int sides = 2;
-    /// True: the surface normal is the primitive's natural dPdu x dPdv, both taken in current
-    /// (camera) space, turned round. Orientation, ReverseOrientation and the handedness of the CTM
-    /// are already folded in. (A normal that is made in object space and then transformed as a
-    /// normal keeps its side in a mirror, so there the handedness must be taken out again.)
+    /// True: the natural normal in object space, carried along as a covector, is turned round. So
+    /// it is for inside orientation exactly: a covector keeps its side in a mirror, and the
+    /// handedness of the transformation has no part in it. (dPdu x dPdv taken in current space
+    /// has: a mirror turns that product.) Normals given by the user are turned like the natural
+    /// one. At an instance, its flag and that of each primitive of the object combine by "either,
+    /// not both".
     bool flipNormal = false;
     BasisRecord uBasis, vBasis;
     std::string name; ///< Attribute "identifier" "name".

@@ -1,56 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Orientation, lights, shaders, named options and attributes, and what of them is refused.
+// Lights, shaders, named options and attributes, and what of them is refused.
 #include "interface/ri/graphics_state_fixture.h"
 
 #include <cmath>
 
 namespace candela::testing {
-
-TEST_F(State, outsideStaysOutsideWhereSpaceIsMirrored) {
-    // The flag turns the cross product of camera-space derivatives: a mirror turns that product,
-    // so it must be turned back.
-    state.worldBegin(at);
-    sphere();
-    EXPECT_FALSE(last().flipNormal);
-    state.scale(at, -1, 1, 1);
-    sphere();
-    EXPECT_TRUE(last().flipNormal);
-    state.scale(at, 1, 1, -1);
-    sphere();
-    EXPECT_FALSE(last().flipNormal);
-}
-
-TEST_F(State, aMirroringCameraMirrorsToo) {
-    state.scale(at, 1, 1, -1); // The usual way to a right-handed world.
-    state.worldBegin(at);
-    sphere();
-    EXPECT_TRUE(last().flipNormal);
-}
-
-TEST_F(State, orientationIsFolded) {
-    struct {
-        bool mirrored;
-        const char *name;
-        bool flip;
-    } cases[] = {{false, "outside", false}, {false, "inside", true}, {false, "lh", false},
-                 {false, "rh", true},       {true, "outside", true}, {true, "inside", false},
-                 {true, "lh", false},       {true, "rh", true}};
-    state.worldBegin(at);
-    for (const auto &each : cases) {
-        state.attributeBegin(at);
-        if (each.mirrored)
-            state.scale(at, -1, 1, 1);
-        state.orientation(at, each.name);
-        sphere();
-        EXPECT_EQ(last().flipNormal, each.flip) << each.mirrored << each.name;
-        state.reverseOrientation(at);
-        sphere();
-        EXPECT_EQ(last().flipNormal, !each.flip) << each.mirrored << each.name;
-        state.attributeEnd(at);
-    }
-    state.orientation(at, "sideways");
-    EXPECT_EQ(errors(), 1);
-}
 
 TEST_F(State, lightsAreSwitchedByBlocks) {
     light("outer");
@@ -261,40 +215,6 @@ TEST_F(State, nonsenseInOptionsIsReportedAndHasNoEffect) {
     EXPECT_EQ(options.camera.fieldOfView, 90);
     EXPECT_EQ(options.camera.near, standard.camera.near);
     EXPECT_EQ(options.xSamples, 2);
-}
-
-TEST_F(State, singularTransformationsAreReportedAndIgnored) {
-    state.worldBegin(at);
-    state.translate(at, 1, 2, 3);
-    state.scale(at, 0, 1, 1);
-    state.transform(at, Matrix4{{}});
-    state.concatTransform(at, Matrix4{{1, 1, 0, 0, 1, 1}});
-    state.translate(at, NAN, 0, 0);
-    state.rotate(at, 30, 0, 0, 0);
-    state.rotate(at, INFINITY, 0, 0, 1);
-    state.perspective(at, 0);
-    state.skew(at, 30, 1, 0, 0, 2, 0, 0);
-    state.skew(at, 95, 0, 1, 0, 1, 0, 0);
-    EXPECT_EQ(errors(), 9);
-    sphere();
-    EXPECT_EQ(primitives()[0].currentFromObject.atOpen(), translation(1, 2, 3));
-}
-
-TEST_F(State, noTransformationTapers) {
-    state.translate(at, 1, 2, 3);
-    state.perspective(at, 90);
-    state.perspective(at, 60);
-    EXPECT_EQ(warnings(), 1);
-    EXPECT_TRUE(says("Perspective: this version has no perspective but that of Projection"));
-    state.worldBegin(at);
-    Matrix4 scaled = translation(4, 5, 6); // All of it by 2: the same place.
-    for (float &entry : scaled.m)
-        entry *= 2;
-    scaled.at(0, 3) = 1e-7f;
-    state.concatTransform(at, scaled);
-    sphere();
-    EXPECT_EQ(primitives()[0].place(0, 0, 0), (Vec3{5, 7, 9}));
-    EXPECT_EQ(errors(), 0);
 }
 
 TEST_F(State, matteIsForLater) {

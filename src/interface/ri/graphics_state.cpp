@@ -58,6 +58,8 @@ void GraphicsState::reportScope(RequestId id, const SourceLocation &where, unsig
     unsigned wrong = place & ~request.legalScopes;
     if (wrong & scope::InMotion)
         policy_.error(where, name + " is not legal between MotionBegin and MotionEnd");
+    else if ((wrong & scope::InObject) && name.ends_with("Begin"))
+        policy_.error(where, name + " is not legal between ObjectBegin and ObjectEnd");
     else if (wrong & scope::InObject)
         handlers_->warnOnce(where, "scope:" + name,
                             name + " has no effect between ObjectBegin and ObjectEnd: an object "
@@ -88,12 +90,8 @@ bool GraphicsState::isLaterMotionSample(RequestId id, const SourceLocation &wher
     return true;
 }
 
-GraphicsState::Verdict GraphicsState::judge(RequestId id, const SourceLocation &where) {
-    if (stopped() || !isLegal(id, where) || isLaterMotionSample(id, where) || !nest(id, where))
-        return Verdict::Drop;
-    // ObjectBegin itself has just opened the block, and ObjectEnd closed it: neither is recorded.
-    bool defining = isOpen(BlockKind::Object) && id != RequestId::ObjectBegin;
-    return defining ? Verdict::Record : Verdict::Run;
+bool GraphicsState::admit(RequestId id, const SourceLocation &where) {
+    return !stopped() && isLegal(id, where) && !isLaterMotionSample(id, where) && nest(id, where);
 }
 
 bool GraphicsState::nest(RequestId id, const SourceLocation &where) {
@@ -117,7 +115,7 @@ bool GraphicsState::nest(RequestId id, const SourceLocation &where) {
             return false;
         }
         return open(BlockKind::Frame);
-    case RequestId::WorldBegin: replayed_ = 0; return open(BlockKind::World);
+    case RequestId::WorldBegin: return open(BlockKind::World);
     case RequestId::AttributeBegin: return open(BlockKind::Attribute);
     case RequestId::TransformBegin: return open(BlockKind::Transform);
     case RequestId::SolidBegin: return open(BlockKind::Solid);
@@ -180,18 +178,6 @@ void GraphicsState::finish() {
                       std::string(beginOf(int(block->kind))) + " is never closed" +
                           (block->kind == BlockKind::World ? "; its world is not rendered" : ""));
     blocks_.clear();
-}
-
-void GraphicsState::record(RecordedRequest request, std::int64_t weight) {
-    recording_->requests.push_back(std::move(request));
-    recording_->weight += weight;
-}
-
-void GraphicsState::replay(const std::shared_ptr<const ObjectDefinition> &object) {
-    handlers_->instanceBegin();
-    for (const RecordedRequest &request : object->requests)
-        request(*this);
-    handlers_->instanceEnd();
 }
 
 } // namespace candela

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The graphics state: a sink of requests that keeps options, attributes and transformations and
 // tells a SceneBuilder of worlds (RI 3.2, section 4). This class judges where a request stands
-// (scopes, nesting, object definitions, motion blocks); what a request does is StateHandlers'.
+// (scopes, nesting, motion blocks); what a request does is StateHandlers'.
 #pragma once
 
 #include "interface/ri/error_policy.h"
@@ -9,9 +9,6 @@
 #include "interface/ri/request_sink.h"
 #include "interface/ri/scene_builder.h"
 
-#include <cstdint>
-#include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -50,16 +47,8 @@ private:
         BlockKind kind;
         SourceLocation where;
     };
-    /// A recorded request, ready to be made again.
-    using RecordedRequest = std::function<void(GraphicsState &)>;
-    struct ObjectDefinition {
-        std::vector<RecordedRequest> requests;
-        int depth = 1;           ///< Levels of instances below.
-        std::int64_t weight = 0; ///< Requests that one instance makes, those of others included.
-    };
-    enum class Verdict { Drop, Record, Run };
-
-    Verdict judge(RequestId, const SourceLocation &);
+    /// True if the request is to be done.
+    bool admit(RequestId, const SourceLocation &);
     bool isLegal(RequestId, const SourceLocation &);
     void reportScope(RequestId, const SourceLocation &, unsigned place);
     bool isLaterMotionSample(RequestId, const SourceLocation &);
@@ -69,16 +58,10 @@ private:
     bool nest(RequestId, const SourceLocation &);
     bool closeBlock(BlockKind, RequestId, const SourceLocation &);
     void endInnermost(const SourceLocation &);
-    void record(RecordedRequest, std::int64_t weight = 1);
-    void replay(const std::shared_ptr<const ObjectDefinition> &);
 
     ErrorPolicy &policy_;
     std::unique_ptr<StateHandlers> handlers_;
     std::vector<Block> blocks_;
-    std::map<std::string, std::shared_ptr<const ObjectDefinition>> objects_;
-    std::string objectHandle_; ///< Of the definition that is being recorded.
-    std::shared_ptr<ObjectDefinition> recording_;
-    std::int64_t replayed_ = 0;              ///< Requests that instances have made in this world.
     std::optional<RequestId> motionRequest_; ///< What the open motion block is about.
 };
 

@@ -8,17 +8,9 @@
 namespace candela {
 
 Attributes &StateHandlers::edit() {
-    attributes_.snapshot.reset();
-    return attributes_.values;
-}
-
-std::shared_ptr<const Attributes> StateHandlers::currentAttributes() {
-    bool flip = attributes_.inside != flipsHandedness(ctm_);
-    if (flip != attributes_.values.flipNormal)
-        edit().flipNormal = flip;
-    if (!attributes_.snapshot)
-        attributes_.snapshot = std::make_shared<const Attributes>(attributes_.values);
-    return attributes_.snapshot;
+    if (attributes_.use_count() > 1)
+        attributes_ = std::make_shared<Attributes>(*attributes_);
+    return *attributes_;
 }
 
 static bool allFinite(const Color &color) {
@@ -77,20 +69,21 @@ void StateHandlers::geometricApproximation(const SourceLocation &where, const st
 }
 
 void StateHandlers::orientation(const SourceLocation &where, const std::string &name) {
-    // The orientation is kept relative to that of the coordinate system, so that later
-    // transformations which mirror leave the outside outside.
-    bool rightHanded = flipsHandedness(ctm_);
+    // RI 3.2, 4.2.9: the orientation turns with the handedness of the coordinate system. Kept
+    // relative to that, it stays as it is whatever transformations come later.
+    bool rightHanded = flipsHandedness(ctm_.matrix);
     if (name == "outside" || name == "inside")
-        attributes_.inside = name == "inside";
+        edit().flipNormal = name == "inside";
     else if (name == "lh" || name == "rh")
-        attributes_.inside = (name == "rh") != rightHanded;
+        edit().flipNormal = (name == "rh") != rightHanded;
     else
         error(where, "Orientation",
               "'" + name + "' is unknown: expected \"outside\", \"inside\", \"lh\" or \"rh\"");
 }
 
 void StateHandlers::reverseOrientation(const SourceLocation &) {
-    attributes_.inside = !attributes_.inside;
+    bool &flip = edit().flipNormal;
+    flip = !flip;
 }
 
 void StateHandlers::sides(const SourceLocation &where, int sides) {

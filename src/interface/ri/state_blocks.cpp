@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <new>
 
 namespace candela {
 
@@ -79,7 +80,8 @@ void StateHandlers::errorHandler(const SourceLocation &where, const std::string 
 }
 
 void StateHandlers::saveGlobals() {
-    savedGlobals_.push_back({options_, attributes_, ctm_, base_, lights_});
+    savedGlobals_.push_back(
+        {options_, attributes_, ctm_, base_, coordinateSystems_, lights_, objects_});
 }
 
 void StateHandlers::restoreGlobals() {
@@ -88,7 +90,9 @@ void StateHandlers::restoreGlobals() {
     attributes_ = std::move(saved.attributes);
     ctm_ = saved.ctm;
     base_ = saved.base;
+    coordinateSystems_ = std::move(saved.coordinateSystems);
     lights_ = std::move(saved.lights);
+    objects_ = std::move(saved.objects);
     savedGlobals_.pop_back();
 }
 
@@ -99,22 +103,36 @@ void StateHandlers::frameBegin(const SourceLocation &, int number) {
 
 void StateHandlers::frameEnd(const SourceLocation &) { restoreGlobals(); }
 
-void StateHandlers::worldBegin(const SourceLocation &) {
+void StateHandlers::worldBegin(const SourceLocation &where) {
     saveGlobals();
-    options_.camera.cameraFromWorld = ctm_;
-    options_.coordinateSystems["world"] = ctm_;
+    if (ctm_.flat) {
+        error(where, "WorldBegin",
+              "the transformation from world to camera is singular (it flattens space); the world "
+              "is seen without it");
+        ctm_ = {};
+    }
+    const Matrix4 cameraFromWorld = ctm_.matrix.rounded();
+    options_.camera.cameraFromWorld = cameraFromWorld;
+    options_.coordinateSystems["world"] = cameraFromWorld;
     options_.coordinateSystems["camera"] = Matrix4{};
+    coordinateSystems_["world"] = ctm_;
+    coordinateSystems_["camera"] = {};
     base_ = ctm_;
     inWorld_ = true;
     if (settings_.overrideOptions)
         settings_.overrideOptions(options_);
     builder_.worldBegin(options_);
+    tellKeptObjects();
     for (const auto &light : lights_.all)
         builder_.light(light);
 }
 
-void StateHandlers::worldEnd(const SourceLocation &) {
-    builder_.worldEnd();
+void StateHandlers::worldEnd(const SourceLocation &where) {
+    try {
+        builder_.worldEnd();
+    } catch (const std::bad_alloc &) {
+        error(where, "WorldEnd", "there is not enough memory for this world; it is not rendered");
+    }
     inWorld_ = false;
     restoreGlobals();
 }
@@ -146,17 +164,5 @@ void StateHandlers::solidBegin(const SourceLocation &where, const std::string &)
 }
 
 void StateHandlers::solidEnd(const SourceLocation &where) { attributeEnd(where); }
-
-void StateHandlers::instanceBegin() {
-    attributeBegin({});
-    savedBases_.push_back(base_);
-    base_ = ctm_;
-}
-
-void StateHandlers::instanceEnd() {
-    base_ = savedBases_.back();
-    savedBases_.pop_back();
-    attributeEnd({});
-}
 
 } // namespace candela

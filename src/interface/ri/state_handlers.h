@@ -3,9 +3,11 @@
 // legal where it stands. Private to the room: GraphicsState is the way in.
 #pragma once
 
+#include "foundation/base/matrix4d.h"
 #include "interface/ri/declarations.h"
 #include "interface/ri/error_policy.h"
 #include "interface/ri/graphics_state_settings.h"
+#include "interface/ri/object_record.h"
 #include "interface/ri/request_table.h"
 #include "interface/ri/scene_builder.h"
 
@@ -27,11 +29,6 @@ public:
     void handler(const SourceLocation &where CANDELA_PARAMETERS(__VA_ARGS__));
 #include "interface/ri/requests.def"
 
-    /// Around the replay of an object: attributes and transformation are restored, and Transform
-    /// and Identity are relative to the transformation of the instance.
-    void instanceBegin();
-    void instanceEnd();
-
     std::optional<std::string> findArchive(const std::string &name,
                                            const SourceLocation &where) const;
     /// Reports a warning the first time that this `about` comes up.
@@ -41,10 +38,9 @@ private:
     using Token = ParsedToken;
     using SharedParameters = std::vector<ShaderLookup::ParameterType>;
 
-    struct AttributeState {
-        Attributes values;
-        bool inside = false; ///< Orientation is the opposite of the coordinate system's own.
-        std::shared_ptr<const Attributes> snapshot; ///< Of `values`; null after a change.
+    struct CurrentTransform {
+        Matrix4d matrix;   ///< Current (camera) from object space.
+        bool flat = false; ///< It is singular: what stands under it is left out.
     };
     struct LightState {
         std::vector<std::shared_ptr<const LightRecord>> all;
@@ -53,9 +49,17 @@ private:
     /// All that FrameBegin and WorldBegin save.
     struct GlobalState {
         Options options;
-        AttributeState attributes;
-        Matrix4 ctm, base;
+        std::shared_ptr<Attributes> attributes;
+        CurrentTransform ctm, base;
+        std::map<std::string, CurrentTransform> coordinateSystems;
         LightState lights;
+        ObjectNames objects;
+    };
+    /// The object that is being defined.
+    struct OpenObject {
+        std::string handle;
+        ObjectNames::Entry entry;
+        std::shared_ptr<ObjectRecord> record; ///< Null in a world, where the builder hears of it.
     };
 
     void error(const SourceLocation &, const char *request, const std::string &message);
@@ -63,11 +67,17 @@ private:
     bool finite(const SourceLocation &, const char *request, std::initializer_list<float>);
 
     // Attributes and transformation.
+    /// For a change; what has been handed on stays as it is.
     Attributes &edit();
-    std::shared_ptr<const Attributes> currentAttributes();
-    MotionTransform currentTransform() const { return {{{options_.camera.shutterOpen, ctm_}}}; }
-    void setTransform(const SourceLocation &, const char *request, const Matrix4 &);
-    void concatenate(const SourceLocation &, const char *request, const Matrix4 &);
+    std::shared_ptr<const Attributes> currentAttributes() const { return attributes_; }
+    MotionTransform currentTransform() const {
+        return {{{options_.camera.shutterOpen, ctm_.matrix.rounded()}}};
+    }
+    void setTransform(const SourceLocation &, const char *request, const Matrix4d &);
+    void concatenate(const SourceLocation &, const char *request, const Matrix4d &);
+    /// True, and a warning, if the current transformation is singular.
+    bool isFlat(const SourceLocation &, const char *request, const char *what);
+    void setScreen(const SourceLocation &);
     std::optional<BasisRecord> basisOf(const SourceLocation &, const BasisArgument &, int step);
 
     // Parameters.
@@ -96,6 +106,8 @@ private:
                                      const TokenList &);
     void emitPolygons(const SourceLocation &, const char *request, PolygonsRecord,
                       const TokenList &);
+    void tell(ObjectPart);
+    void tellKeptObjects();
     void saveGlobals();
     void restoreGlobals();
 
@@ -106,15 +118,18 @@ private:
 
     Dictionary dictionary_;
     Options options_;
-    AttributeState attributes_;
-    Matrix4 ctm_;  ///< Camera (current) from object space.
-    Matrix4 base_; ///< What Identity goes back to: world space inside a world block.
+    std::shared_ptr<Attributes> attributes_ = std::make_shared<Attributes>();
+    CurrentTransform ctm_;
+    CurrentTransform base_; ///< What Identity goes back to: world space inside a world block.
+    std::map<std::string, CurrentTransform> coordinateSystems_;
     LightState lights_;
+    ObjectNames objects_;
+    std::optional<OpenObject> openObject_;
     bool inWorld_ = false;
 
     std::vector<GlobalState> savedGlobals_;
-    std::vector<AttributeState> savedAttributes_;
-    std::vector<Matrix4> savedTransforms_, savedBases_;
+    std::vector<std::shared_ptr<Attributes>> savedAttributes_;
+    std::vector<CurrentTransform> savedTransforms_, savedBases_;
     std::set<std::string> warned_;
 };
 

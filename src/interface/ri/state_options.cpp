@@ -48,9 +48,11 @@ void StateHandlers::cropWindow(const SourceLocation &where, float x0, float x1, 
 
 void StateHandlers::projection(const SourceLocation &where, const std::string &name,
                                const TokenList &tokens) {
-    if (name != "perspective" && name != "orthographic")
+    const bool none = name == "null" || name.empty();
+    if (name != "perspective" && name != "orthographic" && !none)
         return error(where, "Projection",
-                     "'" + name + "' is unknown: expected \"perspective\" or \"orthographic\"");
+                     "'" + name +
+                         "' is unknown: expected \"perspective\", \"orthographic\" or \"null\"");
     float fieldOfView = parameters(where, tokens, "Projection").number("fov", 90);
     if (!(fieldOfView > 0 && fieldOfView < 180)) {
         error(where, "Projection", "expected \"fov\" between 0 and 180 degrees; using 90");
@@ -58,12 +60,27 @@ void StateHandlers::projection(const SourceLocation &where, const std::string &n
     }
     options_.camera.perspective = name == "perspective";
     options_.camera.fieldOfView = fieldOfView;
-    // What stood before would move the projected picture; camera space starts here.
-    if (ctm_ != Matrix4{})
-        warnOnce(where, "Projection",
-                 "Projection: the transformations before it, which would "
-                 "move the picture plane, are not used by this version");
-    ctm_ = Matrix4{};
+    // RI 3.2, 4.1.1: without a projection, what stands before it leads from the world to the
+    // camera; with one, it moves the projected picture, and camera space starts here.
+    options_.camera.screenFromProjected = {};
+    if (none)
+        return;
+    setScreen(where);
+    ctm_ = {};
+}
+
+/// The current transformation becomes the one from projected to screen space.
+void StateHandlers::setScreen(const SourceLocation &where) {
+    Matrix4d screen = ctm_.matrix;
+    if (screen.at(2, 0) != 0 || screen.at(2, 1) != 0)
+        diagnostics_.warning(where, "Projection: the transformation before it moves the picture "
+                                    "with depth; that part of it is left out");
+    screen.at(2, 0) = screen.at(2, 1) = 0;
+    if (inverse(screen.rounded()))
+        options_.camera.screenFromProjected = screen.rounded();
+    else
+        error(where, "Projection",
+              "the transformation before it leaves nothing of the picture; it is left out");
 }
 
 void StateHandlers::clipping(const SourceLocation &where, float near, float far) {

@@ -83,7 +83,7 @@ ParameterList StateHandlers::primitiveVariables(const SourceLocation &where, con
 
 void StateHandlers::emit(const SourceLocation &where, const char *request, ShapeRecord shape,
                          const TokenList &tokens) {
-    const Attributes &attributes = attributes_.values;
+    const Attributes &attributes = *attributes_;
     auto leaveOut = [&](const std::string &why) {
         error(where, request, why + "; the primitive is left out");
     };
@@ -112,9 +112,11 @@ void StateHandlers::emit(const SourceLocation &where, const char *request, Shape
         else
             error(where, request, defect + "; the variable is left out");
     }
+    if (isFlat(where, request, "the primitive"))
+        return;
     auto record = std::make_shared<const PrimitiveRecord>(
         PrimitiveRecord{std::move(shape), std::move(kept), where});
-    builder_.primitive(std::move(record), currentAttributes(), currentTransform());
+    tell({std::move(record), -1, currentAttributes(), currentTransform()});
 }
 
 void StateHandlers::sphere(const SourceLocation &where, float radius, float zMin, float zMax,

@@ -100,6 +100,10 @@ StateHandlers::shaderParameterType(const TokenValue &value, const ParsedToken &t
 ShaderRecord StateHandlers::shader(const SourceLocation &where, const char *request,
                                    ShaderKind kind, const std::string &name,
                                    const TokenList &tokens) {
+    if (ctm_.flat)
+        diagnostics_.warning(where, std::string(request) +
+                                        ": the transformation is singular (it flattens space), and "
+                                        "so is shader space");
     auto known = shaders_.parametersOf(kind, name, options_, where);
     ShaderRecord result{name, {where, {}}, currentTransform()};
     for (const TokenValue &value : tokens.all) {
@@ -129,7 +133,7 @@ void StateHandlers::surface(const SourceLocation &where, const std::string &name
 
 LightUnits StateHandlers::lightUnits(const SourceLocation &where) {
     std::string standard = options_.string("radiometry:units", "classic");
-    std::string units = attributes_.values.string("light:units", standard);
+    std::string units = attributes_->string("light:units", standard);
     if (units != "classic" && units != "si")
         warnOnce(where, "units:" + units,
                  "'" + units +
@@ -139,7 +143,7 @@ LightUnits StateHandlers::lightUnits(const SourceLocation &where) {
 }
 
 bool StateHandlers::lightShadows(const SourceLocation &where) {
-    std::string shadows = attributes_.values.string("light:shadows", "off");
+    std::string shadows = attributes_->string("light:shadows", "off");
     if (shadows != "on" && shadows != "off")
         warnOnce(where, "shadows:" + shadows,
                  "Attribute \"light\" \"shadows\": expected \"on\" or \"off\", found '" + shadows +

@@ -7,11 +7,11 @@
 namespace candela {
 
 /// The matrix without what rounding has left in its last column; nothing if it is projective.
-static std::optional<Matrix4> affine(const Matrix4 &matrix) {
-    const float w = matrix.at(3, 3);
-    Matrix4 result;
+static std::optional<Matrix4d> affine(const Matrix4d &matrix) {
+    const double w = matrix.at(3, 3);
+    Matrix4d result;
     for (int row = 0; row < 4; ++row) {
-        if (row < 3 && !(std::fabs(matrix.at(row, 3)) <= 1e-6f * std::fabs(w)))
+        if (row < 3 && !(std::fabs(matrix.at(row, 3)) <= 1e-6 * std::fabs(w)))
             return std::nullopt;
         for (int column = 0; column < 3; ++column)
             result.at(row, column) = matrix.at(row, column) / w;
@@ -19,44 +19,57 @@ static std::optional<Matrix4> affine(const Matrix4 &matrix) {
     return result;
 }
 
+/// Also where the world, which gets floats, could not hold it.
+static bool isFiniteAsFloats(const Matrix4d &matrix) {
+    return isFinite(inDouble(matrix.rounded()));
+}
+
 void StateHandlers::setTransform(const SourceLocation &where, const char *request,
-                                 const Matrix4 &matrix) {
-    std::optional<Matrix4> kept = affine(matrix);
-    if (inverse(matrix) && !kept)
+                                 const Matrix4d &matrix) {
+    std::optional<Matrix4d> kept = affine(matrix);
+    if (!kept && inverse(matrix))
         warnOnce(where, "projective",
                  std::string(request) + ": this version has no perspective but that of Projection; "
                                         "requests that make things taper are left out");
-    else if (kept && inverse(*kept))
-        ctm_ = *kept;
+    else if (kept && isFiniteAsFloats(*kept))
+        ctm_ = {*kept, !inverse(kept->rounded())};
     else
         error(where, request,
-              "the transformation would be singular (it flattens space) or is "
-              "not finite; the request is left out");
+              "the transformation would not be finite, or a projection onto a plane; the request "
+              "is left out");
 }
 
 void StateHandlers::concatenate(const SourceLocation &where, const char *request,
-                                const Matrix4 &matrix) {
-    setTransform(where, request, matrix * ctm_);
+                                const Matrix4d &matrix) {
+    setTransform(where, request, matrix * ctm_.matrix);
+}
+
+bool StateHandlers::isFlat(const SourceLocation &where, const char *request, const char *what) {
+    if (ctm_.flat)
+        diagnostics_.warning(where, std::string(request) +
+                                        ": the transformation is singular (it flattens space); " +
+                                        what + " is left out");
+    return ctm_.flat;
 }
 
 void StateHandlers::identity(const SourceLocation &) { ctm_ = base_; }
 
 void StateHandlers::transform(const SourceLocation &where, const Matrix4 &matrix) {
-    setTransform(where, "Transform", matrix * base_);
+    setTransform(where, "Transform", inDouble(matrix) * base_.matrix);
 }
 
 void StateHandlers::concatTransform(const SourceLocation &where, const Matrix4 &matrix) {
-    concatenate(where, "ConcatTransform", matrix);
+    concatenate(where, "ConcatTransform", inDouble(matrix));
 }
 
 void StateHandlers::perspective(const SourceLocation &where, float fieldOfView) {
     if (!(fieldOfView > 0 && fieldOfView < 180))
         return error(where, "Perspective", "expected an angle between 0 and 180 degrees");
-    concatenate(where, "Perspective", candela::perspective(fieldOfView));
+    concatenate(where, "Perspective", perspectiveInDouble(fieldOfView));
 }
 
 void StateHandlers::translate(const SourceLocation &where, float dx, float dy, float dz) {
-    concatenate(where, "Translate", translation(dx, dy, dz));
+    concatenate(where, "Translate", translationInDouble(dx, dy, dz));
 }
 
 void StateHandlers::rotate(const SourceLocation &where, float angle, float dx, float dy, float dz) {
@@ -64,11 +77,11 @@ void StateHandlers::rotate(const SourceLocation &where, float angle, float dx, f
         return;
     if (length({dx, dy, dz}) == 0)
         return error(where, "Rotate", "the axis has no length; the request is left out");
-    concatenate(where, "Rotate", rotation(angle, {dx, dy, dz}));
+    concatenate(where, "Rotate", rotationInDouble(angle, {dx, dy, dz}));
 }
 
 void StateHandlers::scale(const SourceLocation &where, float sx, float sy, float sz) {
-    concatenate(where, "Scale", scaling(sx, sy, sz));
+    concatenate(where, "Scale", scalingInDouble(sx, sy, sz));
 }
 
 void StateHandlers::skew(const SourceLocation &where, float angle, float dx1, float dy1, float dz1,
@@ -83,18 +96,20 @@ void StateHandlers::skew(const SourceLocation &where, float angle, float dx1, fl
         return error(where, "Skew",
                      "expected an angle below the one between the axes and above "
                      "that minus 180 degrees");
-    concatenate(where, "Skew", candela::skew(angle, turned, towards));
+    concatenate(where, "Skew", skewInDouble(angle, turned, towards));
 }
 
 void StateHandlers::coordinateSystem(const SourceLocation &, const std::string &name) {
-    options_.coordinateSystems[name] = ctm_;
+    const Matrix4 currentFromSpace = ctm_.matrix.rounded();
+    coordinateSystems_[name] = ctm_;
+    options_.coordinateSystems[name] = currentFromSpace;
     if (inWorld_)
-        builder_.coordinateSystem(name, ctm_);
+        builder_.coordinateSystem(name, currentFromSpace);
 }
 
 void StateHandlers::coordSysTransform(const SourceLocation &where, const std::string &name) {
-    auto found = options_.coordinateSystems.find(name);
-    if (found != options_.coordinateSystems.end())
+    auto found = coordinateSystems_.find(name);
+    if (found != coordinateSystems_.end())
         ctm_ = found->second;
     else
         error(where, "CoordSysTransform", "no coordinate system '" + name + "' has been named");

@@ -32,7 +32,8 @@ struct RayPlanes {
 
 /// Where raster positions fall on the plane z = 1 (perspective) or z = 0 (orthographic).
 struct ImagePlane {
-    float left, top, xStep, yStep;
+    float left, top; ///< Of the raster's corner.
+    float xAlongX, yAlongX, xAlongY, yAlongY;
 };
 
 CANDELA_HOT void perspectiveRays(int count, const float *__restrict x, const float *__restrict y,
@@ -43,7 +44,8 @@ CANDELA_HOT void perspectiveRays(int count, const float *__restrict x, const flo
     float *__restrict dx = rays.dx, *__restrict dy = rays.dy, *__restrict dz = rays.dz;
     float *__restrict tMin = rays.tMin, *__restrict tMax = rays.tMax;
     for (int i = 0; i < count; ++i) {
-        float px = plane.left + plane.xStep * x[i], py = plane.top + plane.yStep * y[i];
+        float px = plane.left + plane.xAlongX * x[i] + plane.xAlongY * y[i];
+        float py = plane.top + plane.yAlongY * y[i] + plane.yAlongX * x[i];
         float vx = px * focalDistance - lensX[i], vy = py * focalDistance - lensY[i];
         float length = std::sqrt(vx * vx + vy * vy + focalDistance * focalDistance);
         float scale = 1 / length;
@@ -59,7 +61,8 @@ CANDELA_HOT void parallelRays(int count, const float *__restrict x, const float 
     float *__restrict dx = rays.dx, *__restrict dy = rays.dy, *__restrict dz = rays.dz;
     float *__restrict tMin = rays.tMin, *__restrict tMax = rays.tMax;
     for (int i = 0; i < count; ++i) {
-        ox[i] = plane.left + plane.xStep * x[i], oy[i] = plane.top + plane.yStep * y[i];
+        ox[i] = plane.left + plane.xAlongX * x[i] + plane.xAlongY * y[i];
+        oy[i] = plane.top + plane.yAlongY * y[i] + plane.yAlongX * x[i];
         oz[i] = 0;
         dx[i] = 0, dy[i] = 0, dz[i] = 1;
         tMin[i] = near, tMax[i] = far;
@@ -103,11 +106,17 @@ Camera::Camera(const Options &options) {
 
     auto [left, right, bottom, top] = options.effectiveScreenWindow();
     auto [width, height] = options.effectiveResolution();
-    left_ = left / focal_, top_ = top / focal_;
-    xStep_ = (right - left) / float(width) / focal_;
-    yStep_ = (bottom - top) / float(height) / focal_;
+    const Matrix4 projectedFromScreen = inverse(record.screenFromProjected).value_or(Matrix4{});
+    const Vec3 corner = transformPoint(projectedFromScreen, {left, top, 0}) / focal_;
+    const Vec3 xStep =
+        transformVector(projectedFromScreen, {(right - left) / float(width) / focal_, 0, 0});
+    const Vec3 yStep =
+        transformVector(projectedFromScreen, {0, (bottom - top) / float(height) / focal_, 0});
+    for (int axis = 0; axis < 2; ++axis)
+        origin_[axis] = corner[axis], xStep_[axis] = xStep[axis], yStep_[axis] = yStep[axis];
 
-    screenFromCamera_ = screenMatrix(perspective_, focal_, near_, far_);
+    screenFromCamera_ =
+        screenMatrix(perspective_, focal_, near_, far_) * record.screenFromProjected;
     Matrix4 ndcFromScreen =
         translation(-left, -top, 0) * scaling(1 / (right - left), 1 / (bottom - top), 1);
     ndcFromCamera_ = screenFromCamera_ * ndcFromScreen;
@@ -117,7 +126,7 @@ Camera::Camera(const Options &options) {
 void Camera::rays(int count, const float *x, const float *y, const float *lensU, const float *lensV,
                   const float *time01, RayBatch &batch) const {
     batch.count = count;
-    ImagePlane plane{left_, top_, xStep_, yStep_};
+    ImagePlane plane{origin_[0], origin_[1], xStep_[0], xStep_[1], yStep_[0], yStep_[1]};
     float lensX[chunk] = {}, lensY[chunk] = {};
     for (int first = 0; first < count; first += chunk) {
         int n = std::min(chunk, count - first);
@@ -144,7 +153,7 @@ void Camera::rays(int count, const float *x, const float *y, const float *lensU,
 }
 
 float Camera::pixelSize(float z) const {
-    float atOne = std::min(std::abs(xStep_), std::abs(yStep_));
+    float atOne = std::min(std::hypot(xStep_[0], xStep_[1]), std::hypot(yStep_[0], yStep_[1]));
     return perspective_ ? atOne * std::abs(z) : atOne;
 }
 

@@ -36,7 +36,9 @@ private:
     Matrix4 screenFromCamera_, ndcFromCamera_, rasterFromCamera_;
     bool perspective_ = false;
     float near_ = 0, far_ = 0;
-    float left_ = -1, top_ = 1, xStep_ = 0, yStep_ = 0; ///< Screen window and pixel steps.
+    /// Raster to the plane z = 1 (perspective; orthographic: any z): a row each for the origin, a
+    /// step of a pixel in x, and one in y.
+    float origin_[2] = {-1, 1}, xStep_[2] = {}, yStep_[2] = {};
     float lensRadius_ = 0, focalDistance_ = 0;
     float shutterOpen_ = 0, shutterClose_ = 0;
     float focal_ = 1; ///< Distance of the screen plane for which the screen window is stated.

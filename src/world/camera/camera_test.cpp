@@ -16,7 +16,7 @@ Options perspectiveOptions(int width, int height, float fov) {
 
 struct Ray {
     Vec3 origin, direction;
-    float tMax, time;
+    float tMin, tMax, time;
 };
 
 Ray ray(const Camera &camera, float x, float y, float lensU = 0.5f, float lensV = 0.5f,
@@ -25,6 +25,7 @@ Ray ray(const Camera &camera, float x, float y, float lensU = 0.5f, float lensV 
     camera.rays(1, &x, &y, &lensU, &lensV, &time01, batch);
     return {{batch.origin[0][0], batch.origin[1][0], batch.origin[2][0]},
             {batch.direction[0][0], batch.direction[1][0], batch.direction[2][0]},
+            batch.tMin[0],
             batch.tMax[0],
             batch.time[0]};
 }
@@ -73,12 +74,46 @@ TEST(Camera, RasterAndNdcRoundTrip) {
                 Vec3 ndc = transformPoint(camera.ndcFromCamera(), P);
                 EXPECT_NEAR(ndc.x, x / 320, 1e-5);
                 EXPECT_NEAR(ndc.y, y / 200, 1e-5);
-                Vec3 start = transformPoint(camera.screenFromCamera(), r.origin + r.direction * r.tMin);
+                Vec3 start =
+                    transformPoint(camera.screenFromCamera(), r.origin + r.direction * r.tMin);
                 EXPECT_NEAR(start.z, 0, 1e-5) << "screen depth is 0 at the near plane";
                 Vec3 end = r.origin + r.direction * r.tMax;
                 EXPECT_NEAR(transformPoint(camera.screenFromCamera(), end).z, 1, 1e-5);
             }
     }
+}
+
+// What stands before Projection moves the picture: a point is seen where it was, moved so.
+TEST(Camera, TransformationsOfTheScreenMoveThePicture) {
+    const Matrix4 moves[] = {scaling(0.5f, 0.5f, 1),
+                             rotation(90, {0, 0, 1}),
+                             scaling(-1, 1, 1),
+                             translation(0.25f, -0.5f, 0),
+                             rotation(30, {0, 0, 1}) * scaling(2, 0.5f, 3) * translation(1, 0, 0),
+                             skew(20, {0, 1, 0}, {1, 0, 0})};
+    for (bool perspective : {false, true})
+        for (const Matrix4 &move : moves) {
+            Options options = perspectiveOptions(200, 200, 50);
+            options.camera.perspective = perspective;
+            options.camera.near = 0.5f, options.camera.far = 100;
+            const Camera still(options);
+            options.camera.screenFromProjected = move;
+            const Camera moved(options);
+            for (Vec3 P : {Vec3{0, 0, 2}, {0.3f, 0.1f, 2}, {-0.2f, 0.4f, 7}}) {
+                const Vec3 screen =
+                    transformPoint(move, transformPoint(still.screenFromCamera(), P));
+                EXPECT_NEAR(length(transformPoint(moved.screenFromCamera(), P) - screen), 0, 2e-6);
+                const Vec3 raster = transformPoint(moved.rasterFromCamera(), P);
+                const Ray r = ray(moved, raster.x, raster.y);
+                const Vec3 seen = r.origin + r.direction * ((P.z - r.origin.z) / r.direction.z);
+                EXPECT_NEAR(length(seen - P), 0, 1e-5);
+                // One pixel on is as far as dicing believes at least.
+                const Ray next = ray(moved, raster.x + 1, raster.y);
+                const Vec3 beside =
+                    next.origin + next.direction * ((P.z - next.origin.z) / next.direction.z);
+                EXPECT_GE(length(beside - P), moved.pixelSize(P.z) * 0.999f);
+            }
+        }
 }
 
 TEST(Camera, OrthographicRaysAreParallel) {

@@ -120,7 +120,8 @@ std::optional<PolygonMesh> triangulateFaces(const PolygonsRecord &polygons,
     FaceTriangulator triangulator(polygons, mesh);
     triangulator.run();
     if (mesh.triangles.empty()) {
-        diagnostics.error(record.where, "no polygon of the primitive has an area; it is dropped");
+        diagnostics.warning(record.where,
+                            "no polygon of the primitive has an area; it is left out");
         return std::nullopt;
     }
     triangulator.report(record.where, diagnostics);

@@ -311,10 +311,11 @@ TEST(BadPolygons, InconsistentRecordsAreRefused) {
     const std::vector<float> p = {0, 0, 0, 1, 0, 0, 0, 1, 0};
     std::vector<float> notFinite = p;
     notFinite[4] = NAN;
-    auto refused = [](PolygonsRecord mesh, std::vector<Parameter> variables) {
+    auto refused = [](PolygonsRecord mesh, std::vector<Parameter> variables,
+                      Severity severity = Severity::Error) {
         DiagnosticList diagnostics;
         EXPECT_TRUE(makeSurfaces(record(mesh, std::move(variables)), {}, diagnostics).empty());
-        EXPECT_EQ(diagnostics.count(Severity::Error), 1);
+        EXPECT_EQ(diagnostics.count(severity), 1);
         EXPECT_EQ(diagnostics.text().substr(0, 12), "test.rib:17:");
     };
     refused({{1}, {3}, {0, 1, 3}}, {points(p)});
@@ -324,8 +325,9 @@ TEST(BadPolygons, InconsistentRecordsAreRefused) {
     refused({{-1, 2}, {3}, {0, 1, 2}}, {points(p)});
     refused({{1}, {3}, {0, 1, 2}}, {});
     refused({{1}, {3}, {0, 1, 2}}, {points(notFinite)});
-    refused({{1}, {3}, {0, 1, 0}}, {points(p)}); // No area at all.
-    refused({{}, {}, {}}, {points(p)});
+    // No area at all: nothing is lost.
+    refused({{1}, {3}, {0, 1, 0}}, {points(p)}, Severity::Warning);
+    refused({{}, {}, {}}, {points(p)}, Severity::Warning);
     refused({{1}, {3}, {0, 1, 2}}, {parameter("Pw", StorageClass::Vertex, ValueType::HPoint,
                                               {0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 1})});
 }

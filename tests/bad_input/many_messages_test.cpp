@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// A mistake made very often: a few of its messages and how many more there were.
+#include "tests/bad_input/bad_input.h"
+
+#include <algorithm>
+
+namespace candela::test {
+
+namespace {
+
+long lines(const std::string &text) { return std::count(text.begin(), text.end(), '\n'); }
+
+std::string repeated(const std::string &request, int count) {
+    std::string text;
+    for (int i = 0; i < count; ++i)
+        text += request + "\n";
+    return text;
+}
+
+} // namespace
+
+TEST_F(BadInput, TenThousandBadPrimitivesAreTwentyOneLines) {
+    Outcome run = render(sceneWith(repeated("Sphere 0 0 0 360", 10000)));
+    EXPECT_EQ(run.status, 1);
+    EXPECT_EQ(lines(run.err), 21) << run.err.substr(0, 4000);
+    EXPECT_TRUE(run.says("9980 more like this: Sphere: it is degenerate")) << run.text();
+    expectDisc();
+}
+
+TEST_F(BadInput, NumbersAndNamesMakeNoNewKind) {
+    std::string wrong;
+    for (int i = 0; i < 500; ++i) {
+        const std::string number = std::to_string(i);
+        wrong += "ObjectInstance " + number +
+                 "\nPolygon \"P\" [0 0 3 1 0 3 1 1 3] \"varying float s" + "\" [" +
+                 repeated(number, 4 + i) + "]\n";
+    }
+    Outcome run = render(sceneWith(wrong));
+    EXPECT_EQ(run.status, 1);
+    EXPECT_EQ(lines(run.err), 2 * 21) << run.err.substr(0, 8000);
+    EXPECT_TRUE(run.says("480 more like this: ObjectInstance: no object '20'")) << run.text();
+    expectDisc();
+}
+
+// What is not printed counts all the same, and warnings stay warnings.
+TEST_F(BadInput, SuppressionLeavesTheExitStatus) {
+    Outcome run = render(sceneWith("Scale 1 0 1\n" + repeated("Sphere 1 -1 1 360", 100)));
+    EXPECT_EQ(run.status, 0) << run.text();
+    EXPECT_EQ(lines(run.err), 21) << run.text();
+    run =
+        render(sceneWith("Scale 1 0 1\n" + repeated("Sphere 1 -1 1 360", 100) + "Sphere 0 0 0 1"));
+    EXPECT_EQ(run.status, 1) << run.text();
+    EXPECT_EQ(lines(run.err), 22) << run.text();
+    run = render("ErrorHandler \"ignore\"\n" + sceneWith(repeated("Sphere 0 0 0 360", 100)));
+    EXPECT_EQ(run.err, "");
+}
+
+} // namespace candela::test
