@@ -8,8 +8,9 @@
 namespace candela {
 
 /// sin and cos of x in [-pi/4, pi/4]; errors below 1e-15.
-inline void sinCosEighth(double x, double &sine, double &cosine) {
+[[gnu::always_inline]] inline void sinCosEighth(double x, double &sine, double &cosine) {
     double z = x * x, s = 1, c = 1;
+#pragma GCC unroll 8
     for (int k = 8; k > 0; --k) { // Taylor, innermost term first.
         s = 1 - z * s * (1.0 / (2 * k * (2 * k + 1)));
         c = 1 - z * c * (1.0 / (2 * k * (2 * k - 1)));
@@ -18,7 +19,7 @@ inline void sinCosEighth(double x, double &sine, double &cosine) {
 }
 
 /// sin and cos of x >= 0, a few turns at most; errors below 1e-15.
-inline void sinCosOf(double x, double &sine, double &cosine) {
+[[gnu::always_inline]] inline void sinCosOf(double x, double &sine, double &cosine) {
     int quarter = int(x * (2 / std::numbers::pi) + 0.5);
     double s, c;
     sinCosEighth(x - quarter * (std::numbers::pi / 2), s, c);
@@ -28,7 +29,7 @@ inline void sinCosOf(double x, double &sine, double &cosine) {
 }
 
 /// The angle in [0, pi] of the direction (x, y) with the x axis, for y >= 0; error below 1e-14.
-inline double angleOf(double y, double x) {
+[[gnu::always_inline]] inline double angleOf(double y, double x) {
     double ax = std::fabs(x);
     bool steep = y > ax;
     double low = steep ? ax : y, high = steep ? y : ax;
@@ -36,6 +37,7 @@ inline double angleOf(double y, double x) {
     bool beyond = low > (std::numbers::sqrt2 - 1) * high;
     double t = (beyond ? low - high : low) / (beyond ? low + high : high);
     double z = t * t, sum = 0;
+#pragma GCC unroll 18
     for (int k = 17; k >= 0; --k)
         sum = 1.0 / (2 * k + 1) - z * sum;
     double angle = t * sum + (beyond ? std::numbers::pi / 4 : 0);

@@ -40,10 +40,10 @@ double cosOfDifference(double cosA, double sinA, double cosB, double sinB) {
 
 double sineOf(double cosine) { return std::sqrt(std::max(1 - cosine * cosine, 0.0)); }
 
-/// An estimate of the irradiance (times 4 pi) that a node gives; 0 only if it can give none.
+/// An estimate of the irradiance that a node gives; 0 only if it can give none.
 double importance(const LightTree::Node &node, const Point &p) {
-    if (!(node.power > 0) || !p.sound)
-        return node.power;
+    if (!(node.intensity > 0) || !p.sound)
+        return node.intensity;
     double v[3], d2 = 0, r2 = 0, height = 0, reach = 0, scale = 0, facing = 0;
     for (int k = 0; k < 3; ++k) {
         v[k] = node.centre[k] - p.P[k];
@@ -54,16 +54,21 @@ double importance(const LightTree::Node &node, const Point &p) {
     }
     if (p.horizon && height + reach < -1e-6 * scale)
         return 0;
-    double weight = node.power / std::max({d2, r2, 1e-30});
+    double weight = node.intensity / std::max({d2, r2, 1e-30});
     if (d2 <= r2)
         return weight;
     double d = std::sqrt(d2), sinBox = std::sqrt(r2 / d2), cosBox = sineOf(sinBox);
     double cosAxis = std::clamp(facing / d, -1.0, 1.0);
     // From the normals' cone, then from the box.
-    double nearest = cosOfDifference(cosAxis, sineOf(cosAxis), node.cosNormal, node.sinNormal);
-    nearest = cosOfDifference(nearest, sineOf(nearest), cosBox, sinBox);
+    auto nearestTo = [&](double cosine) {
+        double c = cosOfDifference(cosine, sineOf(cosine), node.cosNormal, node.sinNormal);
+        return cosOfDifference(c, sineOf(c), cosBox, sinBox);
+    };
+    double nearest = nearestTo(cosAxis);
     if (nearest < node.cosEmission - margin)
         return 0;
+    if (node.cosEmission < -margin) // Backs shine as fronts do.
+        nearest = std::max(nearest, nearestTo(-cosAxis));
     weight *= std::max(nearest, leastCosine);
     if (p.horizon) {
         double cosine = std::clamp(height / d, -1.0, 1.0);
@@ -123,6 +128,12 @@ void LightTree::probability(int count, const float *const P[3], const float *con
         }
         probability[i] = rounded(product);
     }
+}
+
+void LightTree::irradiance(int count, const float *const P[3], const float *const N[3],
+                           double *irradiance) const {
+    for (int i = 0; i < count; ++i)
+        irradiance[i] = nodes_.empty() ? 0 : importance(nodes_[0], pointAt(P, N, i));
 }
 
 } // namespace candela

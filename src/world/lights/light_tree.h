@@ -12,12 +12,17 @@
 namespace candela {
 
 /// What is known of an emitter. Angles in radians, 0 to pi.
+///
+/// Its intensity is estimated as power / (the solid angle it may light, weighted by the cosine with
+/// the nearest normal): power / (4 pi) with normals in all directions, power / pi for one normal
+/// and an emission spread of pi / 2 (Lambertian), power / (2 pi) for one normal and a spread above
+/// pi / 2, which stands for Lambertian on both sides.
 struct EmitterBound {
     Box3 box;                 ///< Metres.
     Vec3 axis;                ///< Unit vector; zero stands for normals in all directions.
     float normalSpread = 0;   ///< Largest angle of its normals with the axis.
     float emissionSpread = 0; ///< Largest angle to a normal in which light is sent.
-    float power = 0;          ///< Watts, or any unit that all emitters share.
+    float power = 0;          ///< Watts.
 };
 
 class LightTree {
@@ -37,12 +42,17 @@ public:
     void probability(int count, const float *const P[3], const float *const N[3],
                      const std::int32_t *emitter, float *probability) const;
 
+    /// An estimate of the irradiance of all emitters together, W m^-2. 0 only if the bounds say
+    /// that nothing shines here; there choose() gives -1.
+    void irradiance(int count, const float *const P[3], const float *const N[3],
+                    double *irradiance) const;
+
     /// Bounds of a subtree, prepared for the walk. The first child follows its parent.
     struct Node {
         Vec3 centre, half; ///< Of the box.
         Vec3 axis;
         float cosNormal, sinNormal, cosEmission;
-        float power;
+        float intensity;   ///< Watts per steradian, see EmitterBound. 0 only if black.
         std::int32_t link; ///< The second child, or ~emitter in a leaf.
     };
 

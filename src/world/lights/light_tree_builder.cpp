@@ -82,11 +82,15 @@ double area(const Box3 &box) {
     return 2 * (double(e.x) * e.y + double(e.y) * e.z + double(e.z) * e.x);
 }
 
-/// The solid angle, weighted by a cosine past the normals, that a bound may light.
+/// The solid angle, weighted by a cosine past the normals, that a bound may light; emission past
+/// a right angle counts as that of a second side.
 double orientation(const Bound &b) {
-    double o = b.normal, w = std::min(o + b.emission, pi);
-    return 2 * pi * (1 - std::cos(o)) +
-           pi / 2 * (2 * w * std::sin(o) - std::cos(o - 2 * w) - 2 * o * std::sin(o) + std::cos(o));
+    double o = b.normal, w = std::min(o + std::min(b.emission, pi / 2), pi);
+    double side =
+        2 * pi * (1 - std::cos(o)) +
+        pi / 2 * (2 * w * std::sin(o) - std::cos(o - 2 * w) - 2 * o * std::sin(o) + std::cos(o));
+    bool bothSides = b.emission > pi / 2 + 1e-5;
+    return std::clamp(bothSides ? 2 * side : side, 1e-3, 4 * pi);
 }
 
 double cost(const Bound &b) { return b.power > 0 ? b.power * area(b.box) * orientation(b) : 0; }
@@ -139,7 +143,7 @@ private:
         node.axis = b.axis;
         node.cosNormal = float(std::cos(b.normal)), node.sinNormal = float(std::sin(b.normal));
         node.cosEmission = float(std::cos(b.emission));
-        node.power = float(std::min(b.power, 3e38));
+        node.intensity = float(std::clamp(b.power / orientation(b), 0x1p-126, 3e38));
         return node;
     }
 

@@ -49,7 +49,7 @@ struct SeenSphere {
     float density;
 };
 
-inline SeenSphere seen(Double3 toCentre, double radius) {
+[[gnu::always_inline]] inline SeenSphere seen(Double3 toCentre, double radius) {
     SeenSphere s;
     s.d2 = dot(toCentre, toCentre);
     double r2 = radius * radius;
@@ -64,7 +64,8 @@ inline SeenSphere seen(Double3 toCentre, double radius) {
 
 /// The unit square onto the unit disc (Shirley and Chiu 1997): cosine and sine of the azimuth, and
 /// the radius, which may be negative.
-inline void disc(double u, double v, double &cosine, double &sine, double &radius) {
+[[gnu::always_inline]] inline void disc(double u, double v, double &cosine, double &sine,
+                                        double &radius) {
     double a = 2 * u - 1, b = 2 * v - 1;
     bool wide = std::fabs(a) > std::fabs(b);
     radius = wide ? a : b;
@@ -75,8 +76,9 @@ inline void disc(double u, double v, double &cosine, double &sine, double &radiu
 
 /// The point that P sees on the sphere at `across` (unit, at right angles to the unit vector
 /// `towards` the centre) and the share `rho2` of the cone's solid angle within.
-inline Double3 pointOnSphere(Double3 P, Double3 centre, double radius, const SeenSphere &s,
-                             Double3 towards, Double3 across, double rho, double rho2) {
+[[gnu::always_inline]] inline Double3 pointOnSphere(Double3 P, Double3 centre, double radius,
+                                                    const SeenSphere &s, Double3 towards,
+                                                    Double3 across, double rho, double rho2) {
     double d = std::sqrt(s.d2), r2 = radius * radius;
     double height = s.height * rho2, cosine = 1 - height;
     double sine = rho * std::sqrt(s.height * (2 - height)); // The sign of rho is part of azimuth.
@@ -109,13 +111,13 @@ struct SeenRectangle {
 constexpr double leastSolidAngle = 1e-4;
 
 /// Distance of P from a plane through `corner`, 0 if it's but rounding.
-inline double heightOver(Double3 toCorner, Double3 unitNormal) {
+[[gnu::always_inline]] inline double heightOver(Double3 toCorner, Double3 unitNormal) {
     double height = std::fabs(dot(toCorner, unitNormal));
     double scale = std::fabs(toCorner.x) + std::fabs(toCorner.y) + std::fabs(toCorner.z);
     return height > 4e-15 * scale ? height : 0.0;
 }
 
-inline SeenRectangle seen(Double3 toCorner, Double3 edgeA, Double3 edgeB) {
+[[gnu::always_inline]] inline SeenRectangle seen(Double3 toCorner, Double3 edgeA, Double3 edgeB) {
     SeenRectangle r;
     r.lengthA = std::sqrt(dot(edgeA, edgeA)), r.lengthB = std::sqrt(dot(edgeB, edgeB));
     Double3 normal = cross(edgeA, edgeB);
@@ -138,19 +140,19 @@ inline SeenRectangle seen(Double3 toCorner, Double3 edgeA, Double3 edgeB) {
 }
 
 /// d^2 / (area cosine), the cosine taken from P's height alone, whatever the point's rounding.
-inline double areaDensity(Double3 fromP, double height, double area) {
+[[gnu::always_inline]] inline double areaDensity(Double3 fromP, double height, double area) {
     double d2 = dot(fromP, fromP);
     return d2 * std::sqrt(d2) / (area * height);
 }
 
-inline float density(const SeenRectangle &r, Double3 fromP) {
+[[gnu::always_inline]] inline float density(const SeenRectangle &r, Double3 fromP) {
     double byArea = areaDensity(fromP, r.height, r.lengthA * r.lengthB);
     float density = rounded(r.byArea ? byArea : 1 / r.solidAngle);
     return r.visible ? density : 0.0f;
 }
 
 /// Turns (u,v) to shares of the edges, uniformly by solid angle.
-inline void spread(const SeenRectangle &r, double &u, double &v) {
+[[gnu::always_inline]] inline void spread(const SeenRectangle &r, double &u, double &v) {
     double h2 = r.height * r.height;
     double b0 = -r.y0 / std::sqrt(r.y0 * r.y0 + h2), b1 = r.y1 / std::sqrt(r.y1 * r.y1 + h2);
     double sine, cosine, angle = u * r.solidAngle + r.k;
@@ -171,8 +173,8 @@ inline void spread(const SeenRectangle &r, double &u, double &v) {
     u = u < 1 ? u : 1.0, v = v < 1 ? v : 1.0;
 }
 
-inline float triangleDensity(Double3 P, Double3 corner, Double3 edgeA, Double3 edgeB,
-                             Double3 point) {
+[[gnu::always_inline]] inline float triangleDensity(Double3 P, Double3 corner, Double3 edgeA,
+                                                    Double3 edgeB, Double3 point) {
     Double3 normal = cross(edgeA, edgeB);
     double twice = std::sqrt(dot(normal, normal));
     double height = heightOver(corner - P, normal * (1 / twice));
