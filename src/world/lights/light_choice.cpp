@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world/lights/light_choice.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace candela {
+
+namespace {
+
+constexpr double largestBelow1 = 0x1.fffffffffffffp-1;
+/// What either side gets at least where both may shine: estimates know nothing of shadows.
+constexpr double leastShare = 0.1;
+/// What a cosine weighs at least where light is possible, and the room culling leaves for rounding.
+constexpr double leastCosine = 0.01, margin = 1e-5;
+
+struct Normal {
+    double x, y, z;
+    bool horizon;
+};
+
+Normal normalAt(const float *const N[3], int i) {
+    Normal n{N[0][i], N[1][i], N[2][i], false};
+    double length2 = n.x * n.x + n.y * n.y + n.z * n.z;
+    n.horizon = length2 > 0 && std::isfinite(length2);
+    return n;
+}
+
+/// An estimate of the irradiance of a light, 0 only if it gives none.
+double irradiance(const InfiniteLight &light, const Normal &n) {
+    if (light.everywhere || !n.horizon)
+        return light.irradiance;
+    double cosine = n.x * light.axis.x + n.y * light.axis.y + n.z * light.axis.z;
+    cosine = std::clamp(cosine, -1.0, 1.0);
+    double cosHalf = light.cosHalfAngle, sinHalf = std::sqrt(1 - cosHalf * cosHalf);
+    if (cosine < -sinHalf - margin)
+        return 0;
+    double sine = std::sqrt(1 - cosine * cosine);
+    double nearest = cosine >= cosHalf ? 1 : cosine * cosHalf + sine * sinHalf;
+    return light.irradiance * std::max(nearest, leastCosine);
+}
+
+double irradiance(std::span<const InfiniteLight> lights, const Normal &n) {
+    double sum = 0;
+    for (const InfiniteLight &light : lights)
+        sum += irradiance(light, n);
+    return sum;
+}
+
+/// The probability of the infinite ones together, from the irradiances of both sides.
+double infiniteShare(double infinite, double finite) {
+    if (!(infinite > 0) || !(finite > 0))
+        return infinite > 0 ? 1 : 0;
+    return leastShare + (1 - 2 * leastShare) * (infinite / (infinite + finite));
+}
+
+/// Broken estimates become black, broken cones the whole sphere.
+InfiniteLight sound(InfiniteLight light) {
+    if (!(light.irradiance > 0 && std::isfinite(light.irradiance)))
+        light.irradiance = 0;
+    double length = candela::length(light.axis);
+    if (!(std::abs(length - 1) < 1e-3 && light.cosHalfAngle >= 0))
+        light.everywhere = true;
+    light.cosHalfAngle = std::min(light.cosHalfAngle, 1.0f);
+    return light;
+}
+
+/// A probability that isn't 0 stays so as a float.
+float rounded(double p) { return p > 0 ? std::max(float(p), 0x1p-126f) : 0; }
+
+/// Makes x, uniform in [low, low + share), uniform in [0,1).
+double stretched(double x, double low, double share) {
+    return std::clamp((x - low) / share, 0.0, largestBelow1);
+}
+
+/// Moves `u` to within the chosen light's share; `sum` is the irradiance of all, above 0.
+int pick(std::span<const InfiniteLight> lights, const Normal &n, double sum, double &u,
+         double &probability) {
+    int chosen = -1;
+    double low = 0, next = 0;
+    for (int k = 0; k < int(lights.size()) && (chosen < 0 || u >= next); ++k) {
+        double share = irradiance(lights[k], n) / sum;
+        if (!(share > 0))
+            continue;
+        chosen = k, probability = share, low = next, next += share;
+    }
+    u = stretched(u, low, probability);
+    return chosen;
+}
+
+} // namespace
+
+LightChoice::LightChoice(std::span<const EmitterBound> bounds,
+                         std::span<const std::int32_t> finiteSources,
+                         std::span<const InfiniteLight> infinite, int sourceCount)
+    : tree_(bounds), finiteSources_(finiteSources.begin(), finiteSources.end()),
+      places_(sourceCount, -1) {
+    for (std::size_t i = 0; i < finiteSources_.size(); ++i)
+        places_[finiteSources_[i]] = std::int32_t(i);
+    for (const InfiniteLight &light : infinite) {
+        places_[light.source] = std::int32_t(tree_.size() + infinite_.size());
+        infinite_.push_back(sound(light));
+    }
+}
+
+void LightChoice::choose(int count, const float *const P[3], const float *const N[3], double *u,
+                         std::int32_t *source, float *probability) const {
+    for (int i = 0; i < count; ++i) {
+        const float *const p[3] = {P[0] + i, P[1] + i, P[2] + i};
+        const float *const n[3] = {N[0] + i, N[1] + i, N[2] + i};
+        Normal normal = normalAt(N, i);
+        double finite, infinite = irradiance(infinite_, normal);
+        tree_.irradiance(1, p, n, &finite);
+        double share = infiniteShare(infinite, finite);
+        u[i] = u[i] >= 0 ? std::min(u[i], largestBelow1) : 0;
+        if (u[i] < share) {
+            double within = 0;
+            u[i] = stretched(u[i], 0, share);
+            source[i] = infinite_[pick(infinite_, normal, infinite, u[i], within)].source;
+            probability[i] = rounded(share * within);
+            continue;
+        }
+        float within;
+        std::int32_t emitter;
+        u[i] = stretched(u[i], share, 1 - share);
+        tree_.choose(1, p, n, u + i, &emitter, &within);
+        source[i] = emitter < 0 ? -1 : finiteSources_[emitter];
+        probability[i] = rounded((1 - share) * within);
+    }
+}
+
+void LightChoice::probability(int count, const float *const P[3], const float *const N[3],
+                              const std::int32_t *source, float *probability) const {
+    for (int i = 0; i < count; ++i) {
+        probability[i] = 0;
+        bool known = source[i] >= 0 && source[i] < std::int32_t(places_.size());
+        std::int32_t place = known ? places_[source[i]] : -1;
+        if (place < 0)
+            continue;
+        const float *const p[3] = {P[0] + i, P[1] + i, P[2] + i};
+        const float *const n[3] = {N[0] + i, N[1] + i, N[2] + i};
+        Normal normal = normalAt(N, i);
+        double finite, infinite = irradiance(infinite_, normal);
+        tree_.irradiance(1, p, n, &finite);
+        double share = infiniteShare(infinite, finite);
+        if (place >= tree_.size()) {
+            double one = irradiance(infinite_[place - tree_.size()], normal);
+            probability[i] = infinite > 0 ? rounded(share * (one / infinite)) : 0;
+            continue;
+        }
+        float within;
+        tree_.probability(1, p, n, &place, &within);
+        probability[i] = rounded((1 - share) * within);
+    }
+}
+
+} // namespace candela

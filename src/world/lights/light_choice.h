@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// The choice of one light for each point among the lights of a set: those that have a place by a
+// light tree, those infinitely far by the irradiance they give.
+#pragma once
+
+#include "world/lights/light_tree.h"
+
+namespace candela {
+
+/// A light without a place: a dome or a sun.
+struct InfiniteLight {
+    std::int32_t source = 0; ///< Its number among the scene's sources of light.
+    float irradiance = 0;    ///< Estimate, W m^-2, on a surface that faces it. 0 = never chosen.
+    bool everywhere = true;  ///< Light may come from all directions; what follows is not read.
+    Vec3 axis;               ///< Unit vector towards the middle of the directions it shines from.
+    float cosHalfAngle = 1;  ///< Of the cone of these directions; at least 0.
+};
+
+/// Sources are named by the scene's numbers. An instance doesn't change: any thread may ask.
+class LightChoice {
+public:
+    /// `bounds[i]`, with power in watts, is what is known of source `finiteSources[i]`. All numbers
+    /// lie in [0, sourceCount) and differ.
+    LightChoice(std::span<const EmitterBound> bounds, std::span<const std::int32_t> finiteSources,
+                std::span<const InfiniteLight> infinite, int sourceCount);
+
+    /// Picks a source for each point P. N is the unit normal of the side that receives, or zero
+    /// where light from all sides counts. `u` is uniform in [0,1) before and after. Source -1,
+    /// probability 0: nothing that might have been picked shines here (see LightTree::choose).
+    void choose(int count, const float *const P[3], const float *const N[3], double *u,
+                std::int32_t *source, float *probability) const;
+
+    /// The probability with which choose() picks source[i]: bit for bit the same. 0 for sources
+    /// that aren't in the set, and for -1. Where one source alone may shine it is exactly 1.
+    void probability(int count, const float *const P[3], const float *const N[3],
+                     const std::int32_t *source, float *probability) const;
+
+private:
+    LightTree tree_;
+    std::vector<std::int32_t> finiteSources_; ///< By the tree's emitter.
+    std::vector<InfiniteLight> infinite_;
+    std::vector<std::int32_t> places_; ///< By source: emitter, or size of the tree + infinite; -1.
+};
+
+} // namespace candela

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: Apache-2.0
+// All arithmetic is in doubles: differences of floats are exact in them, and solid angles keep
+// their digits down to the sizes at which area serves as well.
+#include "world/lights/shape_sampling.h"
+
+#include "foundation/base/hot.h"
+#include "world/lights/angles.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace candela {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+struct Double3 {
+    double x, y, z;
+};
+
+inline Double3 operator+(Double3 a, Double3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+inline Double3 operator-(Double3 a, Double3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline Double3 operator*(Double3 a, double s) { return {a.x * s, a.y * s, a.z * s}; }
+inline double dot(Double3 a, Double3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline Double3 cross(Double3 a, Double3 b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+inline Double3 load(const float *const planes[3], int i) {
+    return {planes[0][i], planes[1][i], planes[2][i]};
+}
+
+inline void store(float *const planes[3], int i, Double3 p) {
+    planes[0][i] = float(p.x), planes[1][i] = float(p.y), planes[2][i] = float(p.z);
+}
+
+/// A density as callers get it; false comparisons turn NaN to 0.
+inline float rounded(double density) {
+    return density <= double(std::numeric_limits<float>::max()) ? float(density) : 0.0f;
+}
+
+/// A sphere as seen from P. `height` is 1 less the cosine of the half angle of its cone; 2 from
+/// within, where the cone is the whole sphere of directions.
+struct SeenSphere {
+    double d2, height;
+    bool outside;
+    float density;
+};
+
+[[gnu::always_inline]] inline SeenSphere seen(Double3 toCentre, double radius) {
+    SeenSphere s;
+    s.d2 = dot(toCentre, toCentre);
+    double r2 = radius * radius;
+    s.outside = s.d2 > r2;
+    double sine2 = r2 / s.d2, cosine2 = (s.d2 - r2) / s.d2;
+    s.height = s.outside ? sine2 / (1 + std::sqrt(s.outside ? cosine2 : 0.0)) : 2.0;
+    float density = rounded(1 / (2 * pi * s.height));
+    bool sound = radius > 0 && s.d2 - s.d2 == 0 && r2 - r2 == 0;
+    s.density = sound ? density : 0.0f;
+    return s;
+}
+
+/// The unit square onto the unit disc (Shirley and Chiu 1997): cosine and sine of the azimuth, and
+/// the radius, which may be negative.
+[[gnu::always_inline]] inline void disc(double u, double v, double &cosine, double &sine,
+                                        double &radius) {
+    double a = 2 * u - 1, b = 2 * v - 1;
+    bool wide = std::fabs(a) > std::fabs(b);
+    radius = wide ? a : b;
+    double share = (wide ? b : a) / (radius != 0 ? radius : 1.0), s, c;
+    sinCosEighth(pi / 4 * share, s, c);
+    cosine = wide ? c : s, sine = wide ? s : c;
+}
+
+/// The point that P sees on the sphere at `across` (unit, at right angles to the unit vector
+/// `towards` the centre) and the share `rho2` of the cone's solid angle within.
+[[gnu::always_inline]] inline Double3 pointOnSphere(Double3 P, Double3 centre, double radius,
+                                                    const SeenSphere &s, Double3 towards,
+                                                    Double3 across, double rho, double rho2) {
+    double d = std::sqrt(s.d2), r2 = radius * radius;
+    double height = s.height * rho2, cosine = 1 - height;
+    double sine = rho * std::sqrt(s.height * (2 - height)); // The sign of rho is part of azimuth.
+    // Half the chord: d2 (sin2 of the cone - sin2), factored where it would cancel.
+    double gap = s.outside ? s.d2 * s.height * (1 - rho2) * (2 - s.height * (1 + rho2))
+                           : r2 - s.d2 + s.d2 * cosine * cosine;
+    double chord = std::sqrt(gap > 0 ? gap : 0.0), along = d * cosine;
+    // First and second root of the quadratic, each in the form that doesn't cancel.
+    bool sum = !s.outside && along > 0;
+    double whole = s.outside ? along + chord : chord - along;
+    double product = s.outside ? s.d2 - r2 : r2 - s.d2;
+    double t = sum ? along + chord : product / (whole > 0 ? whole : 1.0);
+    // From P or from the centre, whichever is nearer: the smaller of the two errors.
+    bool fromP = t < radius;
+    double inDepth = s.outside ? -(d * sine * sine + chord * cosine) : t * cosine - d;
+    Double3 origin{fromP ? P.x : centre.x, fromP ? P.y : centre.y, fromP ? P.z : centre.z};
+    return origin + towards * (fromP ? t * cosine : inDepth) + across * (t * sine);
+}
+
+/// A rectangle in the frame of its edges with P in the origin, and the angles at its corners as
+/// seen from there (figure and names of the paper, section 4).
+struct SeenRectangle {
+    double lengthA, lengthB, height; ///< Height of P above the plane, not negative.
+    double x0, x1, y0, y1;
+    double solidAngle, k;
+    bool visible, byArea;
+};
+
+/// Below this many steradians by area: the density hardly varies there, and angles lose digits.
+constexpr double leastSolidAngle = 1e-4;
+
+/// Distance of P from a plane through `corner`, 0 if it's but rounding.
+[[gnu::always_inline]] inline double heightOver(Double3 toCorner, Double3 unitNormal) {
+    double height = std::fabs(dot(toCorner, unitNormal));
+    double scale = std::fabs(toCorner.x) + std::fabs(toCorner.y) + std::fabs(toCorner.z);
+    return height > 4e-15 * scale ? height : 0.0;
+}
+
+[[gnu::always_inline]] inline SeenRectangle seen(Double3 toCorner, Double3 edgeA, Double3 edgeB) {
+    SeenRectangle r;
+    r.lengthA = std::sqrt(dot(edgeA, edgeA)), r.lengthB = std::sqrt(dot(edgeB, edgeB));
+    Double3 normal = cross(edgeA, edgeB);
+    double area = std::sqrt(dot(normal, normal));
+    r.height = heightOver(toCorner, normal * (1 / area));
+    r.visible = r.height > 0 && area > 0;
+    double h = r.height, h2 = h * h;
+    double x0 = dot(toCorner, edgeA) / r.lengthA, y0 = dot(toCorner, edgeB) / r.lengthB;
+    double x1 = x0 + r.lengthA, y1 = y0 + r.lengthB;
+    r.x0 = x0, r.x1 = x1, r.y0 = y0, r.y1 = y1;
+    double xx0 = x0 * x0 + h2, xx1 = x1 * x1 + h2, yy0 = y0 * y0, yy1 = y1 * y1;
+    double g0 = angleOf(h * std::sqrt(xx1 + yy0), x1 * y0);
+    double g1 = angleOf(h * std::sqrt(xx1 + yy1), -(x1 * y1));
+    double g2 = angleOf(h * std::sqrt(xx0 + yy1), x0 * y1);
+    double g3 = angleOf(h * std::sqrt(xx0 + yy0), -(x0 * y0));
+    r.k = 2 * pi - g2 - g3;
+    r.solidAngle = g0 + g1 - r.k;
+    r.byArea = !(r.solidAngle >= leastSolidAngle);
+    return r;
+}
+
+/// d^2 / (area cosine), the cosine taken from P's height alone, whatever the point's rounding.
+[[gnu::always_inline]] inline double areaDensity(Double3 fromP, double height, double area) {
+    double d2 = dot(fromP, fromP);
+    return d2 * std::sqrt(d2) / (area * height);
+}
+
+[[gnu::always_inline]] inline float density(const SeenRectangle &r, Double3 fromP) {
+    double byArea = areaDensity(fromP, r.height, r.lengthA * r.lengthB);
+    float density = rounded(r.byArea ? byArea : 1 / r.solidAngle);
+    return r.visible ? density : 0.0f;
+}
+
+/// Turns (u,v) to shares of the edges, uniformly by solid angle.
+[[gnu::always_inline]] inline void spread(const SeenRectangle &r, double &u, double &v) {
+    double h2 = r.height * r.height;
+    double b0 = -r.y0 / std::sqrt(r.y0 * r.y0 + h2), b1 = r.y1 / std::sqrt(r.y1 * r.y1 + h2);
+    double sine, cosine, angle = u * r.solidAngle + r.k;
+    sinCosOf(angle, sine, cosine);
+    double f = (cosine * b0 - b1) / sine;
+    // 1/cu^2 - 1 of the paper; b0^2 - 1 is written so that it keeps its digits at low heights.
+    double slope2 = f * f - h2 / (r.y0 * r.y0 + h2);
+    double x = std::copysign(r.height / std::sqrt(slope2 > 0 ? slope2 : 0.0), f);
+    x = x > r.x0 ? x : r.x0; // In this form NaN ends, too.
+    x = x < r.x1 ? x : r.x1;
+    double d2 = x * x + h2;
+    double low = r.y0 / std::sqrt(d2 + r.y0 * r.y0), high = r.y1 / std::sqrt(d2 + r.y1 * r.y1);
+    double at = low + v * (high - low), rest = 1 - at * at;
+    double y = at * std::sqrt(d2 / (rest > 0 ? rest : 0.0));
+    y = y > r.y0 ? y : r.y0;
+    y = y < r.y1 ? y : r.y1;
+    u = (x - r.x0) / r.lengthA, v = (y - r.y0) / r.lengthB;
+    u = u < 1 ? u : 1.0, v = v < 1 ? v : 1.0;
+}
+
+[[gnu::always_inline]] inline float triangleDensity(Double3 P, Double3 corner, Double3 edgeA,
+                                                    Double3 edgeB, Double3 point) {
+    Double3 normal = cross(edgeA, edgeB);
+    double twice = std::sqrt(dot(normal, normal));
+    double height = heightOver(corner - P, normal * (1 / twice));
+    float density = rounded(areaDensity(point - P, height, twice / 2));
+    return height > 0 ? density : 0.0f;
+}
+
+inline Double3 asFloats(Double3 p) { return {float(p.x), float(p.y), float(p.z)}; }
+
+} // namespace
+
+CANDELA_HOT void sampleSpheres(int count, const float *const P[3], const float *const centre[3],
+                               const float *radius, const float *u, const float *v,
+                               float *const point[3], float *pdf) {
+#pragma GCC ivdep
+    for (int i = 0; i < count; ++i) {
+        Double3 p = load(P, i), c = load(centre, i), toCentre = c - p;
+        SeenSphere s = seen(toCentre, radius[i]);
+        double d = std::sqrt(s.d2), perD = 1 / (d > 0 ? d : 1.0);
+        Double3 w{toCentre.x * perD, toCentre.y * perD, d > 0 ? toCentre.z * perD : 1.0};
+        // A frame about w (Duff et al. 2017).
+        double sign = std::copysign(1.0, w.z), a = -1 / (sign + w.z), b = w.x * w.y * a;
+        Double3 e{1 + sign * w.x * w.x * a, sign * b, -sign * w.x},
+            f{b, sign + w.y * w.y * a, -w.y};
+        double cosine, sine, rho;
+        disc(u[i], v[i], cosine, sine, rho);
+        store(point, i,
+              pointOnSphere(p, c, radius[i], s, w, e * cosine + f * sine, rho, rho * rho));
+        pdf[i] = s.density;
+    }
+}
+
+CANDELA_HOT void sphereDensities(int count, const float *const P[3], const float *const centre[3],
+                                 const float *radius, float *pdf) {
+#pragma GCC ivdep
+    for (int i = 0; i < count; ++i)
+        pdf[i] = seen(load(centre, i) - load(P, i), radius[i]).density;
+}
+
+CANDELA_HOT void sampleRectangles(int count, const float *const P[3], const float *const corner[3],
+                                  const float *const edgeA[3], const float *const edgeB[3],
+                                  const float *u, const float *v, float *const point[3],
+                                  float *pdf) {
+#pragma GCC ivdep
+    for (int i = 0; i < count; ++i) {
+        Double3 p = load(P, i), o = load(corner, i), a = load(edgeA, i), b = load(edgeB, i);
+        SeenRectangle r = seen(o - p, a, b);
+        double s = u[i], t = v[i];
+        spread(r, s, t);
+        bool flat = r.byArea || !r.visible;
+        Double3 at = asFloats(o + a * (flat ? double(u[i]) : s) + b * (flat ? double(v[i]) : t));
+        store(point, i, at);
+        pdf[i] = density(r, at - p);
+    }
+}
+
+CANDELA_HOT void rectangleDensities(int count, const float *const P[3],
+                                    const float *const corner[3], const float *const edgeA[3],
+                                    const float *const edgeB[3], const float *const point[3],
+                                    float *pdf) {
+#pragma GCC ivdep
+    for (int i = 0; i < count; ++i) {
+        Double3 p = load(P, i);
+        SeenRectangle r = seen(load(corner, i) - p, load(edgeA, i), load(edgeB, i));
+        pdf[i] = density(r, load(point, i) - p);
+    }
+}
+
+CANDELA_HOT void sampleTriangles(int count, const float *const P[3], const float *const corner[3],
+                                 const float *const edgeA[3], const float *const edgeB[3],
+                                 const float *u, const float *v, float *const point[3],
+                                 float *pdf) {
+#pragma GCC ivdep
+    for (int i = 0; i < count; ++i) {
+        Double3 p = load(P, i), o = load(corner, i), a = load(edgeA, i), b = load(edgeB, i);
+        // The square folded along a diagonal, so that neighbours stay neighbours (Heitz 2019).
+        double x = u[i], y = v[i];
+        bool lower = x > y;
+        double s = lower ? x - y / 2 : x / 2, t = lower ? y / 2 : y - x / 2;
+        Double3 at = asFloats(o + a * s + b * t);
+        store(point, i, at);
+        pdf[i] = triangleDensity(p, o, a, b, at);
+    }
+}
+
+CANDELA_HOT void triangleDensities(int count, const float *const P[3], const float *const corner[3],
+                                   const float *const edgeA[3], const float *const edgeB[3],
+                                   const float *const point[3], float *pdf) {
+#pragma GCC ivdep
+    for (int i = 0; i < count; ++i)
+        pdf[i] = triangleDensity(load(P, i), load(corner, i), load(edgeA, i), load(edgeB, i),
+                                 load(point, i));
+}
+
+} // namespace candela
