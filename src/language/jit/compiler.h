@@ -11,9 +11,10 @@
 
 namespace candela {
 
-/// The target of a CPU name (empty = this machine); none if LLVM doesn't know it.
+/// The target of a CPU name (empty = this machine, at the instruction set in force); none if LLVM
+/// doesn't know it.
 std::optional<CodeTarget> codeTarget(const std::string &cpu, int width);
-/// Can this machine execute code for the CPU?
+/// Can this machine execute code for the CPU, within the instruction set in force?
 bool hostRunsCode(const std::string &cpu);
 /// LLVM's version, for cache keys.
 std::string llvmVersion();

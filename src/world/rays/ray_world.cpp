@@ -2,7 +2,9 @@
 #include "world/rays/ray_world.h"
 
 #include "foundation/base/hot.h"
+#include "foundation/base/instruction_set.h"
 #include "foundation/base/parallel.h"
+#include "world/rays/native_packets.h"
 #include "world/rays/sealed_triangles.h"
 
 #include <embree3/rtcore.h>
@@ -44,20 +46,22 @@ struct RayPlanes {
 };
 
 /// Copies 16 rays in; valid[i] = -1 where ray i is finite, has a direction and ends beyond its
-/// origin.
+/// origin. Of the others Embree's kernels get harmless numbers: some look at them all the same.
 CANDELA_HOT void copyPacket(RayPlanes from, int first, RTCRay16 &__restrict out,
                             int *__restrict valid) {
     const float *ox = from.ox + first, *oy = from.oy + first, *oz = from.oz + first;
     const float *dx = from.dx + first, *dy = from.dy + first, *dz = from.dz + first;
     const float *tMin = from.tMin + first, *tMax = from.tMax + first;
     for (int i = 0; i < packet; ++i) {
-        out.org_x[i] = ox[i], out.org_y[i] = oy[i], out.org_z[i] = oz[i];
-        out.dir_x[i] = dx[i], out.dir_y[i] = dy[i], out.dir_z[i] = dz[i];
-        out.tnear[i] = tMin[i], out.tfar[i] = tMax[i];
         // Infinities and NaN survive the multiplication by zero as NaN.
         bool finite = (ox[i] + oy[i] + oz[i] + dx[i] + dy[i] + dz[i] + tMin[i]) * 0 == 0;
         bool directed = (dx[i] != 0) | (dy[i] != 0) | (dz[i] != 0);
-        valid[i] = finite & directed & (tMin[i] >= 0) & (tMax[i] > tMin[i]) ? -1 : 0;
+        const bool good = finite & directed & (tMin[i] >= 0) & (tMax[i] > tMin[i]);
+        valid[i] = good ? -1 : 0;
+        out.org_x[i] = good ? ox[i] : 0, out.org_y[i] = good ? oy[i] : 0;
+        out.org_z[i] = good ? oz[i] : 0, out.dir_x[i] = good ? dx[i] : 0;
+        out.dir_y[i] = good ? dy[i] : 0, out.dir_z[i] = good ? dz[i] : 1;
+        out.tnear[i] = good ? tMin[i] : 0, out.tfar[i] = good ? tMax[i] : -1;
     }
 }
 
@@ -73,8 +77,17 @@ void load(const RayBatch &rays, int first, RTCRay16 &out, int *valid) {
     copyPacket({rays.origin[0], rays.origin[1], rays.origin[2], rays.direction[0],
                 rays.direction[1], rays.direction[2], rays.tMin, rays.tMax},
                first, out, valid);
-    if (rays.count - first < packet)
-        std::fill(valid + (rays.count - first), valid + packet, 0);
+    for (int i = std::max(rays.count - first, 0); i < packet; ++i)
+        valid[i] = 0, out.tfar[i] = -1;
+}
+
+RTCDevice newDevice() {
+    switch (instructionSet()) {
+    case InstructionSet::V2: return rtcNewDevice("set_affinity=0,start_threads=0,isa=sse4.2");
+    case InstructionSet::V3: return rtcNewDevice("set_affinity=0,start_threads=0,isa=avx2");
+    case InstructionSet::V4: break;
+    }
+    return rtcNewDevice("set_affinity=0,start_threads=0,isa=avx512");
 }
 
 RTCGeometry makeGeometry(RTCDevice device, const RayMesh &mesh) {
@@ -108,11 +121,13 @@ FlushDenormals::~FlushDenormals() { _mm_setcsr(saved_); }
 
 struct RayWorld::Handles {
     RTCDevice device = nullptr;
+    int width = packet; ///< Rays of a packet that its kernels take whole.
     RTCScene scene = nullptr;
 };
 
 RayWorld::RayWorld(const std::vector<RayMesh> &meshes) : handles_(std::make_unique<Handles>()) {
-    handles_->device = rtcNewDevice("set_affinity=0,start_threads=0");
+    handles_->device = newDevice();
+    handles_->width = nativeWidth(handles_->device);
     RTCScene scene = handles_->scene = rtcNewScene(handles_->device);
     rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
     std::vector<RTCGeometry> geometries(meshes.size());
@@ -151,7 +166,7 @@ void RayWorld::intersect(const RayBatch &rays, HitBatch &hits, Which which, bool
     for (int first = 0; first < rays.count; first += packet) {
         load(rays, first, bundle.ray, valid);
         std::fill_n(bundle.hit.geomID, packet, noHit);
-        rtcIntersect16(valid, handles_->scene, &context, &bundle);
+        intersectPackets(handles_->width, valid, handles_->scene, context, bundle);
         std::size_t bytes = packet * sizeof(float);
         std::memcpy(hits.shape + first, bundle.hit.geomID, bytes);
         std::memcpy(hits.instance + first, bundle.hit.instID[0], bytes);
@@ -175,7 +190,7 @@ void RayWorld::occluded(const RayBatch &rays, std::uint8_t *blocked) const {
     prime(opaqueBit, bundle);
     for (int first = 0; first < rays.count; first += packet) {
         load(rays, first, bundle, valid);
-        rtcOccluded16(valid, handles_->scene, &context, &bundle);
+        occludedPackets(handles_->width, valid, handles_->scene, context, bundle);
         int last = std::min(packet, rays.count - first);
         for (int i = 0; i < last; ++i)
             blocked[first + i] = !valid[i] ? 2 : bundle.tfar[i] < 0 ? 1 : 0;
