@@ -30,11 +30,11 @@ std::vector<Ray> badRays() {
     for (float tMin : {NAN, INFINITY, -INFINITY})
         rays.emplace_back().tMin = tMin;
     for (float same : {0.5f, 2.0f})
-        rays.emplace_back().tMin = rays.back().tMax = same;
+        rays.push_back({{0, 0, 0}, {0, 0, 1}, same, same});
     return rays;
 }
 
-/// Finite, however far from all that is useful: these may reach Embree, and meet nothing.
+/// Finite, however far from all that is useful: some of these reach Embree, and meet nothing.
 std::vector<Ray> wildRays() {
     constexpr float denormal = std::numeric_limits<float>::denorm_min();
     std::vector<Ray> rays;
@@ -78,8 +78,9 @@ void expectMisses(const std::vector<Ray> &others, bool traced) {
             world.intersect(rays, hits, RayWorld::Which::All, coherent);
             for (int i = 0; i < count; ++i) {
                 ASSERT_EQ(hits.shape[i], i % 2 ? 0 : noHit) << "ray " << i << " of " << count;
-                if (i % 2)
+                if (i % 2) {
                     ASSERT_FLOAT_EQ(hits.t[i], 1);
+                }
             }
         }
         std::vector<std::uint8_t> blocked(count);

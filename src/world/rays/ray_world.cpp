@@ -20,6 +20,8 @@ namespace candela {
 namespace {
 
 constexpr int packet = laneBlock;
+/// Origins and directions beyond it make Embree's kernels end the process (its FLT_LARGE).
+constexpr float largest = 1.8e18f;
 constexpr unsigned opaqueBit = 1, transparentBit = 2;
 
 bool fromBehind(const RTCFilterFunctionNArguments *args, unsigned i, int frontSign) {
@@ -45,16 +47,20 @@ struct RayPlanes {
     const float *ox, *oy, *oz, *dx, *dy, *dz, *tMin, *tMax;
 };
 
-/// Copies 16 rays in; valid[i] = -1 where ray i is finite, has a direction and ends beyond its
-/// origin. Of the others Embree's kernels get harmless numbers: some look at them all the same.
+/// Copies 16 rays in; valid[i] = -1 where ray i is within Embree's range, has a direction and ends
+/// beyond its origin. Of the others Embree's kernels get harmless numbers: some look at them all
+/// the same.
 CANDELA_HOT void copyPacket(RayPlanes from, int first, RTCRay16 &__restrict out,
                             int *__restrict valid) {
     const float *ox = from.ox + first, *oy = from.oy + first, *oz = from.oz + first;
     const float *dx = from.dx + first, *dy = from.dy + first, *dz = from.dz + first;
     const float *tMin = from.tMin + first, *tMax = from.tMax + first;
     for (int i = 0; i < packet; ++i) {
-        // Infinities and NaN survive the multiplication by zero as NaN.
-        bool finite = (ox[i] + oy[i] + oz[i] + dx[i] + dy[i] + dz[i] + tMin[i]) * 0 == 0;
+        // NaN is below nothing.
+        bool finite = (std::abs(ox[i]) <= largest) & (std::abs(oy[i]) <= largest) &
+                      (std::abs(oz[i]) <= largest) & (std::abs(dx[i]) <= largest) &
+                      (std::abs(dy[i]) <= largest) & (std::abs(dz[i]) <= largest) &
+                      (tMin[i] <= largest);
         bool directed = (dx[i] != 0) | (dy[i] != 0) | (dz[i] != 0);
         const bool good = finite & directed & (tMin[i] >= 0) & (tMax[i] > tMin[i]);
         valid[i] = good ? -1 : 0;
