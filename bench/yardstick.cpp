@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// What Candela is measured by: a minimal path tracer on bare Embree for scene A in greys. Scalar,
-// one ray at a time, light sampling only, independent random numbers, no shading system.
-//   yardstick OUTPUT.exr [--spp N] [--seed N] [--threads N]
+// What Candela is measured by: a minimal path tracer on bare Embree for the diffuse benchmark
+// scenes in greys. Scalar, one ray at a time, independent random numbers, no shading system. One
+// lamp a vertex, chosen by power: a quadrilateral by area, a ball by the cone that it fills. A dome
+// is met by rays that escape, which the cosine distributes best there is for constant radiance.
+//   yardstick OUTPUT.exr [--scene NAME] [--spp N] [--seed N] [--threads N]
+//   yardstick OUTPUT.rib --scene NAME --write-rib 1
 #include "cornell_box.h"
+#include "embree_scene.h"
 #include "image/exr_file.h"
 
 #include <atomic>
@@ -21,41 +25,41 @@ constexpr int deepest = 64, rouletteDepth = 3;
 constexpr float rayStart = 1e-4f;
 
 struct Settings {
-    std::string file;
+    std::string file, scene = "cornell_grey";
+    bool writesRib = false;
     int samples = 64;
     unsigned seed = 0, threads = std::max(1u, std::thread::hardware_concurrency());
 };
 
 class PathTracer {
 public:
-    explicit PathTracer(const CornellBox &box) : box_(box), device_(rtcNewDevice(nullptr)) {
-        scene_ = box.commit(device_);
-    }
-    ~PathTracer() {
-        rtcReleaseScene(scene_);
-        rtcReleaseDevice(device_);
-    }
+    explicit PathTracer(const SceneDescription &scene) : description_(scene), embree_(scene) {}
 
-    /// Radiance along one path from the camera.
-    float radiance(Vec3 direction, RandomNumbers &random) const {
-        Vec3 origin = CornellBox::eye;
+    /// Radiance along one path from the camera through a raster position (pixels, y down).
+    float radiance(float x, float y, RandomNumbers &random) const {
+        float scale = 2 / float(description_.size), extent = description_.halfExtent;
+        Vec3 origin = description_.eye,
+             direction = normalize({(1 - x * scale) * extent, (1 - y * scale) * extent, 1});
         float throughput = 1, sum = 0;
         for (int depth = 0; depth <= deepest; ++depth) {
             RTCRayHit hit = rayAlong(origin, direction);
             RTCIntersectContext context;
             rtcInitIntersectContext(&context);
-            rtcIntersect1(scene_, &context, &hit);
+            rtcIntersect1(embree_.scene(), &context, &hit);
             if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID)
-                break;
-            std::uint32_t triangle = hit.hit.primID;
-            if (triangle < CornellBox::lampTriangles)
-                // Light sampling has seen to it already, but for the camera.
-                return depth == 0 ? CornellBox::lampRadiance : sum;
-            Vec3 P = origin + direction * hit.ray.tfar, n = box_.normals[triangle];
+                return sum + throughput * description_.domeRadiance;
+            // Light sampling has seen to lamps already, but for the camera.
+            if (hit.hit.geomID != 0)
+                return depth == 0 ? description_.spheres[hit.hit.primID].radiance : sum;
+            const SurfaceTriangle &surface = embree_.triangle(hit.hit.primID);
+            if (surface.radiance > 0)
+                return depth == 0 ? surface.radiance : sum;
+            Vec3 P = origin + direction * hit.ray.tfar, n = surface.normal;
             if (dot(n, direction) > 0)
                 n = -n;
-            throughput *= box_.albedos[triangle];
-            sum += throughput * lampLight(P, n, random);
+            throughput *= surface.albedo;
+            if (embree_.lamps() > 0)
+                sum += throughput * lampLight(P, n, random);
             if (depth + 1 >= rouletteDepth) {
                 float survival = std::sqrt(throughput);
                 if (random.uniform() >= survival)
@@ -79,36 +83,66 @@ private:
         return hit;
     }
 
-    /// Irradiance of the lamp over pi, from one point on it.
+    bool blocked(Vec3 P, Vec3 L, float end) const {
+        RTCRay ray = rayAlong(P, L, end).ray;
+        RTCIntersectContext context;
+        rtcInitIntersectContext(&context);
+        rtcOccluded1(embree_.scene(), &context, &ray);
+        return ray.tfar < 0;
+    }
+
+    /// Irradiance of the lamps over pi, from one point on one of them.
     float lampLight(Vec3 P, Vec3 n, RandomNumbers &random) const {
-        Vec3 on{std::lerp(CornellBox::lampX0, CornellBox::lampX1, random.uniform()),
-                CornellBox::lampY,
-                std::lerp(CornellBox::lampZ0, CornellBox::lampZ1, random.uniform())};
-        Vec3 L = on - P;
+        float probability = 1;
+        std::size_t lamp =
+            embree_.lamps() > 1 ? embree_.chooseLamp(random.uniform(), probability) : 0;
+        std::size_t quads = description_.quads.size();
+        float light = lamp < quads ? quadLight(description_.quads[lamp], P, n, random)
+                                   : sphereLight(description_.spheres[lamp - quads], P, n, random);
+        return light * std::numbers::inv_pi_v<float> / probability;
+    }
+
+    float quadLight(const QuadLamp &lamp, Vec3 P, Vec3 n, RandomNumbers &random) const {
+        float u = random.uniform(), v = random.uniform();
+        Vec3 L = lamp.corner + lamp.edgeU * u + lamp.edgeV * v - P;
         float towards = dot(n, L), distance2 = dot(L, L);
         if (towards <= 0)
             return 0;
-        // cos cos / d^2, L not being of unit length.
-        float form = towards * std::fabs(L.y) / (distance2 * distance2);
-        RTCRay ray = rayAlong(P, L, 0.9999f).ray;
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        rtcOccluded1(scene_, &context, &ray);
-        bool blocked = ray.tfar < 0;
-        return blocked ? 0
-                       : CornellBox::lampRadiance * CornellBox::lampArea * form *
-                             std::numbers::inv_pi_v<float>;
+        // cos cos area / d^2; neither L nor the lamp's normal is of unit length.
+        float form =
+            towards * std::fabs(dot(cross(lamp.edgeU, lamp.edgeV), L)) / (distance2 * distance2);
+        return blocked(P, L, 0.9999f) ? 0 : lamp.radiance * form;
     }
 
-    const CornellBox &box_;
-    RTCDevice device_;
-    RTCScene scene_;
+    float sphereLight(const SphereLamp &lamp, Vec3 P, Vec3 n, RandomNumbers &random) const {
+        Vec3 axis = lamp.centre - P;
+        float distance2 = dot(axis, axis), radius2 = lamp.radius * lamp.radius;
+        if (distance2 <= radius2)
+            return 0;
+        float sine2 = radius2 / distance2;
+        float height = sine2 / (1 + std::sqrt(1 - sine2)); // 1 - cosine, without cancellation.
+        float drop = height * random.uniform(), z = 1 - drop, r = std::sqrt(drop * (2 - drop)),
+              turn = 2 * std::numbers::pi_v<float> * random.uniform();
+        Vec3 w = axis / std::sqrt(distance2), s, t;
+        orthonormalBasis(w, s, t);
+        Vec3 L = s * (r * std::cos(turn)) + t * (r * std::sin(turn)) + w * z;
+        float towards = dot(n, L);
+        if (towards <= 0)
+            return 0;
+        float along = dot(axis, L),
+              reach = along - std::sqrt(std::max(0.0f, along * along - distance2 + radius2));
+        return blocked(P, L, reach * 0.999f)
+                   ? 0
+                   : lamp.radiance * towards * 2 * std::numbers::pi_v<float> * height;
+    }
+
+    const SceneDescription &description_;
+    EmbreeScene embree_;
 };
 
-std::vector<float> render(const Settings &settings) {
-    constexpr int size = CornellBox::size;
-    CornellBox box;
-    PathTracer tracer(box);
+std::vector<float> render(const SceneDescription &scene, const Settings &settings) {
+    const int size = scene.size;
+    PathTracer tracer(scene);
     std::vector<float> picture(size * size);
     std::atomic<int> nextRow = 0;
     auto work = [&] {
@@ -119,8 +153,7 @@ std::vector<float> render(const Settings &settings) {
                 double sum = 0;
                 for (int sample = 0; sample < settings.samples; ++sample) {
                     float dx = random.uniform(), dy = random.uniform();
-                    sum += tracer.radiance(
-                        CornellBox::cameraDirection(float(x) + dx, float(y) + dy), random);
+                    sum += tracer.radiance(float(x) + dx, float(y) + dy, random);
                 }
                 picture[y * size + x] = float(sum / settings.samples);
             }
@@ -133,8 +166,7 @@ std::vector<float> render(const Settings &settings) {
     return picture;
 }
 
-void write(const std::string &file, const std::vector<float> &values) {
-    constexpr int size = CornellBox::size;
+void write(const std::string &file, int size, const std::vector<float> &values) {
     Picture picture;
     picture.window = {size, size, 0, size, 0, size};
     for (const char *channel : {"R", "G", "B"})
@@ -154,7 +186,11 @@ bool parse(int argc, char **argv, Settings &settings) {
         std::string word = argv[i];
         bool hasValue = i + 1 < argc && word.starts_with("--");
         int value = hasValue ? std::atoi(argv[++i]) : 0;
-        if (word == "--spp" && value > 0)
+        if (word == "--scene" && hasValue)
+            settings.scene = argv[i];
+        else if (word == "--write-rib" && hasValue)
+            settings.writesRib = value != 0;
+        else if (word == "--spp" && value > 0)
             settings.samples = value;
         else if (word == "--seed" && hasValue)
             settings.seed = unsigned(value);
@@ -174,11 +210,15 @@ bool parse(int argc, char **argv, Settings &settings) {
 int main(int argc, char **argv) try {
     candela::bench::Settings settings;
     if (!candela::bench::parse(argc, argv, settings)) {
-        std::fprintf(stderr, "usage: yardstick OUTPUT.exr [--spp N] [--seed N] [--threads N]\n");
+        std::fprintf(stderr, "usage: yardstick OUTPUT [--scene NAME] [--spp N] [--seed N] "
+                             "[--threads N] [--write-rib 1]\n");
         return 2;
     }
-    std::vector<float> picture = candela::bench::render(settings);
-    candela::bench::write(settings.file, picture);
+    candela::bench::SceneDescription scene = candela::bench::describeScene(settings.scene);
+    if (settings.writesRib)
+        candela::bench::writeRib(scene, settings.file);
+    else
+        candela::bench::write(settings.file, scene.size, candela::bench::render(scene, settings));
 } catch (const std::exception &problem) {
     std::fprintf(stderr, "yardstick: %s\n", problem.what());
     return 1;

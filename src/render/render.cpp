@@ -54,7 +54,8 @@ int renderFile(const std::string &path, const RenderSettings &settings) {
     ThreadLimit threads(settings.threads);
     Statistics statistics;
 
-    ShaderLibrary shaders({shaderFolders(path, settings.shaderPath, diagnostics), settings.jit},
+    ShaderFolders folders = shaderFolders(path, settings.shaderPath, diagnostics);
+    ShaderLibrary shaders({std::move(folders.all), std::move(folders.library), settings.jit},
                           diagnostics);
     ShaderWarnings warnings(diagnostics);
     bool sawWorld = false;

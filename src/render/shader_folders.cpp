@@ -38,25 +38,30 @@ bool addShippedLibrary(std::vector<std::string> &folders) {
 
 } // namespace
 
-std::vector<std::string> shaderFolders(const std::string &ribFile,
-                                       const std::vector<std::string> &shaderPath,
-                                       DiagnosticSink &diagnostics) {
-    std::vector<std::string> folders;
-    for (const std::string &folder : shaderPath)
-        add(folders, folder);
-    fs::path beside = fs::path(ribFile).parent_path();
-    add(folders, beside.empty() ? "." : beside);
-    add(folders, ".");
-    const char *listed = std::getenv("CANDELA_SHADERS");
-    if (listed) {
-        std::istringstream list(listed);
+ShaderFolders shaderFolders(const std::string &ribFile, const std::vector<std::string> &shaderPath,
+                            DiagnosticSink &diagnostics) {
+    std::vector<std::string> listed, shipped;
+    if (const char *variable = std::getenv("CANDELA_SHADERS")) {
+        std::istringstream list(variable);
         for (std::string folder; std::getline(list, folder, ':');)
-            add(folders, folder);
+            add(listed, folder);
     }
-    if (!addShippedLibrary(folders) && !listed)
+    if (!addShippedLibrary(shipped) && !std::getenv("CANDELA_SHADERS"))
         diagnostics.warning({}, "the shaders that come with Candela are not where they belong, in "
                                 "../share/candela/shaders beside the program's folder; set "
                                 "CANDELA_SHADERS to where they are");
+
+    ShaderFolders folders;
+    for (const std::string &folder : shaderPath)
+        add(folders.all, folder);
+    fs::path beside = fs::path(ribFile).parent_path();
+    add(folders.all, beside.empty() ? "." : beside);
+    add(folders.all, ".");
+    for (const auto *library : {&listed, &shipped})
+        for (const std::string &folder : *library)
+            if (std::ranges::find(folders.all, folder) == folders.all.end())
+                folders.all.push_back(folder);
+    folders.library = shipped.empty() ? listed : shipped;
     return folders;
 }
 

@@ -9,12 +9,18 @@
 
 namespace candela {
 
-/// --shader-path, the RIB's folder, the current folder, $CANDELA_SHADERS, the shipped library;
-/// each with its sub-folders by kind (surface, light, ...) where these exist. Warns if the shipped
-/// library is not to be found and the variable does not say where another one is.
-std::vector<std::string> shaderFolders(const std::string &ribFile,
-                                       const std::vector<std::string> &shaderPath,
-                                       DiagnosticSink &);
+struct ShaderFolders {
+    /// --shader-path, the RIB's folder, the current folder, $CANDELA_SHADERS, the shipped library;
+    /// each with its sub-folders by kind (surface, light, ...) where these exist.
+    std::vector<std::string> all;
+    /// The library alone: the one that is shipped, else those that $CANDELA_SHADERS names.
+    std::vector<std::string> library;
+};
+
+/// Warns if the shipped library is not to be found and the variable does not say where another one
+/// is.
+ShaderFolders shaderFolders(const std::string &ribFile, const std::vector<std::string> &shaderPath,
+                            DiagnosticSink &);
 
 /// "a:b:c"
 std::string joinFolders(const std::vector<std::string> &folders);

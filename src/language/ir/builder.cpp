@@ -94,7 +94,7 @@ Builder::Values Builder::emit(Op op, const Values &operands, int immediate, floa
         if (const Values *known = find(key))
             return *known;
     Values results = makeResults(op, operands, immediate);
-    append({op, operands, results, {}, immediate, number, line_});
+    append({op, operands, results, {}, immediate, number, line_, file_});
     if (isPure(op))
         scopes_.back().known[key] = results;
     return results;

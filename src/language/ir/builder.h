@@ -49,6 +49,9 @@ public:
     /// The source line that following instructions belong to.
     void setLine(int line) { line_ = line; }
     int line() const { return line_; }
+    /// The source file of array accesses, for messages at run time.
+    void setFile(int file) { file_ = file; }
+    int file(const std::string &name) { return intern(function_.files, name); }
 
     // Constants and sources.
     ValueId number(float);
@@ -177,7 +180,7 @@ private:
     std::vector<Instruction> constants_;
     std::map<Key, Values> constantKeys_;
     std::vector<int> constantIndex_; ///< By value: index into constants_, -1 = not constant.
-    int line_ = 0;
+    int line_ = 0, file_ = 0;
     int randoms_ = 0;
 };
 

@@ -140,7 +140,13 @@ private:
     Cell &element(const Instruction &i) {
         auto &array = arrays_[i.immediate];
         int index = cells_[i.operands[0]].integer;
-        return array[std::clamp(index, 0, int(array.size()) - 1)];
+        const int inside = std::clamp(index, 0, int(array.size()) - 1);
+        if (inside != index && args_.callbacks && args_.callbacks->indexOutside)
+            args_.callbacks->indexOutside(args_.callbacks->context, fileOf(i), i.line);
+        return array[inside];
+    }
+    const char *fileOf(const Instruction &i) const {
+        return function_.files.empty() ? "" : function_.files[i.file].c_str();
     }
     void runCall(const Instruction &i) {
         std::array<const float *, runtime::maxRuntimeInputs> inputs;

@@ -56,6 +56,7 @@ struct Instruction {
     std::int32_t immediate = 0;
     float number = 0;
     int line = 0; ///< Of the shader's source, for messages; 0 = made by the compiler.
+    int file = 0; ///< Into Function::files, for messages at run time; only array accesses have it.
 };
 
 /// How a light loop chooses its samples and states its importance.
@@ -106,6 +107,7 @@ struct Function {
     std::vector<Array> arrays;
     std::vector<LightRequest> requests;
     std::vector<std::string> strings;      ///< By ConstString's immediate.
+    std::vector<std::string> files;        ///< Source files, by Instruction::file.
     std::vector<std::string> spaces;       ///< Named coordinate systems, by Space's immediate.
     std::vector<std::string> categories;   ///< Of light loops: "a,-b", also "!diffuse", "!specular"
                                            ///< for what __nondiffuse, __nonspecular exclude.

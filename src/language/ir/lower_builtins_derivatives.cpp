@@ -40,13 +40,9 @@ Components area(BuiltinCall &call) {
     return {b.mul(b.length(sweep(call)), b.unary(Op::Abs, extent))};
 }
 
-/// Du(p) ^ Dv(p), on the side on which Ng stands to dPdu ^ dPdv: the orientation's sign.
+/// Du(p) ^ Dv(p), on the side of the surface that its normals are on.
 Components calculatenormal(BuiltinCall &call) {
-    Builder &b = call.b;
-    const Triple natural = b.cross(b.input3(ShaderInput::dPdu), b.input3(ShaderInput::dPdv));
-    const ValueId turned = b.less(b.dot(natural, b.input3(ShaderInput::Ng)), b.number(0));
-    const Triple normal = sweep(call);
-    return componentsOf(b.select(turned, b.neg(normal), normal));
+    return componentsOf(call.b.scale(sweep(call), call.b.input(ShaderInput::orientation)));
 }
 
 } // namespace

@@ -125,6 +125,31 @@ int elementIndex(Lowering &lowering, const Storage &storage, ValueId index,
     return int(wanted);
 }
 
+/// A computed index as an integer. NaN is outside every array.
+ValueId computedIndex(Builder &b, ValueId index) {
+    return b.select(b.equal(index, index), b.unary(Op::IntegerFromFloat, index), b.integer(-1));
+}
+
+/// While it lives, what is emitted stands at the place: messages at run time name it.
+class PlaceScope {
+public:
+    PlaceScope(Builder &b, const sl::Place &where) : b_(b), line_(b.line()) {
+        b_.setLine(where.line);
+        if (where.file)
+            b_.setFile(b_.file(where.file->name()));
+    }
+    ~PlaceScope() {
+        b_.setLine(line_);
+        b_.setFile(0);
+    }
+    PlaceScope(const PlaceScope &) = delete;
+    PlaceScope &operator=(const PlaceScope &) = delete;
+
+private:
+    Builder &b_;
+    int line_;
+};
+
 } // namespace
 
 Components Lowering::load(const Target &target, const sl::Place &where) {
@@ -134,7 +159,8 @@ Components Lowering::load(const Target &target, const sl::Place &where) {
     if (!target.element) {
         value = load(storage);
     } else if (storage.memory >= 0) {
-        const ValueId index = b.unary(Op::IntegerFromFloat, *target.element);
+        const ValueId index = computedIndex(b, *target.element);
+        const PlaceScope place(b, where);
         for (int c = 0; c < count; ++c)
             value.push_back(b.arrayLoad(storage.memory + c, index));
     } else {
@@ -157,7 +183,8 @@ void Lowering::store(const Target &target, const Components &value, const sl::Pl
     const Storage &storage = target.storage;
     const int count = componentCount(storage.base);
     if (target.element && storage.memory >= 0) {
-        const ValueId index = b.unary(Op::IntegerFromFloat, *target.element);
+        const ValueId index = computedIndex(b, *target.element);
+        const PlaceScope place(b, where);
         for (int c = 0; c < count; ++c)
             b.arrayStore(storage.memory + c, index, value[c]);
     } else if (storage.memory >= 0) {

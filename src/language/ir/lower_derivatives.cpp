@@ -157,6 +157,7 @@ private:
     void rebuild(std::vector<Instruction> &body) {
         for (Instruction &i : body) {
             b_.setLine(i.line);
+            b_.setFile(i.file);
             if (isPlaceholder(i) && expanded_.contains(i.results[0])) {
                 const Slope &slope = slopes_[i.operands[0]];
                 replaced_[i.results[0]] = orZero(slope[i.immediate == derivativeByU ? 0 : 1]);

@@ -112,7 +112,7 @@ std::vector<float> atPoint(const std::string &type, const std::string &body, dou
     place(run, 0, u, v);
     run.setInput(ShaderInput::du, {0.5f});
     run.setInput(ShaderInput::dv, {0.25f});
-    run.setInput(ShaderInput::Ng, {0, 0, -1});
+    run.setInput(ShaderInput::orientation, {-1});
     std::vector<float> result;
     const auto outputs = run.run();
     for (const auto &plane : outputs.at("result"))
@@ -123,7 +123,7 @@ std::vector<float> atPoint(const std::string &type, const std::string &body, dou
 TEST(LowerDerivatives, CalculatenormalAndArea) {
     const double u = 0.3, v = 0.6;
     const Vec3 natural = cross(Patch::dPdu(u, v), Patch::dPdv(u, v));
-    ASSERT_GT(natural.z, 0); // Ng above points the other way: the orientation is turned.
+    ASSERT_GT(natural.z, 0); // The orientation above is the other one.
     const auto n = atPoint("normal", "result = calculatenormal(P);", u, v);
     EXPECT_NEAR(n[0], -natural.x, 1e-5);
     EXPECT_NEAR(n[1], -natural.y, 1e-5);

@@ -62,6 +62,7 @@ Function emptyLike(const Function &whole) {
     result.name = whole.name;
     result.requests = whole.requests;
     result.strings = whole.strings;
+    result.files = whole.files;
     result.spaces = whole.spaces;
     result.categories = whole.categories;
     result.parameters = whole.parameters;

@@ -139,6 +139,7 @@ void Specializer::walk(const Region &region, Range range) {
 
 void Specializer::walk(const Instruction &i, Range range) {
     b_.setLine(i.line);
+    b_.setFile(i.file);
     switch (i.op) {
     case Op::Output: {
         const OutputSlot &slot = text_.outputs[i.immediate];

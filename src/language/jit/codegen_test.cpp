@@ -13,6 +13,8 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <set>
 
 namespace candela {
 namespace {
@@ -110,6 +112,23 @@ TestBatch randomBatch(const ir::Function &function, unsigned seed) {
     return batch;
 }
 
+struct CodeFor {
+    const char *name;
+    std::optional<runtime::IsaLevel> level;
+    const char *cpu = "";
+
+    bool hasFma() const { return level != runtime::IsaLevel::V2; }
+    bool hostRuns() const { return level ? Jit::hostRuns(*level) : Jit::hostRuns(cpu); }
+    JitOptions options(int width) const {
+        JitOptions options;
+        options.cpu = cpu;
+        options.level = level;
+        options.width = width;
+        options.useCache = false;
+        return options;
+    }
+};
+
 JitOptions optionsFor(const std::string &cpu, int width) {
     JitOptions options;
     options.cpu = cpu;
@@ -118,11 +137,11 @@ JitOptions optionsFor(const std::string &cpu, int width) {
     return options;
 }
 
-class Codegen : public testing::TestWithParam<const char *> {
+class Codegen : public testing::TestWithParam<CodeFor> {
 protected:
-    std::string cpu() const { return GetParam(); }
     /// Only there transcendentals agree with the host's.
-    bool hasFma() const { return cpu() != "x86-64-v2"; }
+    bool hasFma() const { return GetParam().hasFma(); }
+    bool runs() const { return GetParam().hostRuns(); }
     void countFinite(const Result &result) {
         for (const auto &plane : result.outputs)
             for (float x : plane) {
@@ -135,8 +154,8 @@ protected:
 };
 
 TEST_P(Codegen, RandomProgramsEqualTheInterpreterInAllLanes) {
-    Jit wide(optionsFor(cpu(), 16), diagnostics_), narrow(optionsFor(cpu(), 1), diagnostics_);
-    const bool runs = Jit::hostRuns(cpu());
+    Jit wide(GetParam().options(16), diagnostics_), narrow(GetParam().options(1), diagnostics_);
+    const bool runs = this->runs();
     // Code without masked memory operations takes LLVM long.
     const unsigned programs = (!runs ? 5 : hasFma() ? 40 : 20) * campaignFactor();
     for (unsigned seed = 1; seed <= programs && !HasFailure(); ++seed) {
@@ -162,14 +181,14 @@ TEST_P(Codegen, RandomProgramsEqualTheInterpreterInAllLanes) {
     // Programs that give nothing but NaN or nothing at all would prove little.
     EXPECT_GE(finite_, numbers_ / 5);
     if (!runs)
-        GTEST_SKIP() << "compiled for " << cpu() << ", which this machine can't execute";
+        GTEST_SKIP() << "compiled for " << GetParam().name << ", which this machine can't execute";
 }
 
 /// One operation on many numbers: ordinary ones, huge, tiny, and the special ones.
 TEST_P(Codegen, TranscendentalsAgreeAtBothWidthsAndWithTheInterpreter) {
-    if (!Jit::hostRuns(cpu()))
-        GTEST_SKIP() << "this machine can't execute code for " << cpu();
-    Jit wide(optionsFor(cpu(), 16), diagnostics_), narrow(optionsFor(cpu(), 1), diagnostics_);
+    if (!runs())
+        GTEST_SKIP() << "this machine can't execute code for " << GetParam().name;
+    Jit wide(GetParam().options(16), diagnostics_), narrow(GetParam().options(1), diagnostics_);
     for (int op = int(Op::Sin); op <= int(Op::Pow); ++op) {
         ir::Function function;
         ir::Builder b(function);
@@ -204,13 +223,109 @@ TEST_P(Codegen, TranscendentalsAgreeAtBothWidthsAndWithTheInterpreter) {
     }
 }
 
+/// Element access with indices inside and outside, NaN and huge ones among them, uniform ones and
+/// varying ones, some under a condition. Which places are reported must not depend on the code.
+struct Places {
+    std::set<std::pair<std::string, int>> said;
+    static void note(void *context, const char *file, std::int32_t line) {
+        static_cast<Places *>(context)->said.emplace(file, line);
+    }
+};
+
+ir::ValueId indexFrom(ir::Builder &b, ir::ValueId x) {
+    return b.select(b.equal(x, x), b.unary(Op::IntegerFromFloat, x), b.integer(-1));
+}
+
+ir::Function arrayAccesses() {
+    ir::Function function;
+    ir::Builder b(function);
+    b.setFile(b.file("a.sl"));
+    const int before = b.addArray(ir::Type::Float, 2), array = b.addArray(ir::Type::Float, 4),
+              after = b.addArray(ir::Type::Float, 2);
+    for (int k = 0; k < 2; ++k) {
+        b.arrayStore(before, b.integer(k), b.number(7));
+        b.arrayStore(after, b.integer(k), b.number(7));
+    }
+    const ir::ValueId x = b.input(ShaderInput::P), y = b.input(ShaderInput::N);
+    for (int k = 0; k < 4; ++k)
+        b.arrayStore(array, b.integer(k), b.add(y, b.number(float(k))));
+    b.setLine(10);
+    b.output("read", 0, b.arrayLoad(array, indexFrom(b, x)));
+    b.setLine(11);
+    b.arrayStore(array, indexFrom(b, y), x);
+    b.setLine(12); // Guarded: never outside.
+    const ir::ValueId inside = b.both(b.lessEqual(b.number(0), x), b.less(x, b.number(4)));
+    b.output("guarded", 0,
+             b.ifElse(
+                 inside, [&] { return ir::Builder::Values{b.arrayLoad(array, indexFrom(b, x))}; },
+                 [&] { return ir::Builder::Values{b.number(-1)}; })[0]);
+    b.setLine(13);
+    const ir::Matrix m = b.space("uniform");
+    b.output("uniform", 0, b.arrayLoad(array, indexFrom(b, m[0])));
+    b.setLine(14);
+    b.arrayStore(array, indexFrom(b, m[1]), y);
+    for (int k = 0; k < 4; ++k)
+        b.output("array", k, b.arrayLoad(array, b.integer(k)));
+    for (int k = 0; k < 2; ++k) {
+        b.output("before", k, b.arrayLoad(before, b.integer(k)));
+        b.output("after", k, b.arrayLoad(after, b.integer(k)));
+    }
+    b.finish();
+    return function;
+}
+
+TEST_P(Codegen, IndicesOutsideAreClampedAndReportedAtEveryWidth) {
+    if (!runs())
+        GTEST_SKIP() << "this machine can't execute code for " << GetParam().name;
+    Jit wide(GetParam().options(16), diagnostics_), narrow(GetParam().options(1), diagnostics_);
+    const ir::Function function = arrayAccesses();
+    ASSERT_EQ(ir::verify(function), "");
+    const ShaderFunction codes[] = {wide.compile(function), narrow.compile(function)};
+    const float indices[] = {0, 3.5f, -0.5f, 4, -1, 1e30f, -1e30f, INFINITY, -INFINITY, NAN};
+    const auto isOutside = [](float x) { return !(x > -1 && x < 4); };
+    for (float x : indices)
+        for (float y : indices)
+            for (bool onlyOneLane : {false, true}) {
+                TestBatch batch(function, 21, 3);
+                // Elsewhere indices are fine; a lane that doesn't run may hold anything.
+                for (int i = 0; i < 21; ++i) {
+                    batch.inputs[int(ShaderInput::P)][i] = onlyOneLane && i != 17 ? 1 : x;
+                    batch.inputs[int(ShaderInput::N)][i] = onlyOneLane && i != 17 ? 2 : y;
+                }
+                batch.spaces[0][0] = x, batch.spaces[0][1] = y;
+                batch.inputs[int(ShaderInput::P)][3] = NAN;
+                batch.active = {std::uint16_t(~(1u << 3)), 0xffff};
+                std::set<std::pair<std::string, int>> expected;
+                for (auto [line, index] : {std::pair(10, x), {11, y}, {13, x}, {14, y}})
+                    if (isOutside(index))
+                        expected.emplace("a.sl", line);
+                const auto runWith = [&](auto &&runner) {
+                    Places places;
+                    batch.callbacks = {&places, nullptr, Places::note};
+                    auto outputs = batch.run(function, runner, -123.0f);
+                    EXPECT_EQ(places.said, expected) << x << " " << y;
+                    return outputs;
+                };
+                const auto reference = runWith(ir::interpret);
+                for (std::size_t k = 7; k < 11; ++k) // before, after
+                    EXPECT_EQ(reference[k][17], 7) << function.outputs[k].name;
+                for (ShaderFunction code : codes) {
+                    const auto found =
+                        runWith([&](const ir::Function &, const ShaderArgs &args) { code(&args); });
+                    for (std::size_t k = 0; k < found.size(); ++k)
+                        EXPECT_TRUE(std::equal(found[k].begin(), found[k].end(),
+                                               reference[k].begin(), sameBits))
+                            << function.outputs[k].name << " " << x << " " << y;
+                }
+            }
+}
+
 INSTANTIATE_TEST_SUITE_P(Cpus, Codegen,
-                         testing::Values("x86-64-v2", "x86-64-v3", "x86-64-v4", "znver4", ""),
-                         [](const auto &info) {
-                             std::string name = *info.param ? info.param : "host";
-                             std::replace(name.begin(), name.end(), '-', '_');
-                             return name;
-                         });
+                         testing::Values(CodeFor{"v2", runtime::IsaLevel::V2},
+                                         CodeFor{"v3", runtime::IsaLevel::V3},
+                                         CodeFor{"v4", runtime::IsaLevel::V4},
+                                         CodeFor{"znver4", {}, "znver4"}, CodeFor{"host", {}}),
+                         [](const auto &info) { return std::string(info.param.name); });
 
 TEST(Jit, SaysThatACpuIsUnknown) {
     DiagnosticList diagnostics;

@@ -44,13 +44,22 @@ static std::string hostFeatures() {
     return features;
 }
 
+std::string cpuOfLevel(runtime::IsaLevel level) {
+    switch (level) {
+    case runtime::IsaLevel::V2: return "x86-64-v2";
+    case runtime::IsaLevel::V3: return "x86-64-v3";
+    case runtime::IsaLevel::V4: break;
+    }
+    return "x86-64-v4";
+}
+
 std::optional<CodeTarget> codeTarget(const std::string &cpu, int width) {
     CodeTarget target;
     target.width = width;
     const bool native = cpu.empty() && instructionSet() == hostInstructionSet();
     target.cpu = native         ? llvm::sys::getHostCPUName().str()
                  : !cpu.empty() ? cpu
-                                : std::string("x86-64-") + nameOf(instructionSet());
+                                : cpuOfLevel(runtime::hostIsaLevel());
     // The host may lack what its name promises: hypervisors hide features.
     target.features = native ? hostFeatures() : "";
     if (!subtarget("x86-64", "")->isCPUStringValid(target.cpu))

@@ -11,6 +11,8 @@
 
 namespace candela {
 
+/// LLVM's name for a CPU that has what the level has and nothing more.
+std::string cpuOfLevel(runtime::IsaLevel);
 /// The target of a CPU name (empty = this machine, at the instruction set in force); none if LLVM
 /// doesn't know it.
 std::optional<CodeTarget> codeTarget(const std::string &cpu, int width);

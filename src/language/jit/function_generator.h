@@ -20,6 +20,7 @@ namespace candela {
 /// The symbol under which generated code calls a runtime function, and printing.
 std::string runtimeSymbol(int runtimeFunction, int width);
 inline constexpr const char *printSymbol = "candela_print";
+inline constexpr const char *indexOutsideSymbol = "candela_index_outside";
 
 class FunctionGenerator {
 public:
@@ -83,6 +84,7 @@ private:
     Value *randomNumber(int immediate);
     void emitCall(const ir::Instruction &);
     void emitPrint(const ir::Instruction &);
+    void emitIndexCheck(const ir::Instruction &, Value *raw, Value *clamped);
     Value *elementAddress(const ir::Instruction &, Value *&index);
     Value *loadElement(const ir::Instruction &);
     void storeElement(const ir::Instruction &);

@@ -11,6 +11,14 @@ static void addIds(ContentHash &hash, const std::vector<ir::ValueId> &ids) {
         hash.add(std::uint64_t(id));
 }
 
+static void addTexts(ContentHash &hash, const std::vector<std::string> &texts) {
+    hash.add(texts.size());
+    for (const std::string &text : texts) {
+        hash.add(text.size());
+        hash.add(text);
+    }
+}
+
 static void addRegion(ContentHash &hash, const ir::Region &region) {
     addIds(hash, region.arguments);
     addIds(hash, region.yields);
@@ -19,6 +27,10 @@ static void addRegion(ContentHash &hash, const ir::Region &region) {
         hash.add(std::uint64_t(i.op));
         hash.add(std::uint64_t(std::uint32_t(i.immediate)));
         hash.add(std::uint64_t(std::bit_cast<std::uint32_t>(i.number)));
+        if (i.op == ir::Op::ArrayLoad || i.op == ir::Op::ArrayStore) {
+            hash.add(std::uint64_t(std::uint32_t(i.line)));
+            hash.add(std::uint64_t(std::uint32_t(i.file)));
+        }
         addIds(hash, i.operands);
         addIds(hash, i.results);
         hash.add(i.regions.size());
@@ -42,11 +54,8 @@ void addFunction(ContentHash &hash, const ir::Function &function) {
         hash.add(std::uint64_t(std::uint32_t(request.coneCount)));
         hash.add(std::uint64_t(std::uint32_t(request.category)));
     }
-    hash.add(function.strings.size());
-    for (const std::string &text : function.strings) {
-        hash.add(text.size());
-        hash.add(text);
-    }
+    addTexts(hash, function.strings);
+    addTexts(hash, function.arrays.empty() ? std::vector<std::string>() : function.files);
     hash.add(std::uint64_t(function.frameSlots));
     addRegion(hash, function.body);
 }

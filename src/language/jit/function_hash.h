@@ -7,8 +7,8 @@
 
 namespace candela {
 
-/// Adds everything that generated code depends on, floats bit by bit. Names and lines, which it
-/// doesn't depend on, are left out.
+/// Adds everything that generated code depends on, floats bit by bit. Names and lines are left out
+/// but for the places of array accesses, which the code reports.
 void addFunction(ContentHash &, const ir::Function &);
 
 } // namespace candela

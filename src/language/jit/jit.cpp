@@ -43,8 +43,13 @@ struct Jit::State {
     Statistics statistics;
 };
 
+/// LLVM's name for the machines that code is to run on; empty = this one.
+static std::string cpuOf(const JitOptions &options) {
+    return options.cpu.empty() && options.level ? cpuOfLevel(*options.level) : options.cpu;
+}
+
 Jit::State::State(const JitOptions &given, DiagnosticSink &diagnostics)
-    : options(given), sink(diagnostics), target(codeTarget(given.cpu, given.width)),
+    : options(given), sink(diagnostics), target(codeTarget(cpuOf(given), given.width)),
       cache(!given.useCache             ? std::filesystem::path()
             : given.cacheFolder.empty() ? ObjectCache::defaultFolder()
                                         : std::filesystem::path(given.cacheFolder)) {
@@ -53,7 +58,7 @@ Jit::State::State(const JitOptions &given, DiagnosticSink &diagnostics)
     if (target)
         createLinker();
     else
-        fail("no code can be generated for CPU \"" + given.cpu + "\" at width " +
+        fail("no code can be generated for CPU \"" + cpuOf(given) + "\" at width " +
              std::to_string(given.width));
 }
 
@@ -85,6 +90,7 @@ void Jit::State::defineSymbols() {
             define(runtimeSymbol(k, width),
                    runtime::code(runtime::RuntimeFunction(k), width, target->level));
     define(printSymbol, &printLanes);
+    define(indexOutsideSymbol, &reportIndexOutside);
     define("memset", &std::memset);
     define("memcpy", &std::memcpy);
     define("memmove", &std::memmove);
@@ -188,6 +194,7 @@ std::string Jit::emit(const ir::Function &function, bool assembly) {
 }
 
 bool Jit::hostRuns(const std::string &cpu) { return hostRunsCode(cpu); }
+bool Jit::hostRuns(runtime::IsaLevel level) { return hostRunsCode(cpuOfLevel(level)); }
 
 Jit::Statistics Jit::statistics() const {
     std::lock_guard lock(state_->mutex);

@@ -4,16 +4,20 @@
 
 #include "foundation/base/diagnostics.h"
 #include "language/ir/ir.h"
+#include "language/runtime/isa_level.h"
 #include "language/runtime/shader_abi.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace candela {
 
 struct JitOptions {
     int width = laneBlock; ///< 16 or 1; results agree bit by bit.
-    std::string cpu;       ///< LLVM's name, for example "x86-64-v3"; empty = this machine.
+    std::string cpu;       ///< LLVM's name, for example "znver4"; empty = as `level` says.
+    /// Code that all machines of the level can execute; none = this machine's own.
+    std::optional<runtime::IsaLevel> level;
     /// Folder of the object cache; empty = $CANDELA_CACHE, else $XDG_CACHE_HOME/candela, else
     /// ~/.cache/candela. A folder that can't be written is done without.
     std::string cacheFolder;
@@ -33,8 +37,9 @@ public:
     /// LLVM IR after optimisation, or assembly, as `candela compile --emit llvm|asm` prints it.
     std::string emit(const ir::Function &, bool assembly);
 
-    /// True if this machine can execute code for the given CPU name.
+    /// True if this machine can execute code for the given CPU name (empty: always) or level.
     static bool hostRuns(const std::string &cpu);
+    static bool hostRuns(runtime::IsaLevel);
 
     struct Statistics {
         int compiled = 0, fromCache = 0;

@@ -6,6 +6,7 @@
 #include "language/runtime/runtime_functions.h"
 
 #include <llvm/IR/Intrinsics.h>
+#include <llvm/IR/MDBuilder.h>
 
 #include <cstddef>
 
@@ -408,6 +409,27 @@ void FunctionGenerator::emitPrint(const Instruction &i) {
                          builder_.getInt32(std::uint32_t(lanes_.width())), active});
 }
 
+/// candela_index_outside(args, file, line) if an active lane's index had to be clamped.
+void FunctionGenerator::emitIndexCheck(const Instruction &i, Value *raw, Value *clamped) {
+    auto *outside = builder_.CreateICmpNE(raw, clamped);
+    if (auto *known = llvm::dyn_cast<llvm::Constant>(outside); known && known->isZeroValue())
+        return;
+    auto *lanes = masks_.currentAnd(lanes_.splat(outside));
+    auto *report = block("index_outside"), *go = block("index_clamped");
+    builder_.CreateCondBr(lanes_.any(lanes), report, go,
+                          llvm::MDBuilder(module_.getContext()).createUnlikelyBranchWeights());
+    builder_.SetInsertPoint(report);
+    auto *signature =
+        llvm::FunctionType::get(builder_.getVoidTy(), {pointer_, pointer_, integer_}, false);
+    const std::string file = function_.files.empty() ? "" : function_.files[i.file];
+    auto *call =
+        builder_.CreateCall(external(indexOutsideSymbol, signature, false),
+                            {args_, globalText(file), builder_.getInt32(std::uint32_t(i.line))});
+    call->addFnAttr(llvm::Attribute::Cold);
+    builder_.CreateBr(go);
+    builder_.SetInsertPoint(go);
+}
+
 /// For an index that varies: the array's start, and `index` becomes each lane's element. For a
 /// uniform one: the row of all lanes.
 FunctionGenerator::Value *FunctionGenerator::elementAddress(const Instruction &i, Value *&index) {
@@ -416,6 +438,7 @@ FunctionGenerator::Value *FunctionGenerator::elementAddress(const Instruction &i
     const auto whole = [&](int k) { return llvm::ConstantInt::get(raw->getType(), k); };
     index = builder_.CreateBinaryIntrinsic(llvm::Intrinsic::smax, raw, whole(0));
     index = builder_.CreateBinaryIntrinsic(llvm::Intrinsic::smin, index, whole(array.size - 1));
+    emitIndexCheck(i, raw, index);
     if (!index->getType()->isVectorTy()) {
         auto *rows = arrays_[i.immediate]->getAllocatedType()->getArrayElementType();
         return builder_.CreateGEP(rows, arrays_[i.immediate], index);

@@ -34,4 +34,9 @@ void printLanes(const ShaderArgs *args, const char *strings, const char *types,
             printLane(*args->callbacks, strings, types, operandCount, cells + lane, width);
 }
 
+void reportIndexOutside(const ShaderArgs *args, const char *file, std::int32_t line) {
+    if (args->callbacks && args->callbacks->indexOutside)
+        args->callbacks->indexOutside(args->callbacks->context, file, line);
+}
+
 } // namespace candela

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What compiled printf() calls.
+// What compiled code calls to speak: printf(), and indices outside arrays.
 #pragma once
 
 #include "language/runtime/shader_abi.h"
@@ -12,5 +12,8 @@ namespace candela {
 void printLanes(const ShaderArgs *, const char *strings, const char *types,
                 std::int32_t operandCount, const std::int32_t *cells, std::int32_t width,
                 std::uint32_t activeLanes);
+
+/// Passes the place of an index outside its array on to ShaderCallbacks::indexOutside, if any.
+void reportIndexOutside(const ShaderArgs *, const char *file, std::int32_t line);
 
 } // namespace candela

@@ -26,6 +26,9 @@ struct ShaderCallbacks {
     void *context = nullptr;
     /// printf(): the text for one lane, already formatted.
     void (*print)(void *context, const char *text) = nullptr;
+    /// An array is indexed outside its elements there: called from any thread, as often as it
+    /// happens.
+    void (*indexOutside)(void *context, const char *file, std::int32_t line) = nullptr;
 };
 
 /// No question but finite light samples: see ShaderArgs::answeredRequest.

@@ -73,7 +73,7 @@ TEST(Camera, RasterAndNdcRoundTrip) {
                 Vec3 ndc = transformPoint(camera.ndcFromCamera(), P);
                 EXPECT_NEAR(ndc.x, x / 320, 1e-5);
                 EXPECT_NEAR(ndc.y, y / 200, 1e-5);
-                Vec3 start = transformPoint(camera.screenFromCamera(), r.origin);
+                Vec3 start = transformPoint(camera.screenFromCamera(), r.origin + r.direction * r.tMin);
                 EXPECT_NEAR(start.z, 0, 1e-5) << "screen depth is 0 at the near plane";
                 Vec3 end = r.origin + r.direction * r.tMax;
                 EXPECT_NEAR(transformPoint(camera.screenFromCamera(), end).z, 1, 1e-5);

@@ -32,6 +32,8 @@ DiceCounts chooseCounts(const DerivativeBounds &bounds, const DiceRate &rate, Di
     // A rate that is no positive number asks for the finest dicing there is.
     double edge = rate.edgeLength > 0 ? double(rate.edgeLength) : 0.0;
     double chord = rate.chordError > 0 ? double(rate.chordError) : 0.0;
+    if (bounds.ruled)
+        chord = std::max(chord, std::sqrt(chord * bounds.duv) / 64);
     double u = std::max(double(least.u), cellsForEdge(bounds.du, bounds.skew, edge));
     double v = std::max(double(least.v), cellsForEdge(bounds.dv, bounds.skew, edge));
     auto error = [&] {

@@ -9,7 +9,8 @@ namespace candela {
 /// Upper bounds over a parameter square of the lengths of a surface's derivatives.
 struct DerivativeBounds {
     double du = 0, dv = 0, duu = 0, duv = 0, dvv = 0;
-    bool skew = false; ///< The first derivatives need not be at right angles.
+    bool skew = false;  ///< The first derivatives need not be at right angles.
+    bool ruled = false; ///< Lines of constant u and of constant v are straight: pure twist.
 };
 
 struct DiceCounts {
@@ -25,7 +26,9 @@ inline constexpr double maximalCells = 1 << 20;
 /// within the cell has a variance of at most D^2/4.
 double cellError(const DerivativeBounds &, DiceCounts);
 
-/// The fewest cells that meet the rate, at least `least`, within `cells` altogether.
+/// The fewest cells that meet the rate, at least `least`, within `cells` altogether. Pure twist
+/// takes as many cells as its size exceeds the chord error, which near the camera is millions for
+/// a face that hardly differs from two triangles: there the number grows with the root of that.
 DiceCounts chooseCounts(const DerivativeBounds &, const DiceRate &, DiceCounts least, double cells);
 
 } // namespace candela

@@ -119,21 +119,28 @@ void GridVariables::evaluate(int index, int first, int count, const float *meshU
     }
 }
 
-void GridVariables::overrideNormals(int count, const float *meshU, const float *meshV,
-                                    Vec3Planes N) const {
+void GridVariables::overrideNormals(int count, const float *meshU, const float *meshV, Vec3Planes N,
+                                    Vec3Planes dNdu, Vec3Planes dNdv) const {
     if (!normal_)
         return;
     PatchPoints points;
-    std::array<float, PatchPoints::capacity> x, y, z;
+    std::array<float, PatchPoints::capacity> value[3], du[3], dv[3];
     for (int start = 0; start < count; start += PatchPoints::capacity) {
         locate(grid_, meshU + start, meshV + start, std::min(count - start, points.capacity),
                points);
-        normal_->evaluate(grid_, points, 0, x.data(), nullptr, nullptr);
-        normal_->evaluate(grid_, points, 1, y.data(), nullptr, nullptr);
-        normal_->evaluate(grid_, points, 2, z.data(), nullptr, nullptr);
-        for (int k = 0; k < points.count; ++k)
-            if (Vec3 n{x[k], y[k], z[k]}; dot(n, n) > 0)
+        for (int c = 0; c < 3; ++c)
+            normal_->evaluate(grid_, points, c, value[c].data(), du[c].data(), dv[c].data());
+        for (int k = 0; k < points.count; ++k) {
+            Vec3 n{value[0][k], value[1][k], value[2][k]};
+            if (!(dot(n, n) > 0))
+                continue;
+            if (N.x)
                 N.set(start + k, n);
+            if (dNdu.x)
+                dNdu.set(start + k, unitDerivative(n, {du[0][k], du[1][k], du[2][k]}));
+            if (dNdv.x)
+                dNdv.set(start + k, unitDerivative(n, {dv[0][k], dv[1][k], dv[2][k]}));
+        }
     }
 }
 

@@ -29,8 +29,10 @@ public:
     /// Surface::evaluateVariable at `count` mesh coordinates; answers begin at place `first`.
     void evaluate(int index, int first, int count, const float *meshU, const float *meshV,
                   float *const *value, float *const *valueDu, float *const *valueDv) const;
-    /// Sets N to the variable "N" (or "Np") where that is not zero; without it, does nothing.
-    void overrideNormals(int count, const float *meshU, const float *meshV, Vec3Planes N) const;
+    /// Sets N to the variable "N" (or "Np") where that is not zero, and the derivatives to those of
+    /// the unit normal along it; without it, does nothing. Null planes are not wanted.
+    void overrideNormals(int count, const float *meshU, const float *meshV, Vec3Planes N,
+                         Vec3Planes dNdu, Vec3Planes dNdv) const;
 
 private:
     std::optional<PatchPolynomials> convert(const NumericVariable &, const VertexBasis *,

@@ -42,9 +42,10 @@ static PatchPolynomials fromHomogeneous(const PatchTopology &topology,
     return convertVertices(topology, plain, 3);
 }
 
-/// The positions, or nothing and a report.
+/// The positions and, unless they are heights, the sides; or nothing and a report.
 static std::optional<PatchPolynomials> positionsOf(const PatchTopology &topology,
                                                    const PrimitiveRecord &record,
+                                                   std::array<std::vector<SideCurve>, 4> &sides,
                                                    DiagnosticSink &diagnostics) {
     auto wrongCount = [&](std::size_t count) {
         diagnostics.error(record.where,
@@ -67,6 +68,7 @@ static std::optional<PatchPolynomials> positionsOf(const PatchTopology &topology
         return std::nullopt;
     if (points.size() != std::size_t(topology.vertices()) * 4)
         return wrongCount(points.size() / 4);
+    sides = sideCurves(topology, points);
     return fromHomogeneous(topology, points);
 }
 
@@ -89,7 +91,8 @@ std::vector<std::shared_ptr<const Surface>> makePatchMesh(const PatchMeshRecord 
     auto topology = patchTopology(mesh, attributes, why);
     if (!topology)
         return refuse(why);
-    auto positions = positionsOf(*topology, record, diagnostics);
+    std::array<std::vector<SideCurve>, 4> sides;
+    auto positions = positionsOf(*topology, record, sides, diagnostics);
     if (!positions)
         return {};
     std::vector<PatchBounds> bounds;
@@ -105,8 +108,9 @@ std::vector<std::shared_ptr<const Surface>> makePatchMesh(const PatchMeshRecord 
                       }};
     GridVariables variables(record, attributes, topology->grid, mesh.bicubic ? &basis : nullptr,
                             diagnostics);
-    auto surface = std::make_shared<PatchSurface>(*topology, std::move(*positions),
-                                                  std::move(bounds), std::move(variables));
+    auto surface =
+        std::make_shared<PatchSurface>(*topology, std::move(*positions), std::move(bounds),
+                                       std::move(sides), std::move(variables));
     if (!surface->hasArea())
         return refuse("has no area");
     return {surface};

@@ -61,21 +61,29 @@ namespace {
 using ControlNet = std::array<std::array<double, 4>, 4>;
 
 /// coefficient[i][j] of u^i v^j: the rows of a basis go down from the third power.
-void appendBicubic(const PatchTopology &topology, const ControlNet &net,
-                   std::vector<float> &coefficients) {
-    ControlNet half{}; // Basis applied along u.
+ControlNet bicubicCoefficients(const PatchTopology &topology, const ControlNet &net) {
+    ControlNet half{}, result{}; // Basis applied along u, then along v.
     for (int i = 0; i < 4; ++i)
         for (int b = 0; b < 4; ++b)
             for (int a = 0; a < 4; ++a)
                 half[i][b] += double(topology.uBasis[(3 - i) * 4 + a]) * net[a][b];
     for (int i = 0; i < 4; ++i)
-        for (int j = 0; j < 4; ++j) {
-            double sum = 0;
+        for (int j = 0; j < 4; ++j)
             for (int b = 0; b < 4; ++b)
-                sum += half[i][b] * topology.vBasis[(3 - j) * 4 + b];
-            coefficients.push_back(float(sum));
-        }
+                result[i][j] += half[i][b] * topology.vBasis[(3 - j) * 4 + b];
+    return result;
 }
+
+void appendBicubic(const PatchTopology &topology, const ControlNet &net,
+                   std::vector<float> &coefficients) {
+    for (const auto &row : bicubicCoefficients(topology, net))
+        for (double coefficient : row)
+            coefficients.push_back(float(coefficient));
+}
+
+/// b_k = sum over i <= k of C(k,i)/C(3,i) c_i.
+constexpr double fromPower[4][4] = {
+    {1, 0, 0, 0}, {1, 1.0 / 3, 0, 0}, {1, 2.0 / 3, 1.0 / 3, 0}, {1, 1, 1, 1}};
 
 } // namespace
 
@@ -109,9 +117,6 @@ PatchPolynomials convertVertices(const PatchTopology &topology, std::span<const 
 }
 
 BezierNet bezierNet(const PatchPolynomials &polynomials, int patch, int component) {
-    // b_k = sum over i <= k of C(k,i)/C(3,i) c_i.
-    static constexpr double fromPower[4][4] = {
-        {1, 0, 0, 0}, {1, 1.0 / 3, 0, 0}, {1, 2.0 / 3, 1.0 / 3, 0}, {1, 1, 1, 1}};
     const float *c = polynomials.of(patch, component);
     int size = polynomials.degree + 1;
     BezierNet net{};
@@ -188,6 +193,26 @@ double coefficientSum(const PatchPolynomials &positions, int patch) {
 
 } // namespace
 
+/// Which sides are a point, by the ordinates along them.
+static std::array<bool, 4> collapsedSides(std::span<const BezierNet> nets, bool rational,
+                                          double tolerance) {
+    auto spread = [&](auto ordinate) {
+        double most = 0;
+        for (int c = 0; c < 3; ++c)
+            for (int k = 1; k < 4; ++k) {
+                auto place = [&](int i) {
+                    return ordinate(nets[c], i) / (rational ? ordinate(nets[3], i) : 1);
+                };
+                most = std::max(most, std::abs(place(k) - place(0)));
+            }
+        return most <= tolerance;
+    };
+    return {spread([](const BezierNet &b, int k) { return b[k][0]; }),
+            spread([](const BezierNet &b, int k) { return b[k][3]; }),
+            spread([](const BezierNet &b, int k) { return b[0][k]; }),
+            spread([](const BezierNet &b, int k) { return b[3][k]; })};
+}
+
 PatchBounds patchBounds(const PatchPolynomials &positions, int patch) {
     std::array<BezierNet, 4> nets{};
     for (int c = 0; c < positions.components; ++c)
@@ -204,8 +229,11 @@ PatchBounds patchBounds(const PatchPolynomials &positions, int patch) {
                 Vec3{float(nets[0][i][j] / w), float(nets[1][i][j] / w), float(nets[2][i][j] / w)});
         }
     std::span<const BezierNet> homogeneous = std::span(nets).first(3);
+    bounds.collapsed =
+        collapsedSides(nets, rational, 4e-7 * bounds.coefficientSum / std::min(leastWeight, 1.0));
     if (!rational) {
         bounds.derivatives = derivativeBounds(homogeneous);
+        bounds.derivatives.ruled = positions.degree == 1;
         return bounds;
     }
     bounds.valid = leastWeight > 0;
@@ -220,6 +248,71 @@ PatchBounds patchBounds(const PatchPolynomials &positions, int patch) {
                        leastWeight, 0.5 * length(bounds.box.extent()));
     bounds.coefficientSum *= 1 / leastWeight;
     return bounds;
+}
+
+Vec3 SideCurve::at(int step, int steps) const {
+    double w = double(step) / steps, r = double(steps - step) / steps;
+    double place[4];
+    for (int c = 0; c < 4; ++c) {
+        double first = ordinates[0][c], last = ordinates[3][c];
+        // The same sums whichever end comes first.
+        place[c] = degree == 1
+                       ? first * r + last * w
+                       : (first * (r * r * r) + last * (w * w * w)) +
+                             3 * (ordinates[1][c] * (r * r * w) + ordinates[2][c] * (w * w * r));
+    }
+    return {float(place[0] / place[3]), float(place[1] / place[3]), float(place[2] / place[3])};
+}
+
+/// Of the patch that begins at a control point: its four sides.
+static std::array<SideCurve, 4> sidesOf(const PatchTopology &topology,
+                                        std::span<const float> points, int column, int row) {
+    std::array<SideCurve, 4> sides;
+    int last = topology.degree();
+    for (SideCurve &side : sides)
+        side.degree = last;
+    for (int c = 0; c < 4; ++c) {
+        ControlNet net{}, ordinates{};
+        for (int a = 0; a <= last; ++a)
+            for (int b = 0; b <= last; ++b) {
+                int u = (column + a) % topology.uVertices, v = (row + b) % topology.vVertices;
+                net[a][b] = points[(std::size_t(v) * topology.uVertices + u) * 4 + c];
+            }
+        if (topology.bicubic) {
+            ControlNet power = bicubicCoefficients(topology, net);
+            for (int k = 0; k < 4; ++k)
+                for (int l = 0; l < 4; ++l)
+                    for (int i = 0; i < 4; ++i)
+                        for (int j = 0; j < 4; ++j)
+                            ordinates[k][l] += fromPower[k][i] * fromPower[l][j] * power[i][j];
+        } else {
+            ordinates[0][0] = net[0][0], ordinates[3][0] = net[1][0];
+            ordinates[0][3] = net[0][1], ordinates[3][3] = net[1][1];
+        }
+        for (int k = 0; k < 4; ++k) {
+            sides[0].ordinates[k][c] = float(ordinates[k][0]);
+            sides[1].ordinates[k][c] = float(ordinates[k][3]);
+            sides[2].ordinates[k][c] = float(ordinates[0][k]);
+            sides[3].ordinates[k][c] = float(ordinates[3][k]);
+        }
+    }
+    return sides;
+}
+
+std::array<std::vector<SideCurve>, 4> sideCurves(const PatchTopology &topology,
+                                                 std::span<const float> points) {
+    std::array<std::vector<SideCurve>, 4> curves;
+    const PatchGrid &grid = topology.grid;
+    int stepU = topology.bicubic ? topology.uStep : 1;
+    int stepV = topology.bicubic ? topology.vStep : 1;
+    auto add = [&](int side, int column, int row) {
+        curves[side].push_back(sidesOf(topology, points, column * stepU, row * stepV)[side]);
+    };
+    for (int column = 0; column < grid.patchesU; ++column)
+        add(0, column, 0), add(1, column, grid.patchesV - 1);
+    for (int row = 0; row < grid.patchesV; ++row)
+        add(2, 0, row), add(3, grid.patchesU - 1, row);
+    return curves;
 }
 
 /// Do the last ordinates of one net along u (or v) equal the first of the next?

@@ -41,7 +41,26 @@ struct PatchBounds {
     Box3 box;
     DerivativeBounds derivatives; ///< By u and v within the patch.
     double coefficientSum = 0;    ///< Largest sum of magnitudes: what rounding is relative to.
+    /// Sides that are a point to within rounding: v = 0, v = 1, u = 0, u = 1.
+    std::array<bool, 4> collapsed{};
 };
+
+/// One side of a patch by its own control points alone, so that patches which share a side agree
+/// about it to the last bit, whichever way they run along it. Homogeneous Bezier ordinates, rounded
+/// to float: those of a Bezier patch are its control points.
+struct SideCurve {
+    int degree = 3; ///< 1: only the ends count.
+    std::array<std::array<float, 4>, 4> ordinates{};
+
+    /// The point at step/steps of the way.
+    Vec3 at(int step, int steps) const;
+};
+
+/// The sides of the patches round a mesh, in the order of PatchBounds::collapsed; homogeneous
+/// control points, four floats each.
+std::array<std::vector<SideCurve>, 4> sideCurves(const PatchTopology &,
+                                                 std::span<const float> points);
+
 /// Does every patch end where its neighbour begins? Not under every basis and step.
 bool patchesMeet(const PatchGrid &, const PatchPolynomials &positions, double tolerance);
 

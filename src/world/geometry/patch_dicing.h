@@ -3,7 +3,7 @@
 #pragma once
 
 #include "world/geometry/dice_counts.h"
-#include "world/geometry/patch_polynomials.h"
+#include "world/geometry/patch_basis.h"
 
 #include <span>
 
@@ -16,14 +16,22 @@ struct PatchCuts {
     double error = 0; ///< cellError of the worst patch.
 };
 
-/// `bounds` of each patch, by its own parameters.
-PatchCuts choosePatchCuts(const PatchGrid &, std::span<const DerivativeBounds> bounds,
-                          const DiceRate &);
+/// What dicing knows of the mesh besides its cuts.
+struct PatchOutline {
+    std::span<const PatchBounds> patches;
+    std::array<std::vector<SideCurve>, 4> sides; ///< Empty: the sides are as evaluate() has them.
+    bool patchesMeet = true;
+    float tolerance = 0; ///< Places this near to one another are the same.
+};
 
-/// Positions come from evaluate(). If the patches meet, neighbours share their vertices, and the
-/// ends of a periodic mesh theirs where they are within `tolerance`; under a basis whose patches do
-/// not meet each is diced for itself. chordError is left to the caller.
-DicedMesh dicePatches(const PatchGrid &, const PatchCuts &, const Surface &, bool patchesMeet,
-                      float tolerance);
+/// Triangles of a mesh with these cuts: two a cell, but one where a side of a patch is a point.
+double triangleCount(const PatchGrid &, const PatchCuts &, std::span<const PatchBounds>);
+
+PatchCuts choosePatchCuts(const PatchGrid &, std::span<const PatchBounds>, const DiceRate &);
+
+/// Positions come from evaluate(), at the border of the mesh from its sides' own curves. If the
+/// patches meet, neighbours share their vertices, and the ends of a periodic mesh theirs; under a
+/// basis whose patches do not meet each is diced for itself. chordError is left to the caller.
+DicedMesh dicePatches(const PatchGrid &, const PatchCuts &, const Surface &, const PatchOutline &);
 
 } // namespace candela

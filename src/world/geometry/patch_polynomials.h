@@ -68,6 +68,28 @@ inline float polynomial(const float *c, float u, float v, float &du, float &dv) 
     return value;
 }
 
+/// The second derivatives at (u,v): by u twice, by u and v, by v twice.
+template <int degree>
+inline std::array<float, 3> secondDerivatives(const float *c, float u, float v) {
+    if constexpr (degree == 1)
+        return {0, c[3], 0};
+    float duu = 0, duv = 0, dvv = 0;
+    for (int i = degree; i >= 0; --i) {
+        float row = 0, rowDv = 0, rowDvv = 0; // The last of half the size.
+        for (int j = degree; j >= 0; --j) {
+            rowDvv = rowDvv * v + rowDv;
+            rowDv = rowDv * v + row;
+            row = row * v + c[i * (degree + 1) + j];
+        }
+        dvv = dvv * u + 2 * rowDvv;
+        if (i >= 1)
+            duv = duv * u + float(i) * rowDv;
+        if (i >= 2)
+            duu = duu * u + float(i * (i - 1)) * row;
+    }
+    return {duu, duv, dvv};
+}
+
 /// Appends the bilinear function that has these values at (0,0), (1,0), (0,1), (1,1).
 void appendBilinear(std::vector<float> &coefficients, float c00, float c10, float c01, float c11);
 

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/geometry/patch_surface.h"
 
-#include "world/geometry/patch_dicing.h"
-
 #include <cmath>
 
 namespace candela {
 
 PatchSurface::PatchSurface(const PatchTopology &topology, PatchPolynomials positions,
-                           std::vector<PatchBounds> bounds, GridVariables variables)
+                           std::vector<PatchBounds> bounds,
+                           std::array<std::vector<SideCurve>, 4> sides, GridVariables variables)
     : topology_(topology), positions_(std::move(positions)), patchBounds_(std::move(bounds)),
       variables_(std::move(variables)) {
     const PatchGrid &grid = topology_.grid;
@@ -22,7 +21,8 @@ PatchSurface::PatchSurface(const PatchTopology &topology, PatchPolynomials posit
             4e-7 * patch.coefficientSum + 2e-7 * (d.du * grid.patchesU + d.dv * grid.patchesV);
         roundingError_ = std::max(roundingError_, rounding);
     }
-    patchesMeet_ = patchesMeet(grid, positions_, roundingError_);
+    outline_ = {patchBounds_, std::move(sides), patchesMeet(grid, positions_, roundingError_),
+                float(4 * roundingError_)};
     Vec3 margin{float(roundingError_), float(roundingError_), float(roundingError_)};
     bound_ = {bound_.low - margin, bound_.high + margin};
 }
@@ -45,13 +45,15 @@ inline PatchSurface::Local PatchSurface::local(int patch, float u, float v) cons
 
 /// The normal near a place that has none, with the derivatives there; as a last resort any frame.
 template <int degree, bool rational>
-Vec3 PatchSurface::beside(int patch, float u, float v, Local &at) const {
+Vec3 PatchSurface::beside(int patch, float &u, float &v, Local &at) const {
     for (float step : {2e-3f, 2e-2f, 0.2f}) {
-        Local near = local<degree, rational>(patch, u + (0.5f - u) * step, v + (0.5f - v) * step);
+        float nearU = u + (0.5f - u) * step, nearV = v + (0.5f - v) * step;
+        Local near = local<degree, rational>(patch, nearU, nearV);
         Vec3 normal = cross(near.du, near.dv);
         if (length(normal) > leastNormal_[patch]) {
             at.du = near.du;
             at.dv = near.dv;
+            u = nearU, v = nearV;
             return normal;
         }
     }
@@ -66,6 +68,31 @@ Vec3 PatchSurface::beside(int patch, float u, float v, Local &at) const {
 }
 
 template <int degree, bool rational>
+std::array<Vec3, 2> PatchSurface::normalDerivatives(int patch, float u, float v,
+                                                    const Local &at) const {
+    float scaleU = float(topology_.grid.patchesU), scaleV = float(topology_.grid.patchesV);
+    Vec3 duu, duv, dvv;
+    for (int c = 0; c < 3; ++c) {
+        auto second = secondDerivatives<degree>(positions_.of(patch, c), u, v);
+        duu[c] = second[0], duv[c] = second[1], dvv[c] = second[2];
+    }
+    if constexpr (rational) {
+        // w P = H, differentiated twice; P and its derivatives by the patch's own (u,v).
+        float wu, wv, w = polynomial<degree>(positions_.of(patch, 3), u, v, wu, wv);
+        auto second = secondDerivatives<degree>(positions_.of(patch, 3), u, v);
+        Local here = local<degree, rational>(patch, u, v);
+        Vec3 du = here.du / scaleU, dv = here.dv / scaleV;
+        duu = (duu - du * (2 * wu) - here.P * second[0]) / w;
+        duv = (duv - dv * wu - du * wv - here.P * second[1]) / w;
+        dvv = (dvv - dv * (2 * wv) - here.P * second[2]) / w;
+    }
+    duu *= scaleU * scaleU, duv *= scaleU * scaleV, dvv *= scaleV * scaleV;
+    Vec3 normal = cross(at.du, at.dv);
+    return {unitDerivative(normal, cross(duu, at.dv) + cross(at.du, duv)),
+            unitDerivative(normal, cross(duv, at.dv) + cross(at.du, dvv))};
+}
+
+template <int degree, bool rational>
 void PatchSurface::evaluateAs(const SurfaceQuery &query, const SurfaceAnswer &answer) const {
     PatchPoints points;
     for (int start = 0; start < query.count; start += PatchPoints::capacity) {
@@ -75,8 +102,18 @@ void PatchSurface::evaluateAs(const SurfaceQuery &query, const SurfaceAnswer &an
             int k = start + i, patch = points.patch[i];
             Local at = local<degree, rational>(patch, points.u[i], points.v[i]);
             Vec3 normal = cross(at.du, at.dv);
+            float u = points.u[i], v = points.v[i];
+            if (answer.areaScale)
+                answer.areaScale[k] = length(normal);
             if (!(length(normal) > leastNormal_[patch])) [[unlikely]]
-                normal = beside<degree, rational>(patch, points.u[i], points.v[i], at);
+                normal = beside<degree, rational>(patch, u, v, at);
+            if (answer.dNdu.x || answer.dNdv.x) {
+                auto derivatives = normalDerivatives<degree, rational>(patch, u, v, at);
+                if (answer.dNdu.x)
+                    answer.dNdu.set(k, derivatives[0]);
+                if (answer.dNdv.x)
+                    answer.dNdv.set(k, derivatives[1]);
+            }
             if (answer.P.x)
                 answer.P.set(k, at.P);
             if (answer.dPdu.x)
@@ -93,8 +130,9 @@ void PatchSurface::evaluateAs(const SurfaceQuery &query, const SurfaceAnswer &an
                 answer.v[k] = points.meshV[i];
         }
     }
-    if (answer.N.x)
-        variables_.overrideNormals(query.count, query.u, query.v, answer.N);
+    if (answer.N.x || answer.dNdu.x || answer.dNdv.x)
+        variables_.overrideNormals(query.count, query.u, query.v, answer.N, answer.dNdu,
+                                   answer.dNdv);
 }
 
 void PatchSurface::evaluate(const SurfaceQuery &query, const SurfaceAnswer &answer) const {
@@ -145,14 +183,18 @@ float PatchSurface::area() const {
     return float(sum / topology_.grid.patches());
 }
 
+PatchCuts PatchSurface::cutsAt(const DiceRate &rate) const {
+    return choosePatchCuts(topology_.grid, patchBounds_, rate);
+}
+
+double PatchSurface::triangleCount(const DiceRate &rate) const {
+    return candela::triangleCount(topology_.grid, cutsAt(rate), patchBounds_);
+}
+
 DicedMesh PatchSurface::dice(const DiceRate &rate) const {
-    std::vector<DerivativeBounds> bounds;
-    for (const PatchBounds &patch : patchBounds_)
-        bounds.push_back(patch.derivatives);
-    PatchCuts cuts = choosePatchCuts(topology_.grid, bounds, rate);
-    double tolerance = 4 * roundingError_;
-    DicedMesh mesh = dicePatches(topology_.grid, cuts, *this, patchesMeet_, float(tolerance));
-    mesh.chordError = float(cuts.error + tolerance);
+    PatchCuts cuts = cutsAt(rate);
+    DicedMesh mesh = dicePatches(topology_.grid, cuts, *this, outline_);
+    mesh.chordError = float(cuts.error) + outline_.tolerance;
     return mesh;
 }
 

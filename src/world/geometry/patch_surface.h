@@ -4,6 +4,7 @@
 
 #include "world/geometry/grid_variables.h"
 #include "world/geometry/patch_basis.h"
+#include "world/geometry/patch_dicing.h"
 
 namespace candela {
 
@@ -12,14 +13,16 @@ namespace candela {
 class PatchSurface final : public Surface {
 public:
     /// `positions` have 3 components, or 4 homogeneous ones; `bounds` are those of each patch.
+    /// `sides` of the mesh may be empty.
     PatchSurface(const PatchTopology &, PatchPolynomials positions, std::vector<PatchBounds> bounds,
-                 GridVariables);
+                 std::array<std::vector<SideCurve>, 4> sides, GridVariables);
 
     /// False if every normal vanishes.
     bool hasArea() const;
 
     Box3 bound() const override { return bound_; }
     DicedMesh dice(const DiceRate &) const override;
+    double triangleCount(const DiceRate &) const override;
     /// By Gauss quadrature of |dPdu x dPdv| with 8 x 8 points a patch.
     float area() const override;
     void evaluate(const SurfaceQuery &, const SurfaceAnswer &) const override;
@@ -34,16 +37,21 @@ private:
     template <int degree, bool rational> Local local(int patch, float u, float v) const;
     template <int degree, bool rational>
     void evaluateAs(const SurfaceQuery &, const SurfaceAnswer &) const;
-    template <int degree, bool rational> Vec3 beside(int patch, float u, float v, Local &) const;
+    /// The place that stands for (u,v), moved to just beside where there is no normal.
+    template <int degree, bool rational> Vec3 beside(int patch, float &u, float &v, Local &) const;
+    /// Derivatives of the unit normal by the mesh's (u,v).
+    template <int degree, bool rational>
+    std::array<Vec3, 2> normalDerivatives(int patch, float u, float v, const Local &) const;
+    PatchCuts cutsAt(const DiceRate &) const;
     Vec3 normalAt(int patch, float u, float v) const;
 
     PatchTopology topology_;
     PatchPolynomials positions_;
     std::vector<PatchBounds> patchBounds_;
+    PatchOutline outline_;
     std::vector<float> leastNormal_; ///< Of each patch: |dPdu x dPdv| below this is degenerate.
     GridVariables variables_;
     Box3 bound_;
-    bool patchesMeet_ = true;
     double roundingError_ = 0; ///< Of evaluate(), in object units.
 };
 

@@ -172,19 +172,33 @@ void PolygonSurface::evaluate(const SurfaceQuery &query, const SurfaceAnswer &an
     if (answer.v)
         interpolate(count, pieces + offsetof(Piece, t) / sizeof(float), query.piece, query.u,
                     query.v, answer.v);
-    if (answer.N.x && normal_)
-        overrideNormals(query, answer.N);
+    if (answer.areaScale)
+        for (int k = 0; k < count; ++k)
+            answer.areaScale[k] = length(pieces_[query.piece[k]].normal);
+    for (const Vec3Planes &derivative : {answer.dNdu, answer.dNdv})
+        for (int axis = 0; derivative.x && axis < 3; ++axis)
+            std::fill_n((&derivative.x)[axis], count, 0.0f);
+    if (normal_ && (answer.N.x || answer.dNdu.x || answer.dNdv.x))
+        overrideNormals(query, answer);
 }
 
-void PolygonSurface::overrideNormals(const SurfaceQuery &query, Vec3Planes N) const {
+void PolygonSurface::overrideNormals(const SurfaceQuery &query, const SurfaceAnswer &answer) const {
     for (int k = 0; k < query.count; ++k) {
-        Vec3 normal;
+        const Piece &piece = pieces_[query.piece[k]];
+        Vec3 normal, alongA, alongB;
         for (int axis = 0; axis < 3; ++axis) {
             auto c = normal_->corners(mesh_, query.piece[k], axis);
-            normal[axis] = c[0] + query.u[k] * (c[1] - c[0]) + query.v[k] * (c[2] - c[0]);
+            alongA[axis] = c[1] - c[0], alongB[axis] = c[2] - c[0];
+            normal[axis] = c[0] + query.u[k] * alongA[axis] + query.v[k] * alongB[axis];
         }
-        if (dot(normal, normal) > 0)
-            N.set(k, normal);
+        if (!(dot(normal, normal) > 0))
+            continue;
+        if (answer.N.x)
+            answer.N.set(k, normal);
+        if (answer.dNdu.x)
+            answer.dNdu.set(k, unitDerivative(normal, alongA * piece.aDu + alongB * piece.bDu));
+        if (answer.dNdv.x)
+            answer.dNdv.set(k, unitDerivative(normal, alongA * piece.aDv + alongB * piece.bDv));
     }
 }
 

@@ -22,6 +22,7 @@ public:
 
     Box3 bound() const override { return bound_; }
     DicedMesh dice(const DiceRate &) const override;
+    double triangleCount(const DiceRate &) const override { return double(pieces_.size()); }
     float area() const override { return area_; }
     void evaluate(const SurfaceQuery &, const SurfaceAnswer &) const override;
     std::span<const VariableInfo> variables() const override { return infos_; }
@@ -41,7 +42,7 @@ private:
     void addDefault(const char *name, int axis);
     void addPieces();
     static void setFrame(Piece &);
-    void overrideNormals(const SurfaceQuery &, Vec3Planes N) const;
+    void overrideNormals(const SurfaceQuery &, const SurfaceAnswer &) const;
 
     PolygonMesh mesh_;
     std::vector<Piece> pieces_;

@@ -9,8 +9,25 @@ namespace candela {
 
 using std::numbers::pi;
 
-StraightProfile::StraightProfile(Vec3 from, Vec3 to) : start(from), along(to - from) {
+Turn turnBy(double angle) {
+    Turn turn{std::cos(angle), std::sin(angle)};
+    constexpr double rounding = 1e-14; // Of some turns in radians.
+    if (std::abs(turn.cosine) < rounding)
+        return {0, std::copysign(1.0, turn.sine)};
+    if (std::abs(turn.sine) < rounding)
+        return {std::copysign(1.0, turn.cosine), 0};
+    return turn;
+}
+
+StraightProfile::StraightProfile(Vec3 from, Vec3 to) : start(from), along(to - from), end(to) {
     leastArm = leastArmFraction * std::max(std::hypot(from.x, from.y), std::hypot(to.x, to.y));
+}
+
+Vec3 StraightProfile::onGrid(double t) const {
+    if (t <= 0 || t >= 1)
+        return t <= 0 ? start : end;
+    auto mix = [t](float from, float to) { return float(from + (double(to) - from) * t); };
+    return {mix(start.x, end.x), mix(start.y, end.y), mix(start.z, end.z)};
 }
 
 /// Integral over [0,1] of the square root of a (x + m)^2 + a n^2.
@@ -49,11 +66,22 @@ ProfileLimits StraightProfile::limits() const {
 }
 
 CircularProfile CircularProfile::sphere(float radius, double phiFrom, double phiTo) {
-    return {0, radius, float(phiFrom), float(phiTo - phiFrom), 0};
+    return {0, radius, float(phiFrom), float(phiTo - phiFrom), 0, phiFrom, phiTo};
 }
 
 CircularProfile CircularProfile::torus(float major, float minor, double phiFrom, double phiTo) {
-    return {major, minor, float(phiFrom), float(phiTo - phiFrom), -1};
+    return {major, minor, float(phiFrom), float(phiTo - phiFrom), -1, phiFrom, phiTo};
+}
+
+Vec3 CircularProfile::onGrid(double t) const {
+    double phi = t >= 1 ? phiTo : phiFrom + (phiTo - phiFrom) * t;
+    Turn turn = turnBy(phi);
+    return {float(major + minor * std::max(turn.cosine, double(leastCosine))), 0,
+            float(minor * turn.sine)};
+}
+
+bool CircularProfile::isWholeMeridian() const {
+    return leastCosine == 0 && phiFrom <= -pi / 2 && phiTo >= pi / 2;
 }
 
 /// Lowest and highest of offset + factor * f(phi), f with its crests at `crest` + n pi.
@@ -116,6 +144,14 @@ ParabolicProfile::ParabolicProfile(float maximalRadius, float zFrom, float zTo)
       radiusStart(maximalRadius * std::sqrt(zFrom / zTo)),
       radiusSweep(maximalRadius - radiusStart) {
     leastArm = leastArmFraction * std::max(std::abs(radiusStart), std::abs(rMax));
+}
+
+Vec3 ParabolicProfile::onGrid(double t) const {
+    double apart = std::sqrt(double(zMin) / zMax);
+    if (t <= 0 || t >= 1)
+        return t <= 0 ? Vec3{float(rMax * apart), 0, zMin} : Vec3{rMax, 0, zMax};
+    double ratio = apart + (1 - apart) * t;
+    return {float(rMax * ratio), 0, float(zMax * ratio * ratio)};
 }
 
 ProfileLimits ParabolicProfile::limits() const {

@@ -7,8 +7,11 @@
 #include "foundation/base/box3.h"
 #include "interface/ri/primitive_record.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -33,6 +36,13 @@ struct DicedMesh {
     float chordError = 0; ///< No triangle is farther than this from the surface; 0 = exact.
 };
 
+/// Bytes that a mesh of so many triangles takes: near half as many vertices.
+inline double dicedBytes(double triangles) {
+    constexpr double vertex = sizeof(Vec3) + 2 * sizeof(float),
+                     triangle = 3 * sizeof(std::uint32_t);
+    return triangles * (triangle + vertex / 2);
+}
+
 /// A primitive variable that a caller may ask for besides the geometry.
 struct VariableInfo {
     std::string name;
@@ -53,6 +63,20 @@ struct Vec3Planes {
     void set(int i, Vec3 value) const { x[i] = value.x, y[i] = value.y, z[i] = value.z; }
 };
 
+/// The planes from that place on; planes that are null stay so.
+inline Vec3Planes from(const Vec3Planes &planes, int first) {
+    return planes.x ? Vec3Planes{planes.x + first, planes.y + first, planes.z + first} : planes;
+}
+
+/// The derivative of n / |n|, given those of n.
+inline Vec3 unitDerivative(Vec3 n, Vec3 derivative) {
+    // Squares of a normal, an area, leave the range of floats long before it does.
+    float scale = 1 / std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
+    Vec3 scaled = n * scale, change = derivative * scale;
+    float squared = dot(scaled, scaled);
+    return (change - scaled * (dot(scaled, change) / squared)) / std::sqrt(squared);
+}
+
 /// Where the answers go; null planes are not wanted. Normals follow the natural orientation
 /// dPdu x dPdv (of the parametrisation, before Attributes::flipNormal) and need not have length
 /// one.
@@ -61,7 +85,12 @@ struct SurfaceAnswer {
     Vec3Planes Ng;         ///< dPdu x dPdv, finite and non-zero also at poles and apexes.
     Vec3Planes N;          ///< Shading normal: the primitive variable "N", else as Ng.
     Vec3Planes dPdu, dPdv; ///< With respect to the surface's own u and v, as shaders see them.
+    /// Derivatives of N / |N|, N as it is handed over, by the shaders' u and v. They are at right
+    /// angles to N and turn round with it.
+    Vec3Planes dNdu, dNdv;
     float *u = nullptr, *v = nullptr; ///< u and v as shaders see them, in [0,1].
+    /// |dP/da x dP/db| by the query's own coordinates (a,b): area per unit of them, 0 at poles.
+    float *areaScale = nullptr;
 };
 
 class Surface {
@@ -71,9 +100,19 @@ public:
     /// Contains the whole surface.
     virtual Box3 bound() const = 0;
     virtual DicedMesh dice(const DiceRate &) const = 0;
+    /// How many triangles dice() returns at this rate, found without dicing.
+    virtual double triangleCount(const DiceRate &) const = 0;
     /// Total area in object units; quadrics in closed form, others as their dicing has it.
     virtual float area() const = 0;
     virtual void evaluate(const SurfaceQuery &, const SurfaceAnswer &) const = 0;
+
+    /// The radius, positive, if this is a whole sphere about the origin: then a ray may meet
+    /// x^2 + y^2 + z^2 = radius^2 instead of triangles, and sphereCoordinates() names the hits.
+    virtual std::optional<float> wholeSphere() const { return std::nullopt; }
+    /// The query's (u,v) of points on a whole sphere, or near it: those of the point of the sphere
+    /// in the same direction from the origin. Only for surfaces with a wholeSphere().
+    virtual void sphereCoordinates(int /*count*/, const Vec3Planes & /*P*/, float * /*u*/,
+                                   float * /*v*/) const {}
 
     /// The primitive variables other than position and normal: Cs, Os, s, t (of "st" too) and
     /// user-declared ones, numeric types only.

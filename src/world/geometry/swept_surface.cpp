@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/geometry/swept_surface.h"
 
-#include "world/geometry/swept_dicing.h"
-
 #include <numbers>
 
 namespace candela {
 
 /// Rounding of evaluate() in floats, relative to the extent: mostly that of the angles.
 static constexpr double roundingError = 2e-6;
+
+static bool isFullTurn(double sweep) {
+    return std::abs(std::abs(sweep) - 2 * std::numbers::pi) < 1e-6;
+}
 
 template <class Profile>
 SweptSurface<Profile>::SweptSurface(Profile profile, double thetaSweep, GridVariables variables)
@@ -43,22 +45,51 @@ template <class Profile> float SweptSurface<Profile>::area() const {
     return float(limits_.areaPerRadian * std::abs(thetaSweep_));
 }
 
+template <class Profile> bool SweptSurface<Profile>::isPole(double t) const {
+    Vec3 end = profile_.onGrid(t);
+    return std::hypot(end.x, end.y) <= poleRadius();
+}
+
+template <class Profile> SweptCounts SweptSurface<Profile>::countsAt(const DiceRate &rate) const {
+    return chooseSweptCounts(limits_, thetaSweep_, isPole(0) + isPole(1), rate);
+}
+
+template <class Profile> double SweptSurface<Profile>::triangleCount(const DiceRate &rate) const {
+    return countsAt(rate).triangles();
+}
+
 template <class Profile> DicedMesh SweptSurface<Profile>::dice(const DiceRate &rate) const {
-    DerivativeBounds bounds = limits_.derivatives;
-    double sweep = std::abs(thetaSweep_);
-    bounds.du *= sweep, bounds.duu *= sweep * sweep, bounds.duv *= sweep;
-    // Never so coarse that a closed shape loses its inside.
-    DiceCounts least{int(std::ceil(sweep * 3 / std::numbers::pi)), limits_.leastRows};
-    DiceCounts counts = chooseCounts(bounds, rate, least, maximalCells);
-    SweptGrid grid{counts,
-                   std::abs(sweep - 2 * std::numbers::pi) < 1e-6,
-                   limits_.closed,
-                   profile_.at(0).position,
-                   profile_.at(1).position,
-                   float(limits_.derivatives.du) * leastArmFraction};
-    DicedMesh mesh = diceSwept(grid, *this);
-    mesh.chordError = float(cellError(bounds, counts) + roundingError * limits_.extent());
+    SweptCounts counts = countsAt(rate);
+    std::vector<Vec3> row;
+    for (int i = 0; i <= counts.rows; ++i)
+        row.push_back(profile_.onGrid(double(i) / counts.rows));
+    DicedMesh mesh = diceSwept({counts, thetaSweep_, limits_.closed, row, poleRadius()});
+    mesh.chordError = float(sweptError(limits_, counts) + roundingError * limits_.extent());
     return mesh;
+}
+
+template <class Profile> std::optional<float> SweptSurface<Profile>::wholeSphere() const {
+    if constexpr (std::is_same_v<Profile, CircularProfile>)
+        if (profile_.isWholeMeridian() && isFullTurn(thetaSweep_))
+            return std::abs(profile_.minor);
+    return std::nullopt;
+}
+
+template <class Profile>
+void SweptSurface<Profile>::sphereCoordinates(int count, const Vec3Planes &P, float *u,
+                                              float *v) const {
+    if constexpr (std::is_same_v<Profile, CircularProfile>) {
+        // A negative radius puts u = 0 and v = 0 on the other sides.
+        float side = std::copysign(1.0f, profile_.minor);
+        float perTurn = 1 / float(thetaSweep_), perSweep = 1 / profile_.phiSweep;
+        for (int k = 0; k < count; ++k) {
+            float x = side * P.x[k], y = side * P.y[k], z = side * P.z[k];
+            float turns = std::atan2(y, x) * perTurn;
+            float phi = std::atan2(z, std::sqrt(x * x + y * y));
+            u[k] = std::min(turns < 0 ? turns + 1 : turns, 1.0f);
+            v[k] = std::clamp((phi - profile_.phiStart) * perSweep, 0.0f, 1.0f);
+        }
+    }
 }
 
 template <class Profile>
@@ -74,7 +105,13 @@ inline void SweptSurface<Profile>::evaluateOne(int k, float u, float t,
         answer.dPdu.set(k, turn(-sweep * p.armY, sweep * p.armX, 0));
     if (answer.dPdv.x)
         answer.dPdv.set(k, turn(p.dv.x, p.dv.y, p.dv.z));
-    if (answer.Ng.x || answer.N.x) {
+    if (answer.areaScale) {
+        Vec3 along = profile_.byT(t);
+        float x = p.position.x, y = p.position.y;
+        float radial = x * along.x + y * along.y, upright = along.z * std::sqrt(x * x + y * y);
+        answer.areaScale[k] = std::abs(sweep) * std::sqrt(radial * radial + upright * upright);
+    }
+    if (answer.Ng.x || answer.N.x || answer.dNdu.x || answer.dNdv.x) {
         float outX = sweep * p.armX * p.dv.z, outY = sweep * p.armY * p.dv.z;
         float up = -sweep * (p.armX * p.dv.x + p.armY * p.dv.y);
         // A flat profile at its closest to the axis, where the surface turns back over itself.
@@ -85,6 +122,14 @@ inline void SweptSurface<Profile>::evaluateOne(int k, float u, float t,
             answer.Ng.set(k, normal);
         if (answer.N.x)
             answer.N.set(k, normal);
+        float largest = std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
+        Vec3 unit = normalize(normal * (1 / largest));
+        if (answer.dNdu.x)
+            answer.dNdu.set(k, Vec3{-unit.y, unit.x, 0} * sweep);
+        if (answer.dNdv.x) {
+            Vec3 bend = profile_.normalDv(t) * std::copysign(1.0f, sweep);
+            answer.dNdv.set(k, turn(bend.x, bend.y, bend.z));
+        }
     }
     if (answer.u)
         answer.u[k] = u;
@@ -96,15 +141,15 @@ template <class Profile>
 void SweptSurface<Profile>::evaluate(const SurfaceQuery &query, const SurfaceAnswer &answer) const {
     for (int k = 0; k < query.count; ++k)
         evaluateOne(k, query.u[k], query.v[k], answer);
-    if (!answer.N.x)
+    if (!answer.N.x && !answer.dNdu.x && !answer.dNdv.x)
         return;
     std::array<float, PatchPoints::capacity> v;
     for (int start = 0; start < query.count; start += PatchPoints::capacity) {
         int count = std::min(query.count - start, PatchPoints::capacity);
         for (int k = 0; k < count; ++k)
             v[k] = profile_.riV(query.v[start + k]);
-        Vec3Planes N{answer.N.x + start, answer.N.y + start, answer.N.z + start};
-        variables_.overrideNormals(count, query.u + start, v.data(), N);
+        variables_.overrideNormals(count, query.u + start, v.data(), from(answer.N, start),
+                                   from(answer.dNdu, start), from(answer.dNdv, start));
     }
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "world/geometry/grid_variables.h"
-#include "world/geometry/profile.h"
+#include "world/geometry/swept_dicing.h"
 
 namespace candela {
 
@@ -16,13 +16,19 @@ public:
 
     Box3 bound() const override;
     DicedMesh dice(const DiceRate &) const override;
+    double triangleCount(const DiceRate &) const override;
     float area() const override;
     void evaluate(const SurfaceQuery &, const SurfaceAnswer &) const override;
+    std::optional<float> wholeSphere() const override;
+    void sphereCoordinates(int count, const Vec3Planes &P, float *u, float *v) const override;
     std::span<const VariableInfo> variables() const override { return variables_.infos(); }
     void evaluateVariable(int index, const SurfaceQuery &, float *const *value,
                           float *const *valueDu, float *const *valueDv) const override;
 
 private:
+    float poleRadius() const { return float(limits_.derivatives.du) * leastArmFraction; }
+    bool isPole(double t) const;
+    SweptCounts countsAt(const DiceRate &) const;
     void evaluateOne(int k, float u, float t, const SurfaceAnswer &) const;
 
     Profile profile_;

@@ -2,10 +2,12 @@
 #include "world/geometry/triangulate.h"
 
 #include "world/geometry/flat_polygon.h"
+#include "world/geometry/span_loop.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 
 namespace candela {
 
@@ -13,6 +15,7 @@ namespace {
 
 struct Normal {
     double x = 0, y = 0, z = 0;
+    double along(int axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
 };
 
 /// Newell's normal: twice the area vector of the loop. `scale` becomes the square of its extent.
@@ -39,12 +42,17 @@ Normal normalOf(std::span<const Vec3> points, std::span<const int> loop, double 
 struct Projection {
     int first = 0, second = 1;
 
-    explicit Projection(Normal n) {
-        double x = std::abs(n.x), y = std::abs(n.y), z = std::abs(n.z);
-        int axis = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
-        first = (axis + 1) % 3, second = (axis + 2) % 3;
-        if ((axis == 0 ? n.x : axis == 1 ? n.y : n.z) < 0)
+    explicit Projection(Normal n) : Projection(n, axesOf(n)[0]) {}
+    Projection(Normal n, int axis) : first((axis + 1) % 3), second((axis + 2) % 3) {
+        if (n.along(axis) < 0)
             std::swap(first, second);
+    }
+    /// From the axis nearest to the normal on.
+    static std::array<int, 3> axesOf(Normal n) {
+        std::array<int, 3> axes{0, 1, 2};
+        std::ranges::stable_sort(axes, std::greater{},
+                                 [&](int axis) { return std::abs(n.along(axis)); });
+        return axes;
     }
     FlatPoint operator()(Vec3 p) const { return {p[first], p[second]}; }
 };
@@ -78,7 +86,9 @@ public:
                 blockers_.push_back(i);
     }
 
-    void run() {
+    /// False if corners were given up that the loop turns back at: it crosses itself.
+    bool run() {
+        bool clean = true;
         int remaining = int(loop_.size()), corner = 0, refused = 0;
         while (remaining >= 3) {
             bool clip = isEar(corner) || (remaining == 3 && bend(corner) > 0);
@@ -89,14 +99,17 @@ public:
             }
             // No ear is left in loops that cross themselves or have shrunk to a line: give up a
             // corner, as a triangle if it turns the right way.
-            if (!clip)
+            if (!clip) {
                 corner = mostConvex(corner, remaining);
+                clean = clean && bend(corner) == 0;
+            }
             if (bend(corner) > 0)
                 emit(corner);
             corner = remove(corner);
             --remaining;
             refused = 0;
         }
+        return clean;
     }
 
 private:
@@ -192,24 +205,65 @@ bool join(FlatLoop &outside, std::vector<FlatLoop> holes) {
     return good;
 }
 
-bool clipQuickly(std::span<const Vec3> points, std::span<const int> loop, const Projection &project,
-                 std::vector<std::array<std::uint32_t, 3>> &triangles) {
-    if (loop.size() > 4)
-        return false;
-    FlatPoint p[4];
-    for (std::size_t i = 0; i < loop.size(); ++i)
-        p[i] = project(points[loop[i]]);
-    if (loop.size() == 4)
-        for (int i = 0; i < 4; ++i)
-            if (!(turn(p[i], p[(i + 1) % 4], p[(i + 2) % 4]) > 0))
-                return false;
-    for (std::size_t i = 2; i < loop.size(); ++i)
-        triangles.push_back(
-            {std::uint32_t(loop[0]), std::uint32_t(loop[i - 1]), std::uint32_t(loop[i])});
-    return true;
+/// A face's loops along one axis. `joined` is false if a hole could not be.
+struct FlatFace {
+    FlatLoop loop;
+    bool joined = true;
+};
+
+FlatFace flattenFace(std::span<const Vec3> points, std::span<const std::span<const int>> loops,
+                     const Projection &project) {
+    FlatFace face{flatten(points, loops[0], project), true};
+    std::vector<FlatLoop> holes;
+    for (std::span<const int> loop : loops.subspan(1)) {
+        FlatLoop hole = loop.empty() ? FlatLoop{} : flatten(points, loop, project);
+        if (hole.size() < 3)
+            continue; // A hole without area takes nothing away.
+        if (doubleArea(hole) > 0)
+            std::ranges::reverse(hole);
+        holes.push_back(std::move(hole));
+    }
+    face.joined = join(face.loop, std::move(holes));
+    return face;
+}
+
+/// Is every corner within the rounding of a flat face's coordinates of the plane?
+bool isFlat(std::span<const Vec3> points, std::span<const int> loop, Normal n, double area,
+            double scale) {
+    Vec3 origin = points[loop[0]];
+    return std::ranges::all_of(loop, [&](int index) {
+        Vec3 p = points[index];
+        double height = n.x * (double(p.x) - origin.x) + n.y * (double(p.y) - origin.y) +
+                        n.z * (double(p.z) - origin.z);
+        return std::abs(height) <= 1e-4 * area * std::sqrt(scale);
+    });
 }
 
 } // namespace
+
+/// A face that is not flat, cut along one axis after the other until its loop is seen not to cross
+/// itself; false, and nothing added, if there is no such axis.
+static bool clipAlongSomeAxis(std::span<const Vec3> points,
+                              std::span<const std::span<const int>> loops, Normal normal,
+                              std::vector<std::array<std::uint32_t, 3>> &triangles) {
+    auto standsStill = [&](int a, int b) { return points[a] == points[b]; };
+    for (int axis : Projection::axesOf(normal)) {
+        Projection project(normal, axis);
+        FlatFace face = flattenFace(points, loops, project);
+        // Corners that fall onto one another along the axis are apart in space.
+        std::size_t corners = loops[0].size();
+        for (std::size_t i = 0; i < loops[0].size(); ++i)
+            corners -= standsStill(loops[0][i], loops[0][(i + 1) % loops[0].size()]);
+        std::size_t before = triangles.size();
+        bool whole = loops.size() > 1 || face.loop.size() == corners;
+        if (whole && face.joined && face.loop.size() >= 3 && doubleArea(face.loop) > 0 &&
+            EarClipper(face.loop, triangles).run() &&
+            (loops.size() > 1 || triangles.size() - before == corners - 2))
+            return true;
+        triangles.resize(before);
+    }
+    return false;
+}
 
 TriangulationResult triangulate(std::span<const Vec3> points,
                                 std::span<const std::span<const int>> loops,
@@ -222,26 +276,19 @@ TriangulationResult triangulate(std::span<const Vec3> points,
     // Thinner than the rounding of its own coordinates.
     if (!(area > 1e-10 * scale))
         return TriangulationResult::Degenerate;
-    Projection project(normal);
-    if (loops.size() == 1 && clipQuickly(points, loops[0], project, triangles))
+    if (loops.size() == 1 && cutQuickly(points, loops[0], triangles))
         return TriangulationResult::Good;
-
-    FlatLoop outside = flatten(points, loops[0], project);
-    std::vector<FlatLoop> holes;
-    for (std::span<const int> loop : loops.subspan(1)) {
-        FlatLoop hole = loop.empty() ? FlatLoop{} : flatten(points, loop, project);
-        if (hole.size() < 3)
-            continue; // A hole without area takes nothing away.
-        if (doubleArea(hole) > 0)
-            std::ranges::reverse(hole);
-        holes.push_back(std::move(hole));
+    if (!isFlat(points, loops[0], normal, area, scale)) {
+        if (clipAlongSomeAxis(points, loops, normal, triangles) ||
+            (loops.size() == 1 && spanLoop(points, loops[0], triangles)))
+            return TriangulationResult::Good;
     }
-    bool bridged = join(outside, std::move(holes));
+    FlatFace face = flattenFace(points, loops, Projection(normal));
     std::size_t before = triangles.size();
-    EarClipper(outside, triangles).run();
+    EarClipper(face.loop, triangles).run();
     if (triangles.size() == before)
         return TriangulationResult::Degenerate;
-    return bridged ? TriangulationResult::Good : TriangulationResult::HoleDropped;
+    return face.joined ? TriangulationResult::Good : TriangulationResult::HoleDropped;
 }
 
 } // namespace candela

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangles of a planar polygon with holes.
+// Triangles of a polygon with holes, planar or nearly so.
 #pragma once
 
 #include "foundation/base/vec3.h"
@@ -18,9 +18,12 @@ enum class TriangulationResult {
 };
 
 /// Appends the triangles of one face, as indices into `points`. loops[0] is the outside and gives
-/// the orientation: the triangles turn the same way as it, however the holes turn. The face need
-/// not be exactly flat; it is cut as it looks along its mean normal. Collinear and repeated
-/// vertices are welcome. Loops that cross themselves give some triangles, never a crash.
+/// the orientation: the triangles turn the same way as it, however the holes turn. Collinear and
+/// repeated vertices are welcome. The face need not be flat: four corners are cut along the
+/// diagonal that folds less, more are cut as they look along an axis from which the loop does not
+/// cross itself, or else with the least area. So a face over a convex outline covers all of it,
+/// whatever the heights of its corners. Loops that cross themselves give some triangles, never a
+/// crash.
 TriangulationResult triangulate(std::span<const Vec3> points,
                                 std::span<const std::span<const int>> loops,
                                 std::vector<std::array<std::uint32_t, 3>> &triangles);

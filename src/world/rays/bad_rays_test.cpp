@@ -50,10 +50,10 @@ std::vector<Ray> wildRays() {
 
 /// A triangle that the good ray meets at t = 1.
 RayWorld triangle() {
-    RayMesh mesh;
+    RayShape mesh;
     mesh.positions = {{-1, -1, 1}, {3, -1, 1}, {-1, 3, 1}};
     mesh.triangles = {{0, 1, 2}};
-    return RayWorld({mesh});
+    return RayWorld(RayObject{mesh});
 }
 
 void set(RayBatch &rays, int i, const Ray &ray) {

@@ -2,119 +2,154 @@
 #include "world/rays/ray_world.h"
 
 #include "foundation/base/hot.h"
-#include "foundation/base/instruction_set.h"
-#include "foundation/base/parallel.h"
-#include "world/rays/native_packets.h"
-#include "world/rays/sealed_triangles.h"
-
-#include <embree3/rtcore.h>
+#include "world/rays/embree_scene.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <numeric>
 #include <pmmintrin.h>
 
 namespace candela {
 
 namespace {
 
-constexpr int packet = laneBlock;
-/// Origins and directions beyond it make Embree's kernels end the process (its FLT_LARGE).
-constexpr float largest = 1.8e18f;
-constexpr unsigned opaqueBit = 1, transparentBit = 2;
-
-bool fromBehind(const RTCFilterFunctionNArguments *args, unsigned i, int frontSign) {
-    unsigned n = args->N;
-    float along = RTCRayN_dir_x(args->ray, n, i) * RTCHitN_Ng_x(args->hit, n, i) +
-                  RTCRayN_dir_y(args->ray, n, i) * RTCHitN_Ng_y(args->hit, n, i) +
-                  RTCRayN_dir_z(args->ray, n, i) * RTCHitN_Ng_z(args->hit, n, i);
-    return along * float(frontSign) > 0;
-}
-
-int frontSignOf(const RTCFilterFunctionNArguments *args) {
-    return int(reinterpret_cast<std::intptr_t>(args->geometryUserPtr));
-}
-
-void refuseFromBehind(const RTCFilterFunctionNArguments *args) {
-    int frontSign = frontSignOf(args);
-    for (unsigned i = 0; i < args->N; ++i)
-        if (args->valid[i] && fromBehind(args, i, frontSign))
-            args->valid[i] = 0;
-}
-
 struct RayPlanes {
     const float *ox, *oy, *oz, *dx, *dy, *dz, *tMin, *tMax;
 };
 
-/// Copies 16 rays in; valid[i] = -1 where ray i is within Embree's range, has a direction and ends
-/// beyond its origin. Of the others Embree's kernels get harmless numbers: some look at them all
-/// the same.
-CANDELA_HOT void copyPacket(RayPlanes from, int first, RTCRay16 &__restrict out,
-                            int *__restrict valid) {
-    const float *ox = from.ox + first, *oy = from.oy + first, *oz = from.oz + first;
-    const float *dx = from.dx + first, *dy = from.dy + first, *dz = from.dz + first;
-    const float *tMin = from.tMin + first, *tMax = from.tMax + first;
-    for (int i = 0; i < packet; ++i) {
-        // NaN is below nothing.
-        bool finite = (std::abs(ox[i]) <= largest) & (std::abs(oy[i]) <= largest) &
-                      (std::abs(oz[i]) <= largest) & (std::abs(dx[i]) <= largest) &
-                      (std::abs(dy[i]) <= largest) & (std::abs(dz[i]) <= largest) &
-                      (tMin[i] <= largest);
-        bool directed = (dx[i] != 0) | (dy[i] != 0) | (dz[i] != 0);
-        const bool good = finite & directed & (tMin[i] >= 0) & (tMax[i] > tMin[i]);
-        valid[i] = good ? -1 : 0;
-        out.org_x[i] = good ? ox[i] : 0, out.org_y[i] = good ? oy[i] : 0;
-        out.org_z[i] = good ? oz[i] : 0, out.dir_x[i] = good ? dx[i] : 0;
-        out.dir_y[i] = good ? dy[i] : 0, out.dir_z[i] = good ? dz[i] : 1;
-        out.tnear[i] = good ? tMin[i] : 0, out.tfar[i] = good ? tMax[i] : -1;
+/// A packet in memory as Embree has it, whatever its width: planes of rays, then of hits.
+template <int width> struct Packet;
+template <> struct Packet<16> {
+    RTCRayHit16 bundle;
+    void intersect(const int *valid, RTCScene scene, RTCIntersectContext *context) {
+        rtcIntersect16(valid, scene, context, &bundle);
     }
+    void occluded(const int *valid, RTCScene scene, RTCIntersectContext *context) {
+        rtcOccluded16(valid, scene, context, &bundle.ray);
+    }
+};
+template <> struct Packet<8> {
+    RTCRayHit8 bundle;
+    void intersect(const int *valid, RTCScene scene, RTCIntersectContext *context) {
+        rtcIntersect8(valid, scene, context, &bundle);
+    }
+    void occluded(const int *valid, RTCScene scene, RTCIntersectContext *context) {
+        rtcOccluded8(valid, scene, context, &bundle.ray);
+    }
+};
+template <> struct Packet<4> {
+    RTCRayHit4 bundle;
+    void intersect(const int *valid, RTCScene scene, RTCIntersectContext *context) {
+        rtcIntersect4(valid, scene, context, &bundle);
+    }
+    void occluded(const int *valid, RTCScene scene, RTCIntersectContext *context) {
+        rtcOccluded4(valid, scene, context, &bundle.ray);
+    }
+};
+
+/// valid[i] = -1 where ray i is finite, has a direction and reaches beyond its beginning. Others
+/// must reach no kernel, not even masked: those lanes get a harmless ray that is too short.
+CANDELA_HOT void judgeRays(int count, RayPlanes from, int *__restrict valid) {
+    for (int i = 0; i < count; ++i) {
+        // Infinities and NaN survive the multiplication by zero as NaN.
+        bool finite = (from.ox[i] + from.oy[i] + from.oz[i] + from.dx[i] + from.dy[i] +
+                       from.dz[i] + from.tMin[i]) * 0 == 0;
+        // Beyond this, products of coordinates leave the range of floats.
+        constexpr float largest = 1e18f;
+        float size = std::fabs(from.ox[i]) + std::fabs(from.oy[i]) + std::fabs(from.oz[i]);
+        float length = std::fabs(from.dx[i]) + std::fabs(from.dy[i]) + std::fabs(from.dz[i]);
+        bool usable = (size < largest) & (length < largest) & (length > 1 / largest);
+        bool reaches = (from.tMin[i] >= 0) & (from.tMax[i] > from.tMin[i]);
+        valid[i] = finite & usable & reaches ? -1 : 0;
+    }
+}
+
+CANDELA_HOT void copyWhere(int count, const int *__restrict valid, const float *__restrict from,
+                           float otherwise, float *__restrict to) {
+    for (int i = 0; i < count; ++i)
+        to[i] = valid[i] ? from[i] : otherwise;
+}
+
+template <int width>
+void load(const RayBatch &rays, int first, Packet<width> &packet, int *valid) {
+    const RayPlanes from{rays.origin[0] + first,    rays.origin[1] + first,
+                         rays.origin[2] + first,    rays.direction[0] + first,
+                         rays.direction[1] + first, rays.direction[2] + first,
+                         rays.tMin + first,         rays.tMax + first};
+    judgeRays(width, from, valid);
+    if (rays.count - first < width)
+        std::fill(valid + (rays.count - first), valid + width, 0);
+    auto &to = packet.bundle.ray;
+    bool all = std::all_of(valid, valid + width, [](int v) { return v != 0; });
+    auto copy = [&](const float *plane, float otherwise, float *target) {
+        if (all)
+            std::memcpy(target, plane, width * sizeof(float));
+        else
+            copyWhere(width, valid, plane, otherwise, target);
+    };
+    copy(from.ox, 0, to.org_x), copy(from.oy, 0, to.org_y), copy(from.oz, 0, to.org_z);
+    copy(from.dx, 1, to.dir_x), copy(from.dy, 1, to.dir_y), copy(from.dz, 1, to.dir_z);
+    copy(from.tMin, 1, to.tnear), copy(from.tMax, -1, to.tfar);
 }
 
 /// What is the same in all packets of a call; Embree leaves it as it is.
-void prime(unsigned mask, RTCRay16 &out) {
-    for (int i = 0; i < packet; ++i) {
-        out.time[i] = 0;
-        out.mask[i] = mask, out.id[i] = unsigned(i), out.flags[i] = 0;
+template <int width> void prime(unsigned mask, Packet<width> &packet) {
+    auto &ray = packet.bundle.ray;
+    std::fill_n(ray.time, width, 0.0f);
+    std::fill_n(ray.mask, width, mask);
+    std::fill_n(ray.flags, width, 0u);
+    for (int i = 0; i < width; ++i)
+        ray.id[i] = unsigned(i);
+}
+
+template <int width>
+void traceNearest(RTCScene scene, RTCIntersectContext &context, unsigned mask,
+                  const RayBatch &rays, HitBatch &hits) {
+    alignas(64) Packet<width> packet;
+    alignas(64) int valid[width];
+    prime(mask, packet);
+    auto &hit = packet.bundle.hit;
+    for (int first = 0; first < rays.count; first += width) {
+        load(rays, first, packet, valid);
+        std::fill_n(hit.geomID, width, noHit);
+        std::fill_n(hit.instID[0], width, noHit);
+        packet.intersect(valid, scene, &context);
+        auto keep = [&](const void *from, void *to) {
+            std::memcpy(static_cast<float *>(to) + first, from, width * sizeof(float));
+        };
+        keep(hit.geomID, hits.shape), keep(hit.primID, hits.element);
+        keep(hit.instID[0], hits.instance);
+        keep(packet.bundle.ray.tfar, hits.t), keep(hit.u, hits.u), keep(hit.v, hits.v);
+        keep(hit.Ng_x, hits.Ng[0]), keep(hit.Ng_y, hits.Ng[1]), keep(hit.Ng_z, hits.Ng[2]);
     }
 }
 
-void load(const RayBatch &rays, int first, RTCRay16 &out, int *valid) {
-    copyPacket({rays.origin[0], rays.origin[1], rays.origin[2], rays.direction[0],
-                rays.direction[1], rays.direction[2], rays.tMin, rays.tMax},
-               first, out, valid);
-    for (int i = std::max(rays.count - first, 0); i < packet; ++i)
-        valid[i] = 0, out.tfar[i] = -1;
+template <int width>
+void traceShadows(RTCScene scene, RTCIntersectContext &context, const RayBatch &rays,
+                  std::uint8_t *blocked) {
+    alignas(64) Packet<width> packet;
+    alignas(64) int valid[width];
+    prime(opaqueBit, packet);
+    for (int first = 0; first < rays.count; first += width) {
+        load(rays, first, packet, valid);
+        packet.occluded(valid, scene, &context);
+        int last = std::min(width, rays.count - first);
+        for (int i = 0; i < last; ++i)
+            blocked[first + i] = !valid[i] ? 2 : packet.bundle.ray.tfar[i] < 0 ? 1 : 0;
+    }
 }
 
-RTCDevice newDevice() {
-    switch (instructionSet()) {
-    case InstructionSet::V2: return rtcNewDevice("set_affinity=0,start_threads=0,isa=sse4.2");
-    case InstructionSet::V3: return rtcNewDevice("set_affinity=0,start_threads=0,isa=avx2");
-    case InstructionSet::V4: break;
+/// Instances carry the geometry numbers behind the world's own shapes.
+CANDELA_HOT void nameInstances(int count, std::uint32_t worldShapes,
+                               const std::uint32_t *__restrict firstShape,
+                               std::uint32_t *__restrict instance,
+                               std::uint32_t *__restrict shape) {
+    for (int i = 0; i < count; ++i) {
+        bool placed = instance[i] != noHit;
+        std::uint32_t number = placed ? instance[i] - worldShapes : 0;
+        shape[i] += placed ? firstShape[number] : 0;
+        instance[i] = placed ? number : noHit;
     }
-    return rtcNewDevice("set_affinity=0,start_threads=0,isa=avx512");
-}
-
-RTCGeometry makeGeometry(RTCDevice device, const RayMesh &mesh) {
-    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto *corners = static_cast<Vec3 *>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
-                                                                RTC_FORMAT_FLOAT3, sizeof(Vec3),
-                                                                3 * mesh.triangles.size()));
-    auto *indices = static_cast<std::uint32_t *>(
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                3 * sizeof(std::uint32_t), mesh.triangles.size()));
-    sealTriangles(mesh.positions, mesh.triangles, corners);
-    std::iota(indices, indices + 3 * mesh.triangles.size(), 0u);
-    rtcSetGeometryMask(geometry, mesh.opaque ? opaqueBit : transparentBit);
-    rtcSetGeometryUserData(geometry, reinterpret_cast<void *>(std::intptr_t(mesh.frontSign)));
-    // Filters more than double the time of a ray: only one-sided surfaces have them.
-    if (mesh.frontSign != 0) {
-        rtcSetGeometryIntersectFilterFunction(geometry, refuseFromBehind);
-        rtcSetGeometryOccludedFilterFunction(geometry, refuseFromBehind);
-    }
-    rtcCommitGeometry(geometry);
-    return geometry;
 }
 
 } // namespace
@@ -126,37 +161,43 @@ FlushDenormals::FlushDenormals() : saved_(_mm_getcsr()) {
 FlushDenormals::~FlushDenormals() { _mm_setcsr(saved_); }
 
 struct RayWorld::Handles {
-    RTCDevice device = nullptr;
-    int width = packet; ///< Rays of a packet that its kernels take whole.
+    EmbreeDevice device;
     RTCScene scene = nullptr;
+    std::vector<RTCScene> objects;
+    int width = device.packetWidth();
 };
 
-RayWorld::RayWorld(const std::vector<RayMesh> &meshes) : handles_(std::make_unique<Handles>()) {
-    handles_->device = newDevice();
-    handles_->width = nativeWidth(handles_->device);
-    RTCScene scene = handles_->scene = rtcNewScene(handles_->device);
-    rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
-    std::vector<RTCGeometry> geometries(meshes.size());
-    parallelFor(meshes.size(), [&](std::size_t i) {
-        FlushDenormals guard;
-        if (!meshes[i].triangles.empty())
-            geometries[i] = makeGeometry(handles_->device, meshes[i]);
-    });
-    for (std::size_t i = 0; i < meshes.size(); ++i) {
-        if (!geometries[i])
-            continue;
-        rtcAttachGeometryByID(scene, geometries[i], unsigned(i));
-        rtcReleaseGeometry(geometries[i]);
-        hasTransparent_ |= !meshes[i].opaque;
-    }
+RayWorld::RayWorld(const RayObject &world, std::span<const RayObject> objects,
+                   std::span<const RayInstance> instances)
+    : handles_(std::make_unique<Handles>()), worldShapes_(std::uint32_t(world.size())) {
     FlushDenormals guard;
-    rtcCommitScene(scene);
+    unsigned mask = maskOf(world);
+    for (const RayObject &object : objects) {
+        RTCScene scene = makeScene(handles_->device, object);
+        rtcCommitScene(scene);
+        handles_->objects.push_back(scene);
+    }
+    handles_->scene = makeScene(handles_->device, world);
+    firstShapeOfInstance_.reserve(instances.size());
+    for (const RayInstance &instance : instances) {
+        const unsigned own = maskOf(objects[instance.object]);
+        attachInstance(handles_->device, handles_->scene,
+                       worldShapes_ + unsigned(firstShapeOfInstance_.size()),
+                       handles_->objects[instance.object], own, instance.currentFromObject);
+        firstShapeOfInstance_.push_back(instance.firstShape);
+        mask |= own;
+    }
+    hasTransparent_ = mask & transparentBit;
+    rtcCommitScene(handles_->scene);
 }
 
 RayWorld::~RayWorld() {
     rtcReleaseScene(handles_->scene);
-    rtcReleaseDevice(handles_->device);
+    for (RTCScene object : handles_->objects)
+        rtcReleaseScene(object);
 }
+
+std::string RayWorld::failure() const { return handles_->device.failure(); }
 
 void RayWorld::intersect(const RayBatch &rays, HitBatch &hits, Which which, bool coherent) const {
     FlushDenormals guard;
@@ -164,26 +205,16 @@ void RayWorld::intersect(const RayBatch &rays, HitBatch &hits, Which which, bool
     rtcInitIntersectContext(&context);
     context.flags =
         coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
-    unsigned mask = which == Which::All ? opaqueBit | transparentBit : transparentBit;
-    alignas(64) RTCRayHit16 bundle;
-    alignas(64) int valid[packet];
-    prime(mask, bundle.ray);
-    std::fill_n(bundle.hit.instID[0], packet, noHit);
-    for (int first = 0; first < rays.count; first += packet) {
-        load(rays, first, bundle.ray, valid);
-        std::fill_n(bundle.hit.geomID, packet, noHit);
-        intersectPackets(handles_->width, valid, handles_->scene, context, bundle);
-        std::size_t bytes = packet * sizeof(float);
-        std::memcpy(hits.shape + first, bundle.hit.geomID, bytes);
-        std::memcpy(hits.instance + first, bundle.hit.instID[0], bytes);
-        std::memcpy(hits.Ng[0] + first, bundle.hit.Ng_x, bytes);
-        std::memcpy(hits.Ng[1] + first, bundle.hit.Ng_y, bytes);
-        std::memcpy(hits.Ng[2] + first, bundle.hit.Ng_z, bytes);
-        std::memcpy(hits.element + first, bundle.hit.primID, bytes);
-        std::memcpy(hits.t + first, bundle.ray.tfar, bytes);
-        std::memcpy(hits.u + first, bundle.hit.u, bytes);
-        std::memcpy(hits.v + first, bundle.hit.v, bytes);
+    const unsigned mask = which == Which::All ? opaqueBit | transparentBit : transparentBit;
+    RTCScene scene = handles_->scene;
+    switch (handles_->width) {
+    case 16: traceNearest<16>(scene, context, mask, rays, hits); break;
+    case 8: traceNearest<8>(scene, context, mask, rays, hits); break;
+    default: traceNearest<4>(scene, context, mask, rays, hits);
     }
+    if (!firstShapeOfInstance_.empty())
+        nameInstances(rays.count, worldShapes_, firstShapeOfInstance_.data(), hits.instance,
+                      hits.shape);
 }
 
 void RayWorld::occluded(const RayBatch &rays, std::uint8_t *blocked) const {
@@ -191,15 +222,11 @@ void RayWorld::occluded(const RayBatch &rays, std::uint8_t *blocked) const {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
-    alignas(64) RTCRay16 bundle;
-    alignas(64) int valid[packet];
-    prime(opaqueBit, bundle);
-    for (int first = 0; first < rays.count; first += packet) {
-        load(rays, first, bundle, valid);
-        occludedPackets(handles_->width, valid, handles_->scene, context, bundle);
-        int last = std::min(packet, rays.count - first);
-        for (int i = 0; i < last; ++i)
-            blocked[first + i] = !valid[i] ? 2 : bundle.tfar[i] < 0 ? 1 : 0;
+    RTCScene scene = handles_->scene;
+    switch (handles_->width) {
+    case 16: traceShadows<16>(scene, context, rays, blocked); break;
+    case 8: traceShadows<8>(scene, context, rays, blocked); break;
+    default: traceShadows<4>(scene, context, rays, blocked);
     }
 }
 

@@ -1,25 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangles in current space and the rays that meet them. The one file that knows Embree is
-// ray_world.cpp.
+// What rays meet, and the meeting. This room is the one door to Embree.
 #pragma once
 
-#include "foundation/base/vec3.h"
+#include "foundation/base/matrix4.h"
 #include "world/rays/ray_batch.h"
 
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
+#include <string>
 #include <vector>
 
 namespace candela {
 
-/// The triangles of one primitive.
-struct RayMesh {
+/// One shape as rays see it: triangles, or an exact sphere.
+struct RayShape {
     std::vector<Vec3> positions;
     std::vector<std::array<std::uint32_t, 3>> triangles;
+    Vec3 centre;
+    float radius = 0; ///< > 0: a whole sphere instead of triangles.
     bool opaque = true;
-    /// Not zero: only rays that come against this sign times (p1 - p0) x (p2 - p0) are stopped.
+    /// Not zero: only rays that come against this sign times the normal are stopped; the normal is
+    /// (p1 - p0) x (p2 - p0), of a sphere the outward one.
     int frontSign = 0;
+
+    bool empty() const { return triangles.empty() && !(radius > 0); }
+};
+
+/// Shapes that instances place together.
+using RayObject = std::vector<RayShape>;
+
+struct RayInstance {
+    std::uint32_t object = 0;     ///< Index into the objects.
+    std::uint32_t firstShape = 0; ///< HitBatch::shape of the object's first shape.
+    Matrix4 currentFromObject;
 };
 
 /// Flush-to-zero and denormals-are-zero for as long as it lives, as Embree wants them.
@@ -35,22 +50,28 @@ private:
 
 class RayWorld {
 public:
-    /// meshes[i] becomes primitive i. What the meshes hold is not needed afterwards.
-    explicit RayWorld(const std::vector<RayMesh> &meshes);
+    /// world[i] is shape i of the scene, in current space. What is given is not needed afterwards.
+    RayWorld(const RayObject &world, std::span<const RayObject> objects,
+             std::span<const RayInstance> instances);
+    explicit RayWorld(const RayObject &world) : RayWorld(world, {}, {}) {}
     ~RayWorld();
     RayWorld(const RayWorld &) = delete;
 
     bool hasTransparent() const { return hasTransparent_; }
+    /// What went wrong while it was built, for the user ("out of memory"); empty if nothing did.
+    std::string failure() const;
 
     enum class Which { All, Transparent };
     /// Nearest hits, see Scene::intersect.
     void intersect(const RayBatch &, HitBatch &, Which, bool coherent) const;
-    /// blocked[i] = 1 if an opaque triangle stands in ray i's way (or it is not to be traced, 2).
+    /// blocked[i] = 1 if an opaque shape stands in ray i's way (or it is not to be traced, 2).
     void occluded(const RayBatch &, std::uint8_t *blocked) const;
 
 private:
     struct Handles;
     std::unique_ptr<Handles> handles_;
+    std::vector<std::uint32_t> firstShapeOfInstance_;
+    std::uint32_t worldShapes_ = 0;
     bool hasTransparent_ = false;
 };
 

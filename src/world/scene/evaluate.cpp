@@ -114,6 +114,13 @@ void evaluateGeometry(const Run &run, const WantedInputs &wanted, const PlaneSet
     }
 }
 
+/// Which way dPdu ^ dPdv stands to the normals, which don't turn with mirrored spaces.
+void fillOrientation(const Run &run, const PlaneSet &planes) {
+    const float turn = flipsHandedness(run.primitive.currentFromObject) ? -1.0f : 1.0f;
+    std::fill_n(planes.plane(ShaderInput::orientation) + run.first, run.query.count,
+                turn * run.primitive.normalSign);
+}
+
 void evaluateNamed(const Run &run, int variable, int components, ShaderInput input,
                    const PlaneSet &planes) {
     float *to[3];
@@ -239,6 +246,8 @@ void scatterInputs(int count, const std::int32_t *order, const WantedInputs &wan
     move(ShaderInput::P, 3), move(ShaderInput::N, 3), move(ShaderInput::Ng, 3);
     if (wanted.dPd)
         move(ShaderInput::dPdu, 3), move(ShaderInput::dPdv, 3);
+    if (wanted.orientation)
+        move(ShaderInput::orientation, 1);
     if (wanted.uv)
         move(ShaderInput::u, 1), move(ShaderInput::v, 1);
     if (wanted.st)
@@ -310,6 +319,8 @@ void SceneState::evaluate(const TrianglePoints &points, const SceneCode &code,
         // Emitters with (u,v) need the Jacobian, whoever shades them.
         wantedHere.dPd |= summaries[index].light != 0 && primitive.uvDensity;
         evaluateGeometry(run, wantedHere, planes);
+        if (wanted.orientation)
+            fillOrientation(run, planes);
         evaluateColors(run, wanted, summaries[index], planes);
         if (wanted.st) {
             evaluateTexture(run, primitive.s, ShaderInput::s, wanted.stDerivatives,
@@ -337,6 +348,7 @@ void SceneState::evaluate(const TrianglePoints &points, const SceneCode &code,
 
 void WantedInputs::add(const ShaderCode &code) {
     dPd |= code.reads(ShaderInput::dPdu) || code.reads(ShaderInput::dPdv);
+    orientation |= code.reads(ShaderInput::orientation);
     uv |= code.reads(ShaderInput::u) || code.reads(ShaderInput::v);
     footprint |= code.reads(ShaderInput::du) || code.reads(ShaderInput::dv);
     stDerivatives |= code.reads(ShaderInput::dsdu) || code.reads(ShaderInput::dsdv) ||

@@ -105,7 +105,8 @@ int QuestionCode::output(std::string_view name) const {
     return -1;
 }
 
-ShaderCode::ShaderCode(ir::LoweredShader shader, ir::LightRule, std::shared_ptr<Jit> jit)
+ShaderCode::ShaderCode(ir::LoweredShader shader, ir::LightRule, std::shared_ptr<Jit> jit,
+                       std::shared_ptr<const ShaderMessages>)
     : shader_(std::move(shader)), jit_(std::move(jit)) {
     facts_.emits = name() == "glow";
     facts_.opaqueIfOsIs1 = name() != "glass";
@@ -166,7 +167,8 @@ std::optional<ShaderInstance> ShaderLibrary::instance(ShaderKind, const ShaderRe
         key += " " + name;
     auto &code = state_->codes[key];
     if (!code)
-        code = std::make_shared<ShaderCode>(lowered(record.name, variables), rule, nullptr);
+        code =
+            std::make_shared<ShaderCode>(lowered(record.name, variables), rule, nullptr, nullptr);
     std::vector<float> block(Slots, 0);
     auto set = [&](const char *name, int slot) {
         if (const Parameter *given = record.parameters.find(name))

@@ -32,7 +32,7 @@ CANDELA_HOT void findRows(int count, const int *__restrict firstRow,
 
 bool servedFromTable(const SceneCode &code) {
     const WantedInputs &w = code.wanted;
-    return !w.dPd && !w.uv && !w.footprint && !w.st && code.variableNames.empty();
+    return !w.dPd && !w.orientation && !w.uv && !w.footprint && !w.st && code.variableNames.empty();
 }
 
 } // namespace

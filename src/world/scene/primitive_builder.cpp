@@ -12,7 +12,7 @@ namespace candela {
 namespace {
 
 const ShaderRecord &defaultSurface() {
-    static const ShaderRecord record{"defaultsurface", {}, {}};
+    static const ShaderRecord record;
     return record;
 }
 

@@ -49,7 +49,7 @@ struct alignas(64) PrimitiveSummary {
 /// Inputs that evaluation may leave out.
 struct WantedInputs {
     bool dPd = false, uv = false, footprint = false, st = false, Cs = false, Os = false;
-    bool stDerivatives = false;
+    bool stDerivatives = false, orientation = false;
     bool time = false, E = false;
 
     /// Adds what a shader reads.

@@ -2,7 +2,6 @@
 #include "world/shading/shader_code.h"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace candela {
 
@@ -26,11 +25,6 @@ int lineOfSpace(const ir::Region &region, int space) {
     return 0;
 }
 
-// Lines of points that are shaded side by side come in any order but whole: POSIX locks the stream
-// for the time of a call.
-const ShaderCallbacks toStandardOutput{nullptr,
-                                       [](void *, const char *text) { std::fputs(text, stdout); }};
-
 } // namespace
 
 int QuestionCode::output(std::string_view name) const {
@@ -40,8 +34,9 @@ int QuestionCode::output(std::string_view name) const {
     return -1;
 }
 
-ShaderCode::ShaderCode(ir::LoweredShader shader, ir::LightRule rule, std::shared_ptr<Jit> jit)
-    : shader_(std::move(shader)), jit_(std::move(jit)) {
+ShaderCode::ShaderCode(ir::LoweredShader shader, ir::LightRule rule, std::shared_ptr<Jit> jit,
+                       std::shared_ptr<const ShaderMessages> messages)
+    : shader_(std::move(shader)), jit_(std::move(jit)), messages_(std::move(messages)) {
     if (shader_.kind == "surface") {
         shader_.whole = ir::applyLightRule(shader_.whole, rule);
         facts_ = ir::surfaceFacts(shader_.whole);
@@ -91,7 +86,7 @@ void ShaderCode::bind(ShaderArgs &args) const {
     args.spaces = spaces_.data();
     args.categoryAccepts = categoryAccepts_.empty() ? nullptr : categoryAccepts_.data();
     args.lightCount = lightCount_;
-    args.callbacks = &toStandardOutput;
+    args.callbacks = &messages_->callbacks();
 }
 
 } // namespace candela

@@ -8,6 +8,7 @@
 #include "language/ir/lower.h"
 #include "language/ir/questions.h"
 #include "language/jit/jit.h"
+#include "world/shading/shader_messages.h"
 
 #include <array>
 #include <memory>
@@ -30,7 +31,8 @@ struct QuestionCode {
 
 class ShaderCode {
 public:
-    ShaderCode(ir::LoweredShader, ir::LightRule, std::shared_ptr<Jit>);
+    ShaderCode(ir::LoweredShader, ir::LightRule, std::shared_ptr<Jit>,
+               std::shared_ptr<const ShaderMessages>);
 
     const std::string &name() const { return shader_.name; }
     const ir::LoweredShader &shader() const { return shader_; }
@@ -52,14 +54,14 @@ public:
     void bindCategories(std::vector<std::uint8_t> accepts, int lightCount);
     const std::vector<std::string> &categories() const { return shader_.whole.categories; }
 
-    /// Fills what belongs to the shader: parameters, spaces, categories, and printf() to standard
-    /// output.
+    /// Fills what belongs to the shader: parameters, spaces, categories, and where it speaks.
     void bind(ShaderArgs &) const;
 
 private:
     ir::LoweredShader shader_;
     ir::SurfaceFacts facts_;
     std::shared_ptr<Jit> jit_;
+    std::shared_ptr<const ShaderMessages> messages_;
     std::vector<float> blocks_;
     std::vector<std::array<float, 32>> spaceMatrices_;
     std::vector<const float *> spaces_;

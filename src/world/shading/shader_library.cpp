@@ -12,15 +12,21 @@ namespace candela {
 struct ShaderLibrary::State {
     State(ShaderLibrarySettings settings, DiagnosticSink &diagnostics)
         : diagnostics(diagnostics), sources(settings.folders, diagnostics),
-          jit(std::make_shared<Jit>(settings.jit, diagnostics)) {}
+          libraryFolders(settings.libraryFolders),
+          jit(std::make_shared<Jit>(settings.jit, diagnostics)),
+          messages(std::make_shared<const ShaderMessages>(diagnostics)) {}
 
     DiagnosticSink &diagnostics;
     ShaderSources sources;
+    std::vector<std::string> libraryFolders;
     std::shared_ptr<Jit> jit;
+    std::shared_ptr<const ShaderMessages> messages;
     std::map<std::string, std::optional<ir::LoweredShader>> lowered; ///< By source and strings.
     std::map<std::string, std::shared_ptr<ShaderCode>> codes;        ///< And by folded values.
     std::vector<std::shared_ptr<ShaderCode>> inOrder;
 
+    const sl::TypedShader *find(ShaderKind, const ShaderRecord &, const Options &, ir::LightRule);
+    const sl::TypedShader *fromLibrary(const std::string &surface);
     const ir::LoweredShader *lowerOnce(const sl::TypedShader &, const ShaderRecord &,
                                        const std::set<std::string> &variables, std::string &key);
 };
@@ -77,6 +83,25 @@ ShaderLibrary::parametersOf(ShaderKind kind, const std::string &name, const Opti
     return types;
 }
 
+/// Null without a word if there is no library: whoever looked for it has said so.
+const sl::TypedShader *ShaderLibrary::State::fromLibrary(const std::string &surface) {
+    return libraryFolders.empty()
+               ? nullptr
+               : sources.findIn(libraryFolders, ShaderKind::Surface, surface, SourceLocation());
+}
+
+const sl::TypedShader *ShaderLibrary::State::find(ShaderKind kind, const ShaderRecord &record,
+                                                  const Options &options, ir::LightRule rule) {
+    if (record.name.empty())
+        return fromLibrary(defaultSurface(rule));
+    const sl::TypedShader *shader =
+        sources.find(kind, record.name, searchFolders(options, "shader"), record.parameters.where);
+    // A user's own surface of that name is what it is; the library's has a form for each rule.
+    const bool isDefault = kind == ShaderKind::Surface && record.name == "defaultsurface" &&
+                           shader == fromLibrary(record.name);
+    return isDefault && shader ? fromLibrary(defaultSurface(rule)) : shader;
+}
+
 const ir::LoweredShader *ShaderLibrary::State::lowerOnce(const sl::TypedShader &shader,
                                                          const ShaderRecord &record,
                                                          const std::set<std::string> &variables,
@@ -109,20 +134,14 @@ const ir::LoweredShader *ShaderLibrary::State::lowerOnce(const sl::TypedShader &
 std::optional<ShaderInstance> ShaderLibrary::instance(ShaderKind kind, const ShaderRecord &record,
                                                       const Options &options, ir::LightRule rule,
                                                       const std::set<std::string> &variables) {
-    const char *defaultName = defaultSurface(rule);
-    if (kind == ShaderKind::Surface && record.name == "defaultsurface" &&
-        record.name != defaultName)
-        return instance(kind, {defaultName, {}, record.currentFromShader}, options, rule,
-                        variables);
-    const sl::TypedShader *shader = state_->sources.find(
-        kind, record.name, searchFolders(options, "shader"), record.parameters.where);
+    const sl::TypedShader *shader = state_->find(kind, record, options, rule);
     std::string key = rule == ir::LightRule::Path ? "path " : "classic ";
     const ir::LoweredShader *lowered =
         shader ? state_->lowerOnce(*shader, record, variables, key) : nullptr;
     if (!lowered) {
-        if (kind != ShaderKind::Surface || record.name == defaultName)
+        if (kind != ShaderKind::Surface || record.name.empty())
             return std::nullopt;
-        return instance(kind, {defaultName, {}, record.currentFromShader}, options, rule, {});
+        return instance(kind, {{}, {}, record.currentFromShader}, options, rule, {});
     }
 
     std::vector<float> block = parameterBlock(*lowered, record, options, state_->diagnostics);
@@ -137,7 +156,8 @@ std::optional<ShaderInstance> ShaderLibrary::instance(ShaderKind kind, const Sha
         ir::LoweredShader specialised = *lowered;
         if (!folded.empty())
             specialised.whole = ir::fold(lowered->whole, folded);
-        code = std::make_shared<ShaderCode>(std::move(specialised), rule, state_->jit);
+        code = std::make_shared<ShaderCode>(std::move(specialised), rule, state_->jit,
+                                            state_->messages);
         state_->inOrder.push_back(code);
     }
     return ShaderInstance{code, code->addBlock(block)};

@@ -19,6 +19,9 @@ struct ShaderLibrarySettings {
     /// Folders in which .sl files are looked for after the RIB's own search path: --shader-path,
     /// the RIB's folder, the current folder, $CANDELA_SHADERS, the shipped library.
     std::vector<std::string> folders;
+    /// Where the shaders that stand in for missing and faulty ones come from, and from nowhere
+    /// else: the shipped library.
+    std::vector<std::string> libraryFolders;
     JitOptions jit;
 };
 
@@ -33,8 +36,9 @@ public:
 
     /// The instance that a record describes; equal specialisations share code. `variables` are
     /// the names of numeric primitive variables at hand, which override parameters of their name.
-    /// A missing or faulty shader is reported once, and the "defaultsurface" taken in its place
-    /// (a faulty light: nothing).
+    /// A missing or faulty shader is reported once, and the library's default surface taken in its
+    /// place, whatever lies on the search path (a faulty light: nothing). A record without a name
+    /// asks for that surface.
     std::optional<ShaderInstance> instance(ShaderKind, const ShaderRecord &, const Options &,
                                            ir::LightRule, const std::set<std::string> &variables);
 

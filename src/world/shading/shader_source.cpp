@@ -40,11 +40,17 @@ std::string plainShaderName(const std::string &name) {
 const sl::TypedShader *ShaderSources::find(ShaderKind kind, const std::string &name,
                                            const std::vector<std::string> &searchPath,
                                            const SourceLocation &where) {
-    std::string plain = plainShaderName(name);
     std::vector<std::string> folders = searchPath;
     for (const std::string &folder : folders_)
         if (std::ranges::find(folders, folder) == folders.end())
             folders.push_back(folder);
+    return findIn(folders, kind, name, where);
+}
+
+const sl::TypedShader *ShaderSources::findIn(const std::vector<std::string> &folders,
+                                             ShaderKind kind, const std::string &name,
+                                             const SourceLocation &where) {
+    std::string plain = plainShaderName(name);
     const char *kindName = sl::nameOf(languageKind(kind));
     auto reportOnce = [&](const std::string &message) {
         if (!std::exchange(reported_[kindName + plain], true))

@@ -26,6 +26,9 @@ public:
     const sl::TypedShader *find(ShaderKind, const std::string &name,
                                 const std::vector<std::string> &searchPath,
                                 const SourceLocation &where);
+    /// The same, looked for in these folders alone.
+    const sl::TypedShader *findIn(const std::vector<std::string> &folders, ShaderKind,
+                                  const std::string &name, const SourceLocation &where);
 
 private:
     const sl::CompiledFront *load(const std::string &path);

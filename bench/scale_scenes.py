@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: Apache-2.0
+"""RIB scenes whose size is the question; deterministic, written where they are asked for."""
+import math
+import random
+
+HEAD = """##RenderMan RIB-Structure 1.1
+Option "radiometry" "string units" "si"
+Display "{name}.exr" "openexr" "rgb"
+Format {size} {size} 1
+PixelFilter "box" 1 1
+Projection "perspective" "fov" 40
+Translate {eye}
+WorldBegin
+"""
+
+LAMP = """AttributeBegin
+AreaLightSource "arealight" 1 "radiance" {radiance} "onesided" 0
+Surface "matte" "Ka" 0 "Kd" 0
+"""
+
+
+def begin(file, name, eye, size=256):
+    file.write(HEAD.format(name=name, eye=eye, size=size))
+
+
+def mesh(side):
+    """A rumpled sheet of 2 * side * side triangles, one by one metre."""
+    points = []
+    for row in range(side + 1):
+        for column in range(side + 1):
+            x, z = column / side, row / side
+            points.append(f"{x:.6g} {.05 * math.sin(40 * x) * math.cos(37 * z):.6g} {z:.6g}")
+    corners = []
+    for row in range(side):
+        for column in range(side):
+            a = row * (side + 1) + column
+            b, c, d = a + 1, a + side + 1, a + side + 2
+            corners.append(f"{a} {b} {c} {b} {d} {c}")
+    counts = "3 " * (2 * side * side)
+    return f"PointsPolygons [{counts}]\n[{' '.join(corners)}]\n\"P\" [{' '.join(points)}]\n"
+
+
+def instances(path, across=1000, side=71):
+    """across * across instances of one mesh of 2 * side * side triangles (10,082) under a lamp."""
+    with open(path, "w", encoding="ascii") as file:
+        begin(file, path.stem, f"0 -60 {across / 4:g}")
+        file.write(LAMP.format(radiance=20) +
+                   f"Translate 0 {across} 0\n"
+                   'Polygon "P" [-50 0 -50  50 0 -50  50 0 50  -50 0 50]\n'
+                   "AttributeEnd\nIlluminate 1 1\n"
+                   f"ObjectBegin 1\nSurface \"matte\"\n{mesh(side)}ObjectEnd\n")
+        turn = random.Random(1)
+        for row in range(across):
+            for column in range(across):
+                file.write(f"AttributeBegin Translate {1.2 * (column - across / 2):g} "
+                           f"{turn.uniform(-2, 2):.4g} {1.2 * row:g} "
+                           f"Rotate {turn.uniform(0, 360):.4g} 0 1 0 ObjectInstance 1 "
+                           "AttributeEnd\n")
+        file.write("WorldEnd\n")
+
+
+def emitting_spheres(path, count=100000):
+    """So many glowing balls of 1 cm in a cube of 20 m over a floor."""
+    with open(path, "w", encoding="ascii") as file:
+        begin(file, path.stem, "0 -8 30")
+        file.write(LAMP.format(radiance=30))
+        place = random.Random(2)
+        for _ in range(count):
+            x, y, z = place.uniform(-10, 10), place.uniform(1, 20), place.uniform(-10, 10)
+            file.write(f"TransformBegin Translate {x:.5g} {y:.5g} {z:.5g} "
+                       "Sphere .01 -.01 .01 360 TransformEnd\n")
+        file.write('AttributeEnd\nIlluminate 1 1\nSurface "matte"\n'
+                   'Polygon "P" [-20 0 -20  20 0 -20  20 0 20  -20 0 20]\nWorldEnd\n')
+
+
+def sky(path, round_sky):
+    """Two blocks on a floor under a sky of one radiance: a sphere of 1 km, or a box as wide."""
+    r = 1000
+    with open(path, "w", encoding="ascii") as file:
+        begin(file, path.stem, "0 -3 12")
+        file.write(LAMP.format(radiance=1))
+        file.write(f"Sphere {r} -{r} {r} 360\n" if round_sky else box(-r, r, -r, r, -r, r))
+        file.write('AttributeEnd\nIlluminate 1 1\nSurface "matte"\n'
+                   'Polygon "P" [-20 0 -20  20 0 -20  20 0 20  -20 0 20]\n' +
+                   box(-2, -.5, 0, 2, -1, 1) + box(.5, 2, 0, 3, 0, 2) + "WorldEnd\n")
+
+
+def box(x0, x1, y0, y1, z0, z1):
+    corners = [f"{x} {y} {z} " for z in (z0, z1) for y in (y0, y1) for x in (x0, x1)]
+    sides = ((0, 1, 3, 2), (4, 5, 7, 6), (0, 1, 5, 4), (2, 3, 7, 6), (0, 2, 6, 4), (1, 3, 7, 5))
+    return "".join('Polygon "P" [' + "".join(corners[i] for i in side) + "]\n" for side in sides)

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world/rays/embree_scene.h"
+
+#include "foundation/base/instruction_set.h"
+#include "foundation/base/parallel.h"
+#include "world/rays/sealed_triangles.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace candela {
+
+namespace {
+
+bool fromBehind(const RTCFilterFunctionNArguments *args, unsigned i, int frontSign) {
+    unsigned n = args->N;
+    float along = RTCRayN_dir_x(args->ray, n, i) * RTCHitN_Ng_x(args->hit, n, i) +
+                  RTCRayN_dir_y(args->ray, n, i) * RTCHitN_Ng_y(args->hit, n, i) +
+                  RTCRayN_dir_z(args->ray, n, i) * RTCHitN_Ng_z(args->hit, n, i);
+    return along * float(frontSign) > 0;
+}
+
+void refuseFromBehind(const RTCFilterFunctionNArguments *args) {
+    const int frontSign = int(reinterpret_cast<std::intptr_t>(args->geometryUserPtr));
+    for (unsigned i = 0; i < args->N; ++i)
+        if (args->valid[i] && fromBehind(args, i, frontSign))
+            args->valid[i] = 0;
+}
+
+RTCGeometry makeTriangles(RTCDevice device, const RayShape &shape) {
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    const std::size_t count = shape.triangles.size();
+    auto *corners = static_cast<Vec3 *>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3), 3 * count));
+    auto *indices = static_cast<std::uint32_t *>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), count));
+    if (!corners || !indices) // The device has been told of it.
+        return geometry;
+    sealTriangles(shape.positions, shape.triangles, corners);
+    std::iota(indices, indices + 3 * count, 0u);
+    return geometry;
+}
+
+RTCGeometry makeSphere(RTCDevice device, const RayShape &shape) {
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_SPHERE_POINT);
+    auto *sphere = static_cast<float *>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 4 * sizeof(float), 1));
+    if (sphere)
+        for (int c = 0; c < 3; ++c)
+            sphere[c] = shape.centre[c];
+    if (sphere)
+        sphere[3] = shape.radius;
+    return geometry;
+}
+
+RTCGeometry makeGeometry(RTCDevice device, const RayShape &shape) {
+    RTCGeometry geometry =
+        shape.radius > 0 ? makeSphere(device, shape) : makeTriangles(device, shape);
+    rtcSetGeometryMask(geometry, shape.opaque ? opaqueBit : transparentBit);
+    rtcSetGeometryUserData(geometry, reinterpret_cast<void *>(std::intptr_t(shape.frontSign)));
+    // Filters more than double the time of a ray: only one-sided surfaces have them.
+    if (shape.frontSign != 0) {
+        rtcSetGeometryIntersectFilterFunction(geometry, refuseFromBehind);
+        rtcSetGeometryOccludedFilterFunction(geometry, refuseFromBehind);
+    }
+    rtcCommitGeometry(geometry);
+    return geometry;
+}
+
+} // namespace
+
+/// Kernels of the instruction set in force, and no others.
+static RTCDevice newDevice() {
+    switch (instructionSet()) {
+    case InstructionSet::V2: return rtcNewDevice("set_affinity=0,start_threads=0,isa=sse4.2");
+    case InstructionSet::V3: return rtcNewDevice("set_affinity=0,start_threads=0,isa=avx2");
+    case InstructionSet::V4: break;
+    }
+    return rtcNewDevice("set_affinity=0,start_threads=0,isa=avx512");
+}
+
+EmbreeDevice::EmbreeDevice() : device_(newDevice()) {
+    rtcSetDeviceErrorFunction(device_, takeError, this);
+}
+
+EmbreeDevice::~EmbreeDevice() { rtcReleaseDevice(device_); }
+
+void EmbreeDevice::takeError(void *self, RTCError error, const char *text) {
+    auto *device = static_cast<EmbreeDevice *>(self);
+    if (!device->failure_.empty())
+        return;
+    device->failure_ = error == RTC_ERROR_OUT_OF_MEMORY
+                           ? "there is not enough memory for what rays are to meet"
+                           : "the ray tracer reports: " + std::string(text ? text : "an error");
+}
+
+int EmbreeDevice::packetWidth() const {
+    if (rtcGetDeviceProperty(device_, RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED))
+        return 16;
+    return rtcGetDeviceProperty(device_, RTC_DEVICE_PROPERTY_NATIVE_RAY8_SUPPORTED) ? 8 : 4;
+}
+
+unsigned maskOf(const RayObject &object) {
+    unsigned mask = 0;
+    for (const RayShape &shape : object)
+        mask |= shape.opaque ? opaqueBit : transparentBit;
+    return mask;
+}
+
+RTCScene makeScene(const EmbreeDevice &device, const RayObject &object) {
+    RTCScene scene = rtcNewScene(device.get());
+    rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
+    std::vector<RTCGeometry> geometries(object.size());
+    parallelFor(object.size(), [&](std::size_t i) {
+        FlushDenormals guard;
+        if (!object[i].empty())
+            geometries[i] = makeGeometry(device.get(), object[i]);
+    });
+    for (std::size_t i = 0; i < geometries.size(); ++i)
+        if (geometries[i]) {
+            rtcAttachGeometryByID(scene, geometries[i], unsigned(i));
+            rtcReleaseGeometry(geometries[i]);
+        }
+    return scene;
+}
+
+void attachInstance(const EmbreeDevice &device, RTCScene world, unsigned id, RTCScene object,
+                    unsigned mask, const Matrix4 &currentFromObject) {
+    RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_INSTANCE);
+    rtcSetGeometryInstancedScene(geometry, object);
+    rtcSetGeometryMask(geometry, mask);
+    // Rows of ours are the columns of theirs: points are row vectors here.
+    rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR,
+                            currentFromObject.m.data());
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(world, geometry, id);
+    rtcReleaseGeometry(geometry);
+}
+
+} // namespace candela

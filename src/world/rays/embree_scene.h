@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// From shapes, objects and instances to Embree's scenes. Only this room includes it.
+#pragma once
+
+#include "world/rays/ray_world.h"
+
+#include <embree3/rtcore.h>
+
+#include <string>
+
+namespace candela {
+
+/// Ray masks: shadow rays look for opaque shapes first, and walk through the others afterwards.
+inline constexpr unsigned opaqueBit = 1, transparentBit = 2;
+
+/// The device, and the first thing that it has complained of.
+class EmbreeDevice {
+public:
+    EmbreeDevice();
+    ~EmbreeDevice();
+    EmbreeDevice(const EmbreeDevice &) = delete;
+
+    RTCDevice get() const { return device_; }
+    const std::string &failure() const { return failure_; }
+    /// How many rays a packet holds that this device traces as it is: 16, 8 or 4.
+    int packetWidth() const;
+
+private:
+    static void takeError(void *device, RTCError, const char *text);
+
+    RTCDevice device_;
+    std::string failure_;
+};
+
+/// A scene of the shapes, geometry i being shape i; committed by the caller.
+RTCScene makeScene(const EmbreeDevice &, const RayObject &);
+/// Adds a placement of a committed scene, whose shapes have one of the bits of `mask`.
+void attachInstance(const EmbreeDevice &, RTCScene world, unsigned geometry, RTCScene object,
+                    unsigned mask, const Matrix4 &currentFromObject);
+/// The bits that rays must carry to meet anything of the object.
+unsigned maskOf(const RayObject &);
+
+} // namespace candela

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// What shaders say while they run: printf() on standard output, mistakes as warnings.
+#pragma once
+
+#include "foundation/base/diagnostics.h"
+#include "language/runtime/shader_abi.h"
+
+#include <map>
+#include <set>
+#include <shared_mutex>
+#include <string>
+#include <string_view>
+
+namespace candela {
+
+/// Receives the callbacks of all shaders of a scene, from any thread. Must outlive their calls.
+class ShaderMessages {
+public:
+    explicit ShaderMessages(DiagnosticSink &);
+    ShaderMessages(const ShaderMessages &) = delete;
+    ShaderMessages &operator=(const ShaderMessages &) = delete;
+
+    const ShaderCallbacks &callbacks() const { return callbacks_; }
+
+private:
+    /// A warning the first time that a place is named.
+    void indexOutside(std::string_view file, int line);
+
+    DiagnosticSink &diagnostics_;
+    ShaderCallbacks callbacks_;
+    std::shared_mutex mutex_; ///< A shader that is wrong everywhere only reads what was said.
+    std::map<std::string, std::set<int>, std::less<>> said_; ///< Lines, by file.
+};
+
+} // namespace candela
