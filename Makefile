@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # The commands of the README. Everything is prepared on the way: packages, configuration, build.
 
-.PHONY: build demo test bench clean
+.PHONY: build demo test test-long fuzz bench clean
 
 build:
 	@tools/install-packages
@@ -16,11 +16,23 @@ demo: build
 test: build
 	cd build && ctest --output-on-failure -j 2 -LE 'long|bench'
 
-test-long: build
+test-long:
+	@tools/install-packages test-long
+	@$(MAKE) build
+	cmake --preset tsan >/dev/null
+	cmake --build --preset tsan --target candela
 	cd build && ctest --output-on-failure -j 2 -L long
+
+fuzz:
+	@tools/install-packages
+	cmake --preset asan >/dev/null
+	cmake --build --preset asan --target candela
+	CANDELA_CACHE=$(CURDIR)/build-asan/shader-cache CANDELA_TIME_SCALE=10 \
+	    tests/fuzz/fuzz.py --candela build-asan/bin/candela --count 10000 --memory 0 \
+	    --keep build-asan/fuzz-failures
 
 bench: build
 	bench/run
 
 clean:
-	rm -rf build out
+	rm -rf build build-asan build-tsan out

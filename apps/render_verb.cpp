@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/verbs.h"
 
+#include "foundation/base/instruction_set.h"
 #include "render/render.h"
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <cstdlib>
 #include <memory>
 
 namespace candela {
@@ -39,9 +41,27 @@ template <class Parse> auto checked(Parse parse, const char *expected) {
 
 struct Arguments {
     RenderSettings settings;
-    std::string file, format, crop, integrator, sampling = "cones";
+    std::string file, format, crop, integrator, cpu, sampling = "cones";
     int samples = 0, lanes = laneBlock;
 };
+
+/// The instruction set was chosen before main (foundation/base/instruction_set.cpp); says what is
+/// wrong where it isn't the one asked for, by --cpu or else by CANDELA_CPU.
+bool instructionSetIsAsAsked(std::string name) {
+    const char *variable = std::getenv("CANDELA_CPU");
+    if (name.empty() && variable)
+        name = variable;
+    if (name.empty() || name == nameOf(instructionSet()))
+        return true;
+    const char *problem = !instructionSetOf(name) ? "there is no instruction set %s: v2, v3 or v4"
+                          : *instructionSetOf(name) > hostInstructionSet()
+                              ? "this machine cannot run code for %s"
+                              : "cannot choose %s: /proc is not there to be read";
+    std::fputs("candela: ", stderr);
+    std::fprintf(stderr, problem, name.c_str());
+    std::fputs("\n", stderr);
+    return false;
+}
 
 } // namespace
 
@@ -81,7 +101,9 @@ void addRender(CLI::App &app, int &status) {
     auto *testing = app.add_option_group("For tests and benchmarks");
     testing->add_option("--lanes", a.lanes, "Lane width of compiled shaders; default 16")
         ->check(CLI::IsMember({1, 16}));
-    testing->add_option("--cpu", s.jit.cpu, "Compile shaders for this CPU (LLVM's name)");
+    testing->add_option(
+        "--cpu", a.cpu,
+        "x86-64 level of all code: v2, v3 or v4; default: $CANDELA_CPU, else the best");
     testing->add_option("--sampling", a.sampling, "cones, or hemisphere: ignore importance cones")
         ->check(CLI::IsMember({"cones", "hemisphere"}));
     testing->add_option("--stats", s.statisticsFile, "Write figures of the run to this JSON file");
@@ -101,9 +123,7 @@ void addRender(CLI::App &app, int &status) {
         s.crop = parseCrop(a.crop);
         s.jit.width = a.lanes;
         s.hemisphereOnly = a.sampling == "hemisphere";
-        if (!s.jit.cpu.empty() && !Jit::hostRuns(s.jit.cpu)) {
-            std::fprintf(stderr, "candela: this machine cannot run code for %s\n",
-                         s.jit.cpu.c_str());
+        if (!instructionSetIsAsAsked(a.cpu)) {
             status = 2;
             return;
         }

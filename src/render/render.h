@@ -26,7 +26,7 @@ struct RenderSettings {
     std::vector<std::string> shaderPath, archivePath, texturePath;
     bool quiet = false;
 
-    JitOptions jit;              ///< --lanes, --cpu
+    JitOptions jit;              ///< --lanes
     bool hemisphereOnly = false; ///< --sampling hemisphere
     std::string statisticsFile;  ///< --stats
 };

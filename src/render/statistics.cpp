@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/statistics.h"
 
+#include "foundation/base/instruction_set.h"
+
 #include <chrono>
 #include <cstdio>
 #include <ctime>
@@ -64,6 +66,8 @@ void Statistics::write(const std::string &path, DiagnosticSink &diagnostics) con
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     all["process.peakMegabytes"] = double(usage.ru_maxrss) / 1024;
+
+    all["process.instructionSet"] = 2 + int(instructionSet()); // x86-64-v2, v3, v4
 
     std::FILE *file = std::fopen(path.c_str(), "w");
     bool good = file != nullptr;

@@ -13,7 +13,7 @@ struct RunSettings {
     std::string input{};     ///< Path of standard input; empty = /dev/null.
     long fileSizeLimit = -1; ///< Largest file it may write, bytes (RLIMIT_FSIZE); -1 = any.
     long memoryLimit = -1;   ///< Most address space it may take, bytes (RLIMIT_AS); -1 = any.
-    int secondsAllowed = 120;
+    int secondsAllowed = 120; ///< Times timeScale().
 };
 
 struct Outcome {
@@ -29,7 +29,12 @@ struct Outcome {
 /// Path of build/bin/candela.
 std::string candelaProgram();
 
-/// Runs candela with these arguments and waits for it.
+/// $CANDELA_TIME_SCALE, else 1: how much slower than usual programs may be, for emulators and
+/// sanitizers.
+double timeScale();
+
+/// Runs candela with these arguments and waits for it. $CANDELA_LAUNCHER, words between blanks,
+/// comes before the program: an emulator does not follow its child into the programs it starts.
 Outcome runCandela(const std::vector<std::string> &arguments, const RunSettings & = {});
 
 } // namespace candela::test

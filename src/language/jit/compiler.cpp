@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/jit/compiler.h"
 
+#include "foundation/base/instruction_set.h"
 #include "language/jit/function_generator.h"
 
 #include <llvm/IR/LegacyPassManager.h>
@@ -55,9 +56,12 @@ std::string cpuOfLevel(runtime::IsaLevel level) {
 std::optional<CodeTarget> codeTarget(const std::string &cpu, int width) {
     CodeTarget target;
     target.width = width;
-    target.cpu = cpu.empty() ? llvm::sys::getHostCPUName().str() : cpu;
+    const bool native = cpu.empty() && instructionSet() == hostInstructionSet();
+    target.cpu = native         ? llvm::sys::getHostCPUName().str()
+                 : !cpu.empty() ? cpu
+                                : cpuOfLevel(runtime::hostIsaLevel());
     // The host may lack what its name promises: hypervisors hide features.
-    target.features = cpu.empty() ? hostFeatures() : "";
+    target.features = native ? hostFeatures() : "";
     if (!subtarget("x86-64", "")->isCPUStringValid(target.cpu))
         return std::nullopt;
     const Subtarget facts = subtarget(target.cpu, target.features);
@@ -72,6 +76,8 @@ bool hostRunsCode(const std::string &cpu) {
     if (cpu.empty())
         return true;
     if (!subtarget("x86-64", "")->isCPUStringValid(cpu))
+        return false;
+    if (int(codeTarget(cpu, 1)->level) > int(instructionSet()))
         return false;
     const Subtarget wanted = subtarget(cpu, "");
     const auto host = llvm::sys::getHostCPUFeatures();

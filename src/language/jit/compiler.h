@@ -13,9 +13,10 @@ namespace candela {
 
 /// LLVM's name for a CPU that has what the level has and nothing more.
 std::string cpuOfLevel(runtime::IsaLevel);
-/// The target of a CPU name (empty = this machine); none if LLVM doesn't know it.
+/// The target of a CPU name (empty = this machine, at the instruction set in force); none if LLVM
+/// doesn't know it.
 std::optional<CodeTarget> codeTarget(const std::string &cpu, int width);
-/// Can this machine execute code for the CPU?
+/// Can this machine execute code for the CPU, within the instruction set in force?
 bool hostRunsCode(const std::string &cpu);
 /// LLVM's version, for cache keys.
 std::string llvmVersion();

@@ -8,7 +8,7 @@ namespace candela::runtime {
 /// transcendental functions agree between V3 and V4 and between all widths of one level.
 enum class IsaLevel { V2, V3, V4 };
 
-/// The highest level that this machine can execute.
+/// The level in force (foundation/base/instruction_set.h).
 IsaLevel hostIsaLevel();
 
 } // namespace candela::runtime

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/runtime/scalar_math.h"
 
+#include "foundation/base/instruction_set.h"
 #include "language/runtime/isa_level.h"
 
 #include <cmath>
@@ -47,13 +48,9 @@ static float clampToUnit(float x) {
 }
 
 IsaLevel hostIsaLevel() {
-    __builtin_cpu_init();
-    if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma"))
-        return IsaLevel::V2;
-    const bool wide = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
-                      __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
-                      __builtin_cpu_supports("avx512vl");
-    return wide ? IsaLevel::V4 : IsaLevel::V3;
+    static_assert(int(IsaLevel::V2) == int(InstructionSet::V2) &&
+                  int(IsaLevel::V4) == int(InstructionSet::V4));
+    return IsaLevel(instructionSet());
 }
 
 float sin(float radians) { return raw_sin(radians); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/rays/embree_scene.h"
 
+#include "foundation/base/instruction_set.h"
 #include "foundation/base/parallel.h"
 #include "world/rays/sealed_triangles.h"
 
@@ -68,7 +69,17 @@ RTCGeometry makeGeometry(RTCDevice device, const RayShape &shape) {
 
 } // namespace
 
-EmbreeDevice::EmbreeDevice() : device_(rtcNewDevice("set_affinity=0,start_threads=0")) {
+/// Kernels of the instruction set in force, and no others.
+static RTCDevice newDevice() {
+    switch (instructionSet()) {
+    case InstructionSet::V2: return rtcNewDevice("set_affinity=0,start_threads=0,isa=sse4.2");
+    case InstructionSet::V3: return rtcNewDevice("set_affinity=0,start_threads=0,isa=avx2");
+    case InstructionSet::V4: break;
+    }
+    return rtcNewDevice("set_affinity=0,start_threads=0,isa=avx512");
+}
+
+EmbreeDevice::EmbreeDevice() : device_(newDevice()) {
     rtcSetDeviceErrorFunction(device_, takeError, this);
 }
 

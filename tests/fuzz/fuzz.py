@@ -1,0 +1,192 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""Renders mutated scenes and shaders: none may crash candela, hang it or flood the terminal.
+
+An input is made of its seed alone: a file of corpus/ whose tokens are changed, dropped, doubled and
+swapped. What fails is kept with the command that repeats it. Exit status: 0 none failed, 1 some
+did, 2 there is no program to try."""
+import argparse
+import concurrent.futures
+import os
+import random
+import re
+import resource
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+SOURCE = HERE.parent.parent
+TOKEN = re.compile(r'"(?:\\.|[^"\\])*"|[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?|\w+|\s+|.', re.S)
+NUMBER = re.compile(r"[-+]?(?:\d|\.\d)")
+NUMBERS = ["0", "-0", "1", "-1", "0.5", "2", "3", "7", "255", "1e38", "-1e38", "3.4e38", "1e39", "-1e39",
+           "1e-38", "1e-44", "-1e-45", "1e400", "inf", "-inf", "nan", "1e9", "-1e9", "2147483647",
+           "-2147483648", "4294967296", "1e18", "1e20", "16777217", "1e-7", "-1e-20", "180", "359.999"]
+STRINGS = ['""', '"P"', '"nosuch"', '"uniform float x"', '"varying color Cs"', '"vertex point P"',
+           '"constant string[3] s"', '"uniform float[0] x"', '"uniform float[-1] x"', '"matte"', '"../x"',
+           '"%s%n"', '"' + "x" * 3000 + '"', '"\\377\\000"', '"bicubic"', '"periodic"', '"inside"']
+FLOOD = 100_000  # Bytes of messages: an ordinary scene's few, said once each.
+SHADER_SCENE = """Format 8 8 1
+Display "out.exr" "openexr" "rgba"
+Projection "perspective" "fov" [50]
+WorldBegin
+LightSource "pointlight" 1 "point from" [2 3 -1]
+LightSource "ambientlight" 2
+AttributeBegin
+Surface "fuzzed"
+Translate 0 0 4
+Sphere 1.4 -1.4 1.4 360
+AttributeEnd
+WorldEnd
+"""
+
+
+def places(tokens, chosen):
+    return [i for i, token in enumerate(tokens) if chosen(token)]
+
+
+def is_number(token):
+    return NUMBER.match(token) is not None
+
+
+def is_word(token):
+    return not token.isspace()
+
+
+def mutate(tokens, chance):
+    """Changes the list of tokens in one way."""
+    kind = chance.choices(["number", "string", "drop", "double", "swap", "cut", "copy", "end"],
+                          [8, 2, 2, 2, 2, 1, 1, 1])[0]
+    if kind == "number" and (where := places(tokens, is_number)):
+        first = chance.randrange(len(where))
+        for i in where[first:first + chance.choice([1, 1, 1, 2, 3, 9])]:
+            tokens[i] = chance.choice(NUMBERS)
+    elif kind == "string" and (where := places(tokens, lambda token: token.startswith('"'))):
+        tokens[chance.choice(where)] = chance.choice(STRINGS + [tokens[chance.choice(where)]])
+    elif kind == "cut" and (where := places(tokens, lambda token: token == "[")):
+        first = chance.choice(where)
+        last = next((i for i in range(first, len(tokens)) if tokens[i] == "]"), len(tokens))
+        del tokens[chance.randint(first + 1, max(first + 1, last)):last]
+    elif kind == "copy":
+        first = chance.randrange(len(tokens))
+        piece = tokens[first:first + chance.randint(1, 40)]
+        at = chance.randrange(len(tokens))
+        tokens[at:at] = piece * chance.choice([1, 1, 2, 50])
+    elif kind == "end":
+        del tokens[chance.randrange(len(tokens)):]
+    elif where := places(tokens, is_word):
+        i, j = chance.choice(where), chance.choice(where)
+        if kind == "drop":
+            del tokens[i]
+        elif kind == "double":
+            tokens.insert(i, tokens[i] + " ")
+        else:
+            tokens[i], tokens[j] = tokens[j], tokens[i]
+
+
+def make_input(seed, corpus):
+    """Name and text of the file of a seed."""
+    chance = random.Random(seed)
+    origin = chance.choice(corpus)
+    tokens = TOKEN.findall(origin.read_text())
+    for _ in range(chance.choice([1, 1, 2, 3, 5])):
+        if tokens:
+            mutate(tokens, chance)
+    text = "".join(tokens)
+    if origin.suffix == ".sl":  # Found by its name, however it is changed.
+        return "fuzzed.sl", text
+    return "scene.rib", text
+
+
+class Trial:
+    """How inputs are rendered, and what counts as a failure."""
+
+    def __init__(self, options):
+        self.options = options
+        self.scale = max(1.0, float(os.environ.get("CANDELA_TIME_SCALE", "1")))
+        self.launcher = os.environ.get("CANDELA_LAUNCHER", "").split()
+        self.corpus = sorted((HERE / "corpus").iterdir())
+        self.environment = dict(os.environ, CANDELA_SHADERS=str(SOURCE / "shaders"))
+        self.environment["ASAN_OPTIONS"] = "detect_leaks=0:hard_rss_limit_mb=6000:abort_on_error=1"
+        self.environment["UBSAN_OPTIONS"] = "halt_on_error=1:print_stacktrace=1:abort_on_error=1"
+
+    def limit(self):
+        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+        resource.setrlimit(resource.RLIMIT_FSIZE, (1 << 28, 1 << 28))
+        if self.options.memory > 0:
+            size = self.options.memory << 20
+            resource.setrlimit(resource.RLIMIT_AS, (size, size))
+
+    def run(self, seed):
+        """What is wrong with a seed, or none."""
+        name, text = make_input(seed, self.corpus)
+        with tempfile.TemporaryDirectory(prefix="candela-fuzz-") as folder:
+            scene = Path(folder, "scene.rib")
+            scene.write_text(SHADER_SCENE)
+            Path(folder, name).write_text(text, errors="replace")
+            for shader in (HERE / "corpus").glob("*.sl"):
+                if shader.name != name:
+                    shutil.copy(shader, folder)
+            problem = self.render(scene, folder)
+        if problem:
+            kept = Path(self.options.keep, f"{seed}-{name}")
+            kept.parent.mkdir(parents=True, exist_ok=True)
+            kept.write_text(text, errors="replace")
+            return f"seed {seed} ({kept}): {problem}\n    again: {sys.argv[0]} --candela " \
+                   f"{self.options.candela} --memory {self.options.memory} --first {seed} --count 1"
+        return None
+
+    def render(self, scene, folder):
+        said = Path(folder, "said")
+        seconds = self.options.seconds * self.scale
+        with said.open("wb") as stream:
+            process = subprocess.Popen(
+                [*self.launcher, self.options.candela, "--quiet", "--threads", "1", "--format", "8x8",
+                 "--spp", "1", "--output-dir", folder, str(scene)],
+                stdin=subprocess.DEVNULL, stdout=stream, stderr=stream, cwd=folder,
+                env=self.environment, preexec_fn=self.limit)
+            try:
+                status = process.wait(seconds)
+            except subprocess.TimeoutExpired:
+                process.kill()
+                process.wait()
+                return f"took longer than {seconds:g} s"
+        messages = said.read_bytes()
+        if status not in (0, 1):
+            how = f"signal {-status}" if status < 0 else f"exit status {status}"
+            return f"{how}: " + messages.decode(errors="replace")[-1500:]
+        if len(messages) > FLOOD:
+            return f"{len(messages)} bytes of messages"
+        return None
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--candela", default=str(SOURCE / "build/bin/candela"))
+    parser.add_argument("--first", type=int, default=1, help="the first seed")
+    parser.add_argument("--count", type=int, default=500)
+    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--seconds", type=float, default=10, help="for one input")
+    parser.add_argument("--memory", type=int, default=4096, help="MiB of addresses; 0: any")
+    parser.add_argument("--keep", default="fuzz-failures", help="folder for what fails")
+    options = parser.parse_args()
+    options.candela = os.path.abspath(options.candela)
+    if not os.access(options.candela, os.X_OK):
+        print(f"{options.candela} cannot be executed", file=sys.stderr)
+        return 2
+    trial = Trial(options)
+    failures = 0
+    seeds = range(options.first, options.first + options.count)
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        for problem in pool.map(trial.run, seeds):
+            if problem:
+                failures += 1
+                print(problem, flush=True)
+    print(f"{options.count} inputs from seed {options.first}, {failures} failed")
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
