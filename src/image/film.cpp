@@ -51,29 +51,70 @@ CANDELA_HOT double sumOfSquares(int count, const float *a, const float *b) {
     });
 }
 
+/// Of weight and value, unbiased, from two samples on.
+double covariance(const FilmMoments &m) {
+    return (m.weighted - m.plain / m.count * m.weights) / (m.count - 1);
+}
+
+/// With weights of mean 1 the mean of w v is an unbiased estimate, but where w changes its sign it
+/// makes noise even of a constant. E[w v] = E[v] + cov(w, v), and the unbiased estimates of both
+/// leave constants alone.
+double estimate(const FilmMoments &m) {
+    if (m.count == 0)
+        return 0;
+    const double plain = m.plain / m.count;
+    return m.count < 2 ? plain : plain + covariance(m);
+}
+
+/// The leading term is the spread of the residuals r = w (v - mean of v); since |w| is constant,
+/// the sum of w^2 v is the mean of w^2 times the sum of v. What the covariance adds with few
+/// samples is its textbook variance under independence.
+double varianceOfEstimate(const FilmMoments &m, double squaredWeights, double squares,
+                          bool signedWeights) {
+    const double n = m.count, mean = m.plain / n;
+    const double residual = m.weighted - mean * m.weights;
+    const double spread = squares - mean * mean * squaredWeights - residual * residual / n;
+    double variance = spread / (n * (n - 1));
+    if (signedWeights && squaredWeights > 0) {
+        const double meanSquaredWeight = squaredWeights / n;
+        const double valueVariance = (squares / meanSquaredWeight - n * mean * mean) / (n - 1);
+        variance += ((meanSquaredWeight - 1) * valueVariance + covariance(m) * covariance(m)) /
+                    (n * (n - 1));
+    }
+    return std::max(0.0, variance);
+}
+
 } // namespace
 
 Film::Film(Settings settings)
     : settings_(std::move(settings)), channels_(withColorAndOpacity(settings_.channels)) {
     for (const ChannelInfo &channel : channels_) {
-        if (channel.name == "z")
-            depthComponent_ = components_;
-        firstComponent_.push_back(components_);
-        components_ += channel.components;
+        layout_.firstComponent.push_back(layout_.components);
+        layout_.components += channel.components;
+        layout_.merge.resize(layout_.components, mergeOf(channel));
     }
-    blockSize_ = 2 + components_ * (settings_.signedWeights ? 2 : 1);
-    squares_ = blockSize_ * (settings_.keepHalves ? 2 : 1);
-    stride_ = squares_ + 1 + colorSamples;
-    sums_.assign(settings_.window.pixels() * stride_, 0.0);
-    if (depthComponent_ >= 0)
-        for (std::size_t i = 0; i < settings_.window.pixels(); ++i)
-            sums_[i * stride_ + 2 + depthComponent_] = std::numeric_limits<float>::max();
+    layout_.block = 2 + layout_.components * (settings_.signedWeights ? 2 : 1);
+    layout_.squares = layout_.block * (settings_.keepHalves ? 2 : 1);
+    layout_.stride = layout_.squares + 1 + colorSamples;
+    sums_.assign(settings_.window.pixels() * layout_.stride, 0.0);
+    for (int c = 0; c < layout_.components; ++c)
+        if (layout_.merge[c] == Merge::Nearest)
+            for (std::size_t i = 0; i < settings_.window.pixels(); ++i)
+                sums_[i * layout_.stride + 2 + c] = std::numeric_limits<float>::max();
+    if (settings_.splats)
+        splats_ = std::make_unique<FilmSplats>(settings_.window, settings_.splatUnits);
+}
+
+/// Depths and numbers of things mean nothing between those of their samples.
+Film::Merge Film::mergeOf(const ChannelInfo &channel) {
+    return channel.name == "z" ? Merge::Nearest : channel.name == "id" ? Merge::First : Merge::Mean;
 }
 
 double Film::bytesNeeded(Settings settings) {
     const double pixels = double(settings.window.pixels());
     settings.window = {};
-    return pixels * Film(std::move(settings)).stride_ * sizeof(double);
+    const double splats = settings.splats ? colorSamples * sizeof(std::int64_t) : 0;
+    return pixels * (Film(std::move(settings)).layout_.stride * sizeof(double) + splats);
 }
 
 int Film::channelIndex(std::string_view name) const {
@@ -90,15 +131,25 @@ void Film::add(const SampleBatch &batch) {
         if (x < w.x0 || x >= w.x1 || y < w.y0 || y >= w.y1)
             continue;
         const std::size_t pixel = std::size_t(y - w.y0) * w.columns() + (x - w.x0);
-        addRun(&sums_[pixel * stride_], {batch, first, last});
+        addRun(&sums_[pixel * layout_.stride], {batch, first, last});
     }
+}
+
+void Film::add(const SplatBatch &batch) {
+    if (splats_)
+        splats_->add(batch);
 }
 
 void Film::addRun(double *pixel, const Run &run) {
     addToBlock(pixel, run, false);
     if (settings_.keepHalves)
-        addToBlock(pixel + blockSize_, run, true);
-    addSquares(pixel + squares_, run);
+        addToBlock(pixel + layout_.block, run, true);
+    const int count = run.last - run.first;
+    const float *weights = run.batch.weight + run.first;
+    double *squares = pixel + layout_.squares;
+    squares[0] += sumOfProducts(count, weights, weights);
+    for (int c = 0; c < colorSamples; ++c)
+        squares[1 + c] += sumOfSquares(count, weights, run.batch.values[c] + run.first);
 }
 
 void Film::addToBlock(double *block, const Run &run, bool evenOnly) {
@@ -112,10 +163,10 @@ void Film::addToBlock(double *block, const Run &run, bool evenOnly) {
                 block[1] += run.batch.weight[i];
             }
     }
-    double *weighted = block + 2, *plain = weighted + components_;
-    for (int c = 0; c < components_; ++c) {
-        if (c == depthComponent_) {
-            weighted[c] = nearest(weighted[c], run, c);
+    double *weighted = block + 2, *plain = weighted + layout_.components;
+    for (int c = 0; c < layout_.components; ++c) {
+        if (layout_.merge[c] != Merge::Mean) {
+            weighted[c] = addSingle(layout_.merge[c], weighted[c], run, c);
             continue;
         }
         weighted[c] = addComponent(weighted[c], run, c, evenOnly, true);
@@ -124,11 +175,14 @@ void Film::addToBlock(double *block, const Run &run, bool evenOnly) {
     }
 }
 
-double Film::nearest(double depth, const Run &run, int component) {
+/// What stands for all samples but is none of their means.
+double Film::addSingle(Merge merge, double value, const Run &run, int component) {
     const float *values = run.batch.values[component];
+    if (merge == Merge::First)
+        return run.batch.sampleIndex[run.first] == 0 ? values[run.first] : value;
     for (int i = run.first; i < run.last; ++i)
-        depth = values[i] < depth ? values[i] : depth; // NaN is not nearer.
-    return depth;
+        value = values[i] < value ? values[i] : value; // NaN is not nearer.
+    return value;
 }
 
 /// The sum with a run's values. No sum of floats overflows a double, so
@@ -157,90 +211,56 @@ double Film::addComponent(double sum, const Run &run, int component, bool evenOn
     return sum;
 }
 
-void Film::addSquares(double *squares, const Run &run) {
-    const int count = run.last - run.first;
-    const float *weights = run.batch.weight + run.first;
-    squares[0] += sumOfProducts(count, weights, weights);
-    for (int c = 0; c < colorSamples; ++c)
-        squares[1 + c] += sumOfSquares(count, weights, run.batch.values[c] + run.first);
-}
-
-Film::Moments Film::moments(const double *pixel, int component, FilmHalf half) const {
+FilmMoments Film::moments(const double *pixel, int component, FilmHalf half) const {
     const auto of = [&](const double *block) {
         const double weighted = block[2 + component];
         const double plain =
-            settings_.signedWeights ? block[2 + components_ + component] : weighted;
-        return Moments{block[0], block[1], weighted, plain};
+            settings_.signedWeights ? block[2 + layout_.components + component] : weighted;
+        return FilmMoments{block[0], block[1], weighted, plain};
     };
-    const Moments all = of(pixel);
+    const FilmMoments all = of(pixel);
     if (half == FilmHalf::Both)
         return all;
-    const Moments even = of(pixel + blockSize_);
+    const FilmMoments even = of(pixel + layout_.block);
     if (half == FilmHalf::Even)
         return even;
     return {all.count - even.count, all.weights - even.weights, all.weighted - even.weighted,
             all.plain - even.plain};
 }
 
-/// With weights of mean 1 the mean of w v is an unbiased estimate, but where w changes its sign it
-/// makes noise even of a constant. E[w v] = E[v] + cov(w, v), and the unbiased estimates of both
-/// leave constants alone.
-double Film::estimate(const Moments &m) {
-    if (m.count == 0)
-        return 0;
-    const double plain = m.plain / m.count;
-    return m.count < 2 ? plain : plain + covariance(m);
-}
-
-/// Of weight and value, unbiased, from two samples on.
-double Film::covariance(const Moments &m) {
-    return (m.weighted - m.plain / m.count * m.weights) / (m.count - 1);
+float Film::value(const double *pixel, int slot, FilmHalf half) const {
+    if (layout_.merge[slot] != Merge::Mean)
+        return float(pixel[2 + slot]);
+    const FilmMoments m = moments(pixel, slot, half);
+    return float(settings_.signedWeights ? estimate(m) : m.count > 0 ? m.weighted / m.count : 0);
 }
 
 std::vector<float> Film::mean(int channel, int component, FilmHalf half) const {
-    const int slot = firstComponent_[channel] + component;
+    const int slot = layout_.firstComponent[channel] + component;
     std::vector<float> plane(settings_.window.pixels());
     for (std::size_t i = 0; i < plane.size(); ++i) {
-        const double *pixel = &sums_[i * stride_];
-        if (slot == depthComponent_) {
-            plane[i] = float(pixel[2 + slot]);
-            continue;
-        }
-        const Moments m = moments(pixel, slot, half);
-        plane[i] = float(settings_.signedWeights ? estimate(m)
-                         : m.count > 0           ? m.weighted / m.count
-                                                 : 0);
+        plane[i] = value(&sums_[i * layout_.stride], slot, half);
+        if (splats_ && channel == 0)
+            plane[i] += splats_->mean(i, component);
     }
     return plane;
 }
 
-/// The leading term is the spread of the residuals r = w (v - mean of v); since |w| is constant,
-/// the sum of w^2 v is the mean of w^2 times the sum of v. What the covariance adds with few
-/// samples is its textbook variance under independence.
-double Film::varianceOfEstimate(const Moments &m, double squaredWeights, double squares) const {
-    const double n = m.count, mean = m.plain / n;
-    const double residual = m.weighted - mean * m.weights;
-    const double spread = squares - mean * mean * squaredWeights - residual * residual / n;
-    double variance = spread / (n * (n - 1));
-    if (settings_.signedWeights && squaredWeights > 0) {
-        const double meanSquaredWeight = squaredWeights / n;
-        const double valueVariance = (squares / meanSquaredWeight - n * mean * mean) / (n - 1);
-        variance += ((meanSquaredWeight - 1) * valueVariance + covariance(m) * covariance(m)) /
-                    (n * (n - 1));
-    }
-    return std::max(0.0, variance);
+std::uint64_t Film::nonFiniteSamples() const {
+    return nonFinite_ + (splats_ ? splats_->nonFinite() : 0);
 }
 
 std::vector<float> Film::varianceOfMean(int component) const {
     std::vector<float> plane(settings_.window.pixels());
     for (std::size_t i = 0; i < plane.size(); ++i) {
-        const double *pixel = &sums_[i * stride_], *squares = pixel + squares_;
-        const Moments m = moments(pixel, component, FilmHalf::Both);
+        const double *pixel = &sums_[i * layout_.stride], *squares = pixel + layout_.squares;
+        const FilmMoments m = moments(pixel, component, FilmHalf::Both);
         if (m.count < 2) {
             plane[i] = std::numeric_limits<float>::infinity();
             continue;
         }
-        plane[i] = float(varianceOfEstimate(m, squares[0], squares[1 + component]));
+        plane[i] = float(
+            varianceOfEstimate(m, squares[0], squares[1 + component], settings_.signedWeights));
     }
     return plane;
 }

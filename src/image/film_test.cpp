@@ -5,9 +5,11 @@
 #include "foundation/base/parallel.h"
 #include "world/camera/pixel_filter.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
+#include <numeric>
 
 namespace candela {
 namespace {
@@ -217,6 +219,111 @@ TEST(Film, NeedsAreKnownBeforeItIsMade) {
     EXPECT_DOUBLE_EQ(Film::bytesNeeded(settings), needed * 1e-10);
     settings.keepHalves = true;
     EXPECT_GT(Film::bytesNeeded(settings), needed * 1e-10);
+}
+
+TEST(Film, NumbersOfThingsAreTheFirstSamplesAndNoMean) {
+    Film film({{3, 1, 0, 3, 0, 1}, {{"id", 1}}, false, true});
+    auto sample = [](int x, int index, float id) {
+        return Sample{x, 0, index, 1, {0, 0, 0, 0, 0, 0, id}};
+    };
+    addTo(film, {sample(0, 0, 3), sample(0, 1, 8), sample(0, 2, 8)});
+    addTo(film, {sample(0, 3, 1)});
+    addTo(film, {sample(1, 0, 16777216), sample(1, 1, 5)});
+    EXPECT_EQ(film.mean(2, 0), (std::vector<float>{3, 16777216, 0}));
+    EXPECT_EQ(film.mean(2, 0, FilmHalf::Odd), film.mean(2, 0));
+}
+
+/// Splats of all magnitudes and both signs over a film of 16 x 8 and its surroundings.
+struct Splats {
+    explicit Splats(std::size_t count) : x(count), y(count), values(3 * count) {
+        for (std::size_t i = 0; i < count; ++i) {
+            x[i] = 20 * uniform(8 * i) - 2, y[i] = 12 * uniform(8 * i + 1) - 2;
+            for (int c = 0; c < 3; ++c)
+                values[3 * i + c] =
+                    (uniform(8 * i + 2 + c) - .3f) * std::exp(20 * uniform(8 * i + 5 + c) - 10);
+        }
+    }
+    std::vector<float> x, y, values;
+};
+
+/// Brings splats order[first, last), as one batch.
+void bring(Film &film, const Splats &splats, const std::vector<std::size_t> &order,
+           std::size_t first, std::size_t last) {
+    std::vector<float> x, y, values[3];
+    for (std::size_t k = first; k < last; ++k) {
+        x.push_back(splats.x[order[k]]), y.push_back(splats.y[order[k]]);
+        for (int c = 0; c < 3; ++c)
+            values[c].push_back(splats.values[3 * order[k] + c]);
+    }
+    const float *planes[] = {values[0].data(), values[1].data(), values[2].data()};
+    SplatBatch batch;
+    batch.count = int(last - first);
+    batch.x = x.data(), batch.y = y.data(), batch.values = planes;
+    batch.lightPaths = 2 * batch.count; // Every other path is not seen.
+    film.add(batch);
+}
+
+Film::Settings splatSettings() {
+    Film::Settings settings;
+    settings.window = {16, 8, 0, 16, 0, 8};
+    settings.splats = true;
+    return settings;
+}
+
+TEST(Film, SplatsInAnyOrderAndFromAnyThreadGiveTheSameBytes) {
+    constexpr std::size_t count = 20000, batch = 50;
+    const Splats splats(count);
+    std::vector<std::size_t> order(count);
+    std::iota(order.begin(), order.end(), 0);
+    Film whole(splatSettings());
+    bring(whole, splats, order, 0, count);
+    double sums[16 * 8] = {};
+    for (std::size_t i = 0; i < count; ++i)
+        if (splats.x[i] >= 0 && splats.x[i] < 16 && splats.y[i] >= 0 && splats.y[i] < 8)
+            sums[int(splats.y[i]) * 16 + int(splats.x[i])] += splats.values[3 * i + 1];
+    const std::vector<float> green = whole.mean(0, 1);
+    for (int i = 0; i < 16 * 8; ++i)
+        EXPECT_NEAR(green[i], sums[i] / (2 * count), 1e-5 + 1e-5 * std::fabs(green[i]));
+
+    std::sort(order.begin(), order.end(),
+              [](std::size_t a, std::size_t b) { return mixBits(a) < mixBits(b); });
+    for (int threads : {1, 2, 4}) {
+        ThreadLimit limit(threads);
+        Film film(splatSettings());
+        parallelFor(count / batch,
+                    [&](std::size_t k) { bring(film, splats, order, k * batch, (k + 1) * batch); });
+        for (int c = 0; c < 3; ++c)
+            EXPECT_EQ(film.mean(0, c), whole.mean(0, c)) << threads;
+        EXPECT_EQ(film.splats()->saturatedSums(), 0u);
+    }
+}
+
+TEST(Film, SplatsBeyondTheRangeStayAtItsEndAndAreCounted) {
+    const float x = 3.5f, y = 2.5f, huge = 1e15f, one = 1, none = NAN;
+    const float *planes[] = {&huge, &one, &none};
+    SplatBatch batch;
+    batch.count = 1, batch.x = &x, batch.y = &y, batch.values = planes, batch.lightPaths = 1;
+    Film film(splatSettings());
+    for (int i = 0; i < 9; ++i)
+        film.add(batch);
+    const std::size_t pixel = 2 * 16 + 3;
+    EXPECT_FLOAT_EQ(film.mean(0, 0)[pixel], float(0x1p47 / 9));
+    EXPECT_FLOAT_EQ(film.mean(0, 1)[pixel], 1);
+    EXPECT_EQ(film.mean(0, 2)[pixel], 0);
+    EXPECT_EQ(film.splats()->saturatedSums(), 1u);
+    EXPECT_EQ(film.nonFiniteSamples(), 9u);
+}
+
+TEST(Film, SplatsJoinWhatSamplesBring) {
+    Film film(splatSettings());
+    addTo(film, {{5, 5, 0, 1, {.5f, .5f, .5f, 1, 1, 1}}});
+    const float x = 5, y = 5.99f, value = 4;
+    const float *planes[] = {&value, &value, &value};
+    SplatBatch batch;
+    batch.count = 1, batch.x = &x, batch.y = &y, batch.values = planes, batch.lightPaths = 16;
+    film.add(batch);
+    EXPECT_FLOAT_EQ(film.mean(0, 0)[5 * 16 + 5], .75f);
+    EXPECT_FLOAT_EQ(film.mean(1, 0)[5 * 16 + 5], 1);
 }
 
 } // namespace

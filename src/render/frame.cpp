@@ -2,7 +2,7 @@
 #include "render/frame.h"
 
 #include "image/displays.h"
-#include "light/transport/first_hit.h"
+#include "light/path/first_hit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@ IntegratorSettings integratorSettings(const Scene &scene, const RenderSettings &
     result.kind = scene.isClassic() ? IntegratorKind::Classic : IntegratorKind::Path;
     const double samples =
         std::round(double(std::max(1.0f, options.xSamples)) * std::max(1.0f, options.ySamples));
-    result.samplesPerPixel = int(std::min<double>(samples, maximumSamplesPerPixel));
+    result.lastSample = int(std::min<double>(samples, maximumSamplesPerPixel));
     result.seed = settings.seed;
     result.maxDepth = int(options.number("trace:maxdepth", defaultDepth));
     result.hemisphereOnly = settings.hemisphereOnly;
@@ -38,7 +38,7 @@ FrameDescription describe(const Scene &scene, const IntegratorSettings &integrat
         {"renderer", "Candela"},
         {"scene", std::filesystem::path(file).filename().string()},
         {"integrator", integrator.kind == IntegratorKind::Path ? "path" : "classic"},
-        {"spp", std::to_string(integrator.samplesPerPixel)},
+        {"spp", std::to_string(integrator.lastSample)},
         {"seed", std::to_string(integrator.seed)},
         {"maxdepth", std::to_string(integrator.maxDepth)},
         {"sampling", integrator.hemisphereOnly ? "hemisphere" : "cones"}};

@@ -4,7 +4,7 @@
 #include "foundation/base/parallel.h"
 #include "interface/ri/graphics_state.h"
 #include "interface/rib/rib_reader.h"
-#include "light/transport/shader_warnings.h"
+#include "light/frame/shader_warnings.h"
 #include "render/console.h"
 #include "render/frame.h"
 #include "render/shader_folders.h"

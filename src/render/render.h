@@ -2,7 +2,7 @@
 // The whole flow, from the name of a RIB file to pictures on disk.
 #pragma once
 
-#include "light/transport/integrator.h"
+#include "light/frame/integrate.h"
 #include "world/shading/shader_library.h"
 
 #include <array>

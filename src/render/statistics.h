@@ -3,7 +3,7 @@
 #pragma once
 
 #include "foundation/base/diagnostics.h"
-#include "light/transport/integrator.h"
+#include "light/frame/integrate.h"
 #include "world/scene/scene.h"
 
 #include <functional>

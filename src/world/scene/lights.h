@@ -16,6 +16,7 @@ namespace candela {
 struct LightQuery {
     int count = 0;
     std::array<const float *, 3> P{};
+    std::array<const float *, 3> N{}; ///< Unit, facing; 0 where light from both sides counts.
     const std::int32_t *lightSet = nullptr;
     const float *time = nullptr;
     /// Uniform samples: which light, and where on it.

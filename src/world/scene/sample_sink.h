@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,7 +19,7 @@ struct ChannelInfo {
 
 /// Samples of whole pixels, structure of arrays. All samples of a pixel that are in one batch
 /// stand together, in the order of their sample index; batches of a pixel come in that order too,
-/// from one thread. Pixels are independent: filters are sampled, not splatted, so a sample
+/// one after the other. Pixels are independent: filters are sampled, not splatted, so a sample
 /// belongs to the one pixel it was drawn for, with the weight (and sign) of the pixel filter.
 struct SampleBatch {
     int count = 0;
@@ -29,14 +30,27 @@ struct SampleBatch {
     const float *const *values = nullptr;
 };
 
+/// Light that paths from lights bring to wherever the camera sees it.
+struct SplatBatch {
+    int count = 0;
+    const float *x = nullptr, *y = nullptr; ///< Absolute raster positions; pixel 0 is [0,1).
+    /// A plane of Ci for each colour sample: what one light path brings, times the pixel filter.
+    const float *const *values = nullptr;
+    /// The light paths that were started for this batch, those that the camera missed among them.
+    std::int64_t lightPaths = 0;
+};
+
 class SampleSink {
 public:
     virtual ~SampleSink() = default;
     /// The channels that are wanted, "Ci" and "Oi" always first and second.
     virtual std::span<const ChannelInfo> channels() const = 0;
-    /// Thread-safe as long as no two threads bring samples of the same pixel. Pixels outside the
-    /// window that is wanted may come too, and are ignored.
+    /// Thread-safe as long as no two threads bring samples of the same pixel at once. Pixels
+    /// outside the window that is wanted may come too, and are ignored.
     virtual void add(const SampleBatch &) = 0;
+    /// Thread-safe. What is seen in the end does not depend on the order of the calls, nor on how
+    /// splats are shared out among them.
+    virtual void add(const SplatBatch &) = 0;
 };
 
 } // namespace candela

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What comes through along shadow rays. Opaque surfaces end the matter at once; transparent ones
 // are walked through from front to back, all rays together, a surface each at a time.
+#include "world/scene/opacity.h"
 #include "world/scene/scene.h"
 #include "world/scene/scene_state.h"
 
@@ -92,7 +93,7 @@ void passSurface(Walk &walk, int k, float *const *transmittance) {
     const int i = walk.order[k], lane = walk.lane[i];
     bool open = false;
     for (int c = 0; c < colorSamples; ++c) {
-        transmittance[c][lane] *= 1 - std::clamp(walk.opacity[c][k], 0.0f, 1.0f);
+        transmittance[c][lane] *= 1 - clampedOpacity(walk.opacity[c][k]);
         open |= transmittance[c][lane] > 0;
     }
     walk.rays.tMin[i] = passing(walk.hits.t[i]);

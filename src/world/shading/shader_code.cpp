@@ -79,6 +79,13 @@ void ShaderCode::bindSpaces(const std::map<std::string, Matrix4> &systems,
 void ShaderCode::bindCategories(std::vector<std::uint8_t> accepts, int lightCount) {
     categoryAccepts_ = std::move(accepts);
     lightCount_ = lightCount;
+    const std::size_t row = std::size_t(lightCount) + 1;
+    hearsAsIndirect_.assign(row, 1);
+    for (std::size_t first = 0; first < categoryAccepts_.size(); first += row)
+        for (std::size_t light = 0; light < row; ++light)
+            hearsAsIndirect_[light] &= categoryAccepts_[first + light] == categoryAccepts_[first];
+    if (std::ranges::find(hearsAsIndirect_, 0) == hearsAsIndirect_.end())
+        hearsAsIndirect_.clear();
 }
 
 void ShaderCode::bind(ShaderArgs &args) const {

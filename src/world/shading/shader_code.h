@@ -53,6 +53,12 @@ public:
     /// `accepts[category][light + 1]`, row by row, in the shader's category order.
     void bindCategories(std::vector<std::uint8_t> accepts, int lightCount);
     const std::vector<std::string> &categories() const { return shader_.whole.categories; }
+    /// True if all loops treat the light (index + 1, 0 = indirect) as they treat indirect light.
+    /// If not, only samples that name the light can bring it.
+    bool hearsAsIndirect(std::int32_t light) const {
+        return hearsAsIndirect_.empty() || hearsAsIndirect_[light] != 0;
+    }
+    bool hearsAllAsIndirect() const { return hearsAsIndirect_.empty(); }
 
     /// Fills what belongs to the shader: parameters, spaces, categories, and where it speaks.
     void bind(ShaderArgs &) const;
@@ -66,6 +72,7 @@ private:
     std::vector<std::array<float, 32>> spaceMatrices_;
     std::vector<const float *> spaces_;
     std::vector<std::uint8_t> categoryAccepts_;
+    std::vector<std::uint8_t> hearsAsIndirect_; ///< By light + 1; empty = all of them.
     int lightCount_ = 0;
     mutable std::array<std::once_flag, 8> once_;
     mutable std::array<QuestionCode, 8> questions_;

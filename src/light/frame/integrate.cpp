@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// The frame as passes, passes as tiles, a tile of a pass as a wave. Tiles are squares aligned to
+// absolute pixels and traced whole even where the crop window cuts them, so that ray packets, and
+// with them the picture, do not depend on the crop.
+#include "light/frame/integrate.h"
+#include "foundation/base/parallel.h"
+#include "light/path/stages.h"
+
+#include <algorithm>
+#include <atomic>
+#include <memory>
+#include <vector>
+
+namespace candela {
+
+namespace {
+
+struct Tile {
+    int x, y, size;
+};
+
+int roundDown(int value, int step) { return value - ((value % step) + step) % step; }
+
+/// Tiles so large that a pass over a tile's pixels fills a wave, and no larger. They depend on how
+/// many samples a pixel has in the end, and that no more where there are several passes.
+int tileSize(int samplesPerPixel) {
+    int size = 64;
+    while (size * size * std::min(samplesPerPixel, passSamples) > PathWave::capacity)
+        size /= 2;
+    return size;
+}
+
+std::vector<Tile> tilesOver(const std::array<int, 4> &crop, int size) {
+    std::vector<Tile> tiles;
+    for (int y = roundDown(crop[2], size); y < crop[3]; y += size)
+        for (int x = roundDown(crop[0], size); x < crop[1]; x += size)
+            tiles.push_back({x, y, size});
+    return tiles;
+}
+
+/// The tile's pixels in Morton order: neighbours in the wave are neighbours in the picture.
+void pixelsOf(const Tile &tile, std::vector<int> &x, std::vector<int> &y) {
+    x.clear();
+    y.clear();
+    for (int code = 0; code < tile.size * tile.size; ++code) {
+        int dx = 0, dy = 0;
+        for (int bit = 0; bit < 8; ++bit) {
+            dx |= ((code >> (2 * bit)) & 1) << bit;
+            dy |= ((code >> (2 * bit + 1)) & 1) << bit;
+        }
+        x.push_back(tile.x + dx);
+        y.push_back(tile.y + dy);
+    }
+}
+
+void bringSamples(const PathWave &wave, SampleSink &sink) {
+    const PathResults &results = wave.results;
+    std::vector<const float *> values;
+    for (int c = 0; c < colorSamples; ++c)
+        values.push_back(results.radiance[c]);
+    for (int c = 0; c < colorSamples; ++c)
+        values.push_back(results.opacity[c]);
+    for (int plane = 0; plane < results.channels.planes(); ++plane)
+        values.push_back(results.channels[plane]);
+    sink.add(
+        {wave.slots, results.x, results.y, results.sampleIndex, results.weight[0], values.data()});
+}
+
+/// The waves and pixel lists of one thread, kept from pass to pass.
+struct Worker {
+    explicit Worker(FrameContext &frame) : wave(frame) {}
+    PathWave wave;
+    std::vector<int> x, y;
+};
+
+void renderTile(Worker &worker, const Tile &tile, int first, int last, SampleSink &sink) {
+    pixelsOf(tile, worker.x, worker.y);
+    startCamera(worker.wave, int(worker.x.size()), worker.x.data(), worker.y.data(), first, last);
+    follow(worker.wave);
+    bringSamples(worker.wave, sink);
+}
+
+} // namespace
+
+void integrate(const Scene &scene, const IntegratorSettings &settings,
+               const PixelFilterSampler &filter, SampleSink &sink, TransportStatistics &statistics,
+               DiagnosticSink &diagnostics) {
+    const std::vector<Tile> tiles = tilesOver(settings.crop, tileSize(settings.lastSample));
+    FrameContext frame(scene, settings, filter, sink.channels(), statistics, diagnostics);
+    std::vector<std::unique_ptr<Worker>> workers(std::max(1, threadCount()));
+    const double samples = settings.lastSample - settings.firstSample;
+    std::atomic<std::size_t> done{0};
+    for (int first = settings.firstSample, last; first < settings.lastSample; first = last) {
+        last = std::min(first + passSamples, settings.lastSample);
+        std::atomic<std::size_t> next{0};
+        parallelFor(workers.size(), [&](std::size_t thread) {
+            if (!workers[thread])
+                workers[thread] = std::make_unique<Worker>(frame);
+            for (std::size_t at; (at = next++) < tiles.size();) {
+                renderTile(*workers[thread], tiles[at], first, last, sink);
+                done += last - first;
+                if (settings.progress)
+                    settings.progress(double(done) / (samples * double(tiles.size())));
+            }
+        });
+    }
+}
+
+} // namespace candela

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "light/frame/shader_warnings.h"
+
+#include "light/path/gathered_light.h"
+
+namespace candela {
+
+void ShaderWarnings::look(const Scene &scene) {
+    if (scene.isClassic())
+        return;
+    for (int index = 0; index < scene.codeCount(); ++index) {
+        const ShaderCode &code = scene.code(index);
+        const ir::SurfaceFacts &facts = code.facts();
+        auto at = [&](int line) {
+            return "shader \"" + code.name() + "\", line " + std::to_string(line) + ": ";
+        };
+        if (!facts.affine)
+            once(at(facts.notAffineLine) +
+                 "what it sends does not grow in proportion to the light, so it is given " +
+                 std::to_string(GatheredLight::rounds) +
+                 " samples of all light at once; its look depends on that number");
+        if (!facts.staticRequests)
+            once(at(facts.notStaticLine) +
+                 "this light request stands in a loop of unknown length or depends on another's "
+                 "answer, so the shader is run whole for every sample; the picture is right, but "
+                 "takes longer");
+    }
+}
+
+void ShaderWarnings::once(const std::string &message) {
+    if (said_.insert(message).second)
+        diagnostics_.warning({}, message);
+}
+
+} // namespace candela

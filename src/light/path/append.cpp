@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+// Paths that go on are packed behind those of the chunks before.
+#include "foundation/base/hot.h"
+#include "foundation/base/lanes.h"
+#include "foundation/base/vec3.h"
+#include "light/path/steps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace candela {
+
+namespace {
+
+/// The widest cone, as metres a metre, that one direction stands for.
+constexpr float widestSpread = 1;
+
+/// A direction stands for a solid angle of 1 / pdf, a cone of the diameter 2 / sqrt(pi pdf).
+inline float spreadOf(float pdf) {
+    const float own = 2 / std::sqrt(float(M_PI) * (pdf > 0 ? pdf : 1.0f));
+    return own < widestSpread ? own : widestSpread;
+}
+
+/// Footprints of rays lane[0..count): as wide as the ray that came is at the vertex.
+CANDELA_HOT void leaveFootprints(int count, const int *__restrict lane, const int *__restrict ray,
+                                 const float *__restrict t, const float *__restrict width,
+                                 const float *__restrict spread, const float *__restrict pdf,
+                                 float *__restrict nextWidth, float *__restrict nextSpread) {
+    for (int k = 0; k < count; ++k) {
+        const int i = lane[k], from = ray[i];
+        nextWidth[k] = width[from] + spread[from] * t[from];
+        nextSpread[k] = pdf[i] > 0 ? spreadOf(pdf[i]) : spread[from];
+    }
+}
+
+/// The page to append to: what is full waits.
+ActivePaths &roomFor(PathWave &wave, int count) {
+    if (wave.next.count + count > PathWave::capacity) {
+        wave.next.rays.count = wave.next.count;
+        wave.waiting.push_back({wave.vertex + 1, std::move(wave.next)});
+        wave.next = ActivePaths(PathWave::capacity);
+    }
+    return wave.next;
+}
+
+void leaveSurface(VertexChunk &chunk, int count, int first, RayBatch &rays) {
+    const int *lane = chunk.way.lane;
+    const MutableVec3Planes direction = chunk.events.direction();
+    const MutableVec3Planes origin{chunk.way.origin[0], chunk.way.origin[1], chunk.way.origin[2]};
+    chunk.vertices.rayOrigins({direction[0], direction[1], direction[2]}, origin);
+    for (int c = 0; c < 3; ++c) {
+        lanes::take(count, lane, origin[c], rays.origin[c] + first);
+        lanes::take(count, lane, direction[c], rays.direction[c] + first);
+    }
+    lanes::take(count, lane, chunk.vertices.points.input(int(ShaderInput::time)),
+                rays.time + first);
+    std::fill_n(rays.tMin + first, count, 0.0f);
+    std::fill_n(rays.tMax + first, count, INFINITY);
+}
+
+/// What finite events leave on their rays.
+void rememberVertex(const VertexChunk &chunk, int count, int first, RayOrigins &left) {
+    const int *lane = chunk.way.lane;
+    lanes::take(count, lane, chunk.way.pdf, left.pdf + first);
+    for (int c = 0; c < 3; ++c)
+        lanes::take(count, lane, chunk.N[c], left.N[c] + first);
+    lanes::take(count, lane, chunk.vertices.points.lightSet, left.lightSet + first);
+    std::fill_n(left.code + first, count, chunk.code);
+}
+
+/// What passes straight on keeps its ray beyond what it has met, and has not been scattered.
+void passOn(const ActivePaths &from, const HitBatch &hits, int i, ActivePaths &to, int at) {
+    for (int c = 0; c < 3; ++c) {
+        to.rays.origin[c][at] = from.rays.origin[c][i];
+        to.rays.direction[c][at] = from.rays.direction[c][i];
+        to.left.N[c][at] = from.left.N[c][i];
+    }
+    to.rays.tMin[at] = passing(hits.t[i]);
+    to.rays.tMax[at] = from.rays.tMax[i];
+    to.rays.width[at] = from.rays.width[i], to.rays.spread[at] = from.rays.spread[i];
+    to.left.pdf[at] = from.left.pdf[i];
+    to.left.lightSet[at] = from.left.lightSet[i], to.left.code[at] = from.left.code[i];
+    to.depth[at] = from.depth[i], to.seen[at] = from.seen[i];
+}
+
+/// Mirrors leave directions of any length and no memory of their vertex.
+void correctSpecialEvents(PathWave &wave, int count, int first) {
+    const VertexChunk &chunk = wave.chunk;
+    ActivePaths &to = wave.next;
+    for (int k = 0; k < count; ++k) {
+        const int i = chunk.way.lane[k], at = first + k;
+        const std::int32_t event = chunk.events.event()[i];
+        if (event == straightThrough)
+            passOn(wave.active, wave.hits, chunk.rays[i], to, at);
+        if (event == finiteRequests || event == straightThrough)
+            continue;
+        const MutableVec3Planes direction = chunk.events.direction();
+        const Vec3 unit = normalize(Vec3{direction[0][i], direction[1][i], direction[2][i]});
+        to.rays.direction[0][at] = unit.x, to.rays.direction[1][at] = unit.y;
+        to.rays.direction[2][at] = unit.z;
+        for (int c = 0; c < 3; ++c)
+            to.left.N[c][at] = 0;
+    }
+}
+
+} // namespace
+
+CANDELA_HOT void spreadOfDirections(int count, const float *__restrict pdf,
+                                    float *__restrict spread) {
+    for (int i = 0; i < count; ++i)
+        spread[i] = spreadOf(pdf[i]);
+}
+
+void append(PathWave &wave, int count) {
+    VertexChunk &chunk = wave.chunk;
+    ScatterPlanes &way = chunk.way;
+    ActivePaths &next = roomFor(wave, count);
+    const int first = next.count, *lane = way.lane;
+    next.count += count;
+    leaveSurface(chunk, count, first, next.rays);
+    leaveFootprints(count, lane, chunk.rays.data(), wave.hits.t, wave.active.rays.width,
+                    wave.active.rays.spread, way.pdf, next.rays.width + first,
+                    next.rays.spread + first);
+    rememberVertex(chunk, count, first, next.left);
+    for (int c = 0; c < colorSamples; ++c) {
+        lanes::multiply(chunk.count(), way.gain, way.throughput[c]);
+        lanes::take(count, lane, way.throughput[c], next.throughput[c] + first);
+    }
+    lanes::take(count, lane, chunk.paths.slot, next.slot + first);
+    lanes::take(count, lane, chunk.paths.depth, next.depth + first);
+    std::fill_n(next.seen + first, count, 0);
+    for (int at = first; at < next.count; ++at)
+        ++next.depth[at];
+    if (chunk.events.needsChoice())
+        correctSpecialEvents(wave, count, first);
+}
+
+} // namespace candela

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "foundation/base/lanes.h"
+#include "light/path/stages.h"
+#include "light/path/steps.h"
+
+#include <algorithm>
+
+namespace candela {
+
+namespace {
+
+void seeOpacity(PathWave &wave) {
+    const PathsAtVertices &paths = wave.chunk.paths;
+    const int count = wave.chunk.count();
+    for (int c = 0; c < colorSamples; ++c) {
+        float *opacity = wave.results.opacity[c];
+        const float *through = paths.throughput[c], *Oi = wave.chunk.vertices.Oi(c);
+        if (slotsAreConsecutive(wave)) { // All of them are seen.
+            lanes::multiplyAdd(count, through, Oi, opacity + paths.slot[0]);
+            continue;
+        }
+        for (int i = 0; i < count; ++i)
+            if (paths.seen[i])
+                opacity[paths.slot[i]] += through[i] * Oi[i];
+    }
+}
+
+void seeFirstSurface(PathWave &wave) {
+    VertexChunk &chunk = wave.chunk;
+    for (int plane = 0; plane < wave.results.channels.planes(); ++plane) {
+        const FirstHitPlane &from = wave.frame.firstHit[plane];
+        float *values = wave.results.channels[plane];
+        for (int i = 0; i < chunk.count(); ++i) {
+            if (from.primitive)
+                values[chunk.paths.slot[i]] = float(chunk.vertices.points.primitive[i] + 1);
+            else if (from.input >= 0)
+                values[chunk.paths.slot[i]] = chunk.vertices.points.input(from.input)[i];
+        }
+    }
+}
+
+} // namespace
+
+void ask(PathWave &wave) {
+    VertexChunk &chunk = wave.chunk;
+    const Scene &scene = wave.frame.scene;
+    chunk.ambient = nullptr;
+    if (scene.hasAmbient() && chunk.vertices.code().facts().readsAmbient) {
+        std::array<float *, colorSamples> ambient;
+        for (int c = 0; c < colorSamples; ++c)
+            std::fill_n(ambient[c] = chunk.ambientLight[c], chunk.count(), 0.0f);
+        scene.ambient(chunk.count(), chunk.vertices.P(), chunk.vertices.points.lightSet,
+                      ambient.data());
+        chunk.ambient = chunk.ambientTable.data();
+    }
+    chunk.vertices.prepare(chunk.ambient);
+}
+
+void see(PathWave &wave) {
+    if (lanes::allEqual(wave.chunk.count(), wave.chunk.paths.seen, 0))
+        return;
+    seeOpacity(wave);
+    if (wave.vertex == 0)
+        seeFirstSurface(wave);
+}
+
+/// As long as no path has ended or been binned apart: at most first vertices.
+bool slotsAreConsecutive(const PathWave &wave) {
+    const int count = wave.chunk.count(), *slot = wave.chunk.paths.slot;
+    return wave.vertex == 0 && slot[count - 1] - slot[0] == count - 1;
+}
+
+} // namespace candela

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// Integrators are lists of stages; a wave goes through its integrator's list vertex by vertex.
+#include "light/path/stages.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace candela {
+
+namespace {
+
+/// Paths through stacks of transparent surfaces end here, whatever the depth allows.
+constexpr int mostVertices = 1000;
+
+constexpr Stage pathStages[] = {meet, emit, ask, see, chooseEvents, light, scatter, deliver};
+constexpr Stage gatheringStages[] = {
+    meet, emit, ask, see, lightGathered, chooseBesidesFiniteLobes, scatter, deliver};
+constexpr Stage classicStages[] = {meet, emit, ask, see, lightClassic, branch, deliver};
+
+void shadeBin(PathWave &wave, int bin) {
+    std::span<const int> rays = wave.bins.rays(bin);
+    if (rays.empty())
+        return;
+    const int code = wave.frame.scene.codeOfBin(bin);
+    const std::span<const Stage> stages =
+        stagesFor(wave.frame.settings.kind, wave.frame.scene.code(code));
+    while (!rays.empty()) {
+        const int count = std::min<int>(VertexChunk::capacity, int(rays.size()));
+        wave.chunk.code = code, wave.chunk.rays = rays.first(count);
+        for (Stage stage : stages)
+            stage(wave);
+        rays = rays.subspan(count);
+    }
+}
+
+/// The paths that go on become the active ones; where there are none, some that wait.
+void advance(PathWave &wave) {
+    std::swap(wave.active, wave.next);
+    ++wave.vertex;
+    if (wave.active.count == 0 && !wave.waiting.empty()) {
+        wave.vertex = wave.waiting.back().vertex;
+        wave.active = std::move(wave.waiting.back().paths);
+        wave.waiting.pop_back();
+    }
+    wave.next.count = wave.next.rays.count = 0;
+    wave.frame.statistics.bounceRays += wave.active.count;
+}
+
+} // namespace
+
+std::span<const Stage> stagesFor(IntegratorKind kind, const ShaderCode &code) {
+    if (kind == IntegratorKind::Classic)
+        return classicStages;
+    return code.facts().affine ? std::span<const Stage>(pathStages) : gatheringStages;
+}
+
+void follow(PathWave &wave) {
+    for (wave.vertex = 0; wave.active.count > 0; advance(wave)) {
+        if (wave.vertex >= mostVertices) {
+            wave.active.count = 0;
+            continue;
+        }
+        trace(wave);
+        bin(wave);
+        for (int bin = 0; bin < wave.bins.count(); ++bin)
+            shadeBin(wave, bin);
+        wave.next.rays.count = wave.next.count;
+    }
+}
+
+} // namespace candela

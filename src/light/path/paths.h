@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// What paths have gathered and what they carry, structure of arrays.
+#pragma once
+
+#include "foundation/base/planes.h"
+#include "foundation/units/color.h"
+#include "light/sampling/cone_mixture.h"
+#include "world/rays/ray_batch.h"
+
+#include <cstdint>
+
+namespace candela {
+
+/// What a path has gathered, by slot: one slot a camera sample, fixed while the wave lasts.
+struct PathResults {
+    PathResults(int capacity, int channelPlanes)
+        : pixels(3, capacity), keys(1, capacity), radiance(colorSamples, capacity),
+          opacity(colorSamples, capacity), channels(channelPlanes, capacity), weight(1, capacity) {
+        x = pixels[0], y = pixels[1], sampleIndex = pixels[2];
+    }
+    Planes<int> pixels;
+    int *x, *y, *sampleIndex;
+    Planes<std::uint32_t> keys; ///< pixelKey() of the slot's pixel.
+    Planes<float> radiance, opacity;
+    Planes<float> channels; ///< Further channels, from the first surface that the path meets.
+    Planes<float> weight;   ///< Of the pixel filter.
+};
+
+/// What the last scattering left on a ray: the other half of what light sampling must know where
+/// the ray meets a lamp.
+struct RayOrigins {
+    explicit RayOrigins(int capacity) : floats(4, capacity), integers(2, capacity) {
+        pdf = floats[0];
+        for (int c = 0; c < 3; ++c)
+            N[c] = floats[1 + c];
+        lightSet = integers[0], code = integers[1];
+    }
+    Planes<float> floats;
+    Planes<int> integers;
+    float *pdf; ///< Of the direction, per steradian; 0 = it had no choice (camera, mirror), so
+                ///< emission that it meets counts in full.
+    /// LightQuery::N of the vertex that it left; 0 for cameras and mirrors.
+    MutableVec3Planes N;
+    int *lightSet; ///< Of the vertex that it left; -1 = none.
+    int *code;     ///< Of that vertex's shader; -1 = none.
+};
+
+/// The paths that are still under way, packed: entry i moves as others end.
+struct ActivePaths {
+    explicit ActivePaths(int capacity)
+        : rays(capacity), left(capacity), throughput(colorSamples, capacity),
+          integers(3, capacity) {
+        slot = integers[0], depth = integers[1], seen = integers[2];
+    }
+
+    int count = 0;
+    RayBatch rays; ///< Unit directions.
+    RayOrigins left;
+    Planes<float> throughput;
+    Planes<int> integers;
+    int *slot;
+    int *depth; ///< Scatterings so far.
+    int *seen;  ///< 1 as long as the camera sees along this ray: it adds to opacity.
+};
+
+} // namespace candela

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "foundation/base/hot.h"
+#include "foundation/base/lanes.h"
+#include "light/path/roulette.h"
+#include "light/path/stages.h"
+#include "light/path/steps.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace candela {
+
+namespace {
+
+constexpr float pi = float(M_PI);
+
+/// What the chosen event makes of a unit of light: 1/(pi pdf) for finite lobes, 1/q else; and
+/// the density that the direction carries, 0 for events without a choice of direction.
+CANDELA_HOT void eventScales(int count, const std::int32_t *__restrict event,
+                             const float *__restrict probability,
+                             const float *__restrict mixturePdf, const int *__restrict depth,
+                             int maxDepth, float *__restrict scale, float *__restrict pdf) {
+    for (int i = 0; i < count; ++i) {
+        bool finite = event[i] == finiteRequests, through = event[i] == straightThrough;
+        bool goesOn = (event[i] != pathEnds) & (through | (depth[i] < maxDepth));
+        float density = finite ? mixturePdf[i] * probability[i] : 0.0f;
+        float divisor = finite ? pi * density : probability[i];
+        pdf[i] = density;
+        scale[i] = goesOn & (divisor > 0) ? 1 / (divisor > 0 ? divisor : 1.0f) : 0.0f;
+    }
+}
+
+/// The throughput after the event in all channels, and the largest of them (NaN stays).
+CANDELA_HOT void nextThroughput(int count, const std::array<const float *, colorSamples> &from,
+                                const std::array<const float *, colorSamples> &response,
+                                const std::array<const float *, colorSamples> &opacity,
+                                const std::int32_t *__restrict event, const float *__restrict scale,
+                                const std::array<float *, colorSamples> &to,
+                                float *__restrict brightest) {
+    static_assert(colorSamples == 3);
+    const float *__restrict f0 = from[0], *__restrict f1 = from[1], *__restrict f2 = from[2];
+    const float *__restrict g0 = response[0], *__restrict g1 = response[1];
+    const float *__restrict g2 = response[2];
+    const float *__restrict o0 = opacity[0], *__restrict o1 = opacity[1];
+    const float *__restrict o2 = opacity[2];
+    float *__restrict t0 = to[0], *__restrict t1 = to[1], *__restrict t2 = to[2];
+    for (int i = 0; i < count; ++i) {
+        bool through = event[i] == straightThrough, goesOn = scale[i] > 0;
+        float red = goesOn ? f0[i] * (through ? 1 - o0[i] : g0[i]) * scale[i] : 0.0f;
+        float green = goesOn ? f1[i] * (through ? 1 - o1[i] : g1[i]) * scale[i] : 0.0f;
+        float blue = goesOn ? f2[i] * (through ? 1 - o2[i] : g2[i]) * scale[i] : 0.0f;
+        float largest = std::fabs(red);
+        largest = !(std::fabs(green) <= largest) ? std::fabs(green) : largest;
+        largest = !(std::fabs(blue) <= largest) ? std::fabs(blue) : largest;
+        t0[i] = red, t1[i] = green, t2[i] = blue;
+        brightest[i] = largest;
+    }
+}
+
+CANDELA_HOT void chooseDirections(int count, const std::int32_t *__restrict event,
+                                  const float *__restrict finite, float *__restrict direction) {
+    for (int i = 0; i < count; ++i)
+        direction[i] = event[i] == finiteRequests ? finite[i] : direction[i];
+}
+
+/// Directions of finite lobes, and the density of the mixture.
+void sampleDirections(VertexChunk &chunk) {
+    const int count = chunk.count();
+    if (!chunk.events.any(finiteRequests, count))
+        return;
+    const MutableVec3Planes direction = chunk.events.direction();
+    const Planes<float> &sampled = chunk.way.sampled;
+    chunk.mixture.sample(chunk.numbers.x(directionPair), chunk.numbers.y(directionPair),
+                         {sampled[0], sampled[1], sampled[2]});
+    for (int c = 0; c < 3; ++c)
+        chooseDirections(count, chunk.events.event(), sampled[c], direction[c]);
+    chunk.mixture.pdf({direction[0], direction[1], direction[2]}, chunk.way.mixturePdf);
+}
+
+/// way.throughput and way.brightest, 0 for those that end.
+void respond(PathWave &wave) {
+    VertexChunk &chunk = wave.chunk;
+    ScatterPlanes &way = chunk.way;
+    SurfaceVertices &vertices = chunk.vertices;
+    const int count = chunk.count();
+    const MutableVec3Planes direction = chunk.events.direction();
+    float *g[colorSamples];
+    for (int c = 0; c < colorSamples; ++c)
+        g[c] = way.response[c];
+    vertices.scatter({direction[0], direction[1], direction[2]}, chunk.events.event(), nullptr, g);
+    eventScales(count, chunk.events.event(), chunk.events.probability(), way.mixturePdf,
+                chunk.paths.depth, wave.frame.settings.maxDepth, way.scale, way.pdf);
+    const Planes<float> &before = chunk.paths.throughput, &after = way.throughput;
+    nextThroughput(count, {before[0], before[1], before[2]}, {g[0], g[1], g[2]},
+                   {vertices.Oi(0), vertices.Oi(1), vertices.Oi(2)}, chunk.events.event(),
+                   way.scale, {after[0], after[1], after[2]}, way.brightest);
+    if (lanes::allFinite(count, way.brightest))
+        return;
+    for (int i = 0; i < count; ++i)
+        if (!std::isfinite(way.brightest[i])) {
+            reportNonFinite(wave, i);
+            way.brightest[i] = 0;
+        }
+}
+
+} // namespace
+
+CANDELA_HOT void playRoulette(int count, const float *__restrict brightest,
+                              const int *__restrict depth, float below,
+                              const float *__restrict chance, int *__restrict survives,
+                              float *__restrict gain) {
+    for (int i = 0; i < count; ++i) {
+        float root = std::sqrt((brightest[i] > 0 ? brightest[i] : 0.0f) * (1 / below));
+        float odds = (depth[i] + 1 >= rouletteDepth) & (root < 1) ? root : 1.0f;
+        survives[i] = (brightest[i] > 0) & (chance[i] < odds);
+        gain[i] = 1 / (odds > 0 ? odds : 1.0f);
+    }
+}
+
+void goOn(PathWave &wave, float rouletteThreshold) {
+    VertexChunk &chunk = wave.chunk;
+    ScatterPlanes &way = chunk.way;
+    respond(wave);
+    playRoulette(chunk.count(), way.brightest, chunk.paths.depth, rouletteThreshold,
+                 chunk.numbers.roulette(), way.survives, way.gain);
+    const int count = lanes::compactUnequal(chunk.count(), way.survives, 0, way.lane);
+    append(wave, count);
+}
+
+void scatter(PathWave &wave) {
+    sampleDirections(wave.chunk);
+    goOn(wave, rouletteBelow);
+}
+
+} // namespace candela

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// The stages of a wave: free functions on the record, in the order of the flow (docs/flow.md).
+#pragma once
+
+#include "light/path/wave.h"
+
+namespace candela {
+
+// ---- Where paths begin ----
+
+/// Camera paths for the samples [first, last) of `pixels` pixels (x[i], y[i]), pixel by pixel.
+void startCamera(PathWave &, int pixels, const int *x, const int *y, int first, int last);
+/// Paths along the rays of vertices lane[0..count), which take slots in this order.
+void startGathering(PathWave &, int count, const int *lane, const GatheringRays &);
+
+// ---- All paths at once ----
+
+/// Hits of the active rays.
+void trace(PathWave &);
+/// Sorts the hits by what is shaded together.
+void bin(PathWave &);
+
+// ---- One chunk of vertices ----
+
+using Stage = void (*)(PathWave &);
+
+/// Shading points, and what the stages need of their paths.
+void meet(PathWave &);
+/// What lamps and emitting surfaces send along the rays that met them.
+void emit(PathWave &);
+/// Asks the shader for importance, opacity and the answer to ambient light.
+void ask(PathWave &);
+/// What the camera sees at first hand: opacity, and the channels of the first surface.
+void see(PathWave &);
+/// Chooses the event by which each path goes on.
+void chooseEvents(PathWave &);
+/// The same where all finite light has been given: trace() and what shines through are left.
+void chooseBesidesFiniteLobes(PathWave &);
+/// Ambient light, and one light by chance.
+void light(PathWave &);
+/// Every light at once, as RI 3.1 has it.
+void lightClassic(PathWave &);
+/// Many samples at once, for shaders that no single one can be asked about.
+void lightGathered(PathWave &);
+/// The paths go on along their events.
+void scatter(PathWave &);
+/// The paths go on along trace() and what shines through, along all of them as long as they carry
+/// much: no noise.
+void branch(PathWave &);
+/// The light gathered joins what the paths have.
+void deliver(PathWave &);
+
+// ---- The flow ----
+
+/// The stages by which an integrator serves the vertices of a shader.
+std::span<const Stage> stagesFor(IntegratorKind, const ShaderCode &);
+/// Follows all paths to their ends.
+void follow(PathWave &);
+
+} // namespace candela

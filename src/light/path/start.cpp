@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the paths of a wave begin.
+#include "foundation/base/lanes.h"
+#include "light/path/stages.h"
+#include "light/sampling/sobol.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace candela {
+
+namespace {
+
+/// Slots for the samples [first, last) of the pixels, with nothing gathered.
+void takeSlots(PathWave &wave, int pixels, const int *x, const int *y, int first, int last) {
+    PathResults &results = wave.results;
+    const int samples = last - first;
+    wave.slots = pixels * samples;
+    for (int pixel = 0; pixel < pixels; ++pixel) {
+        const int slot = pixel * samples;
+        std::fill_n(results.x + slot, samples, x[pixel]);
+        std::fill_n(results.y + slot, samples, y[pixel]);
+        std::fill_n(results.keys[0] + slot, samples,
+                    pixelKey(x[pixel], y[pixel], wave.frame.settings.seed));
+        std::iota(results.sampleIndex + slot, results.sampleIndex + slot + samples, first);
+    }
+    for (int c = 0; c < colorSamples; ++c) {
+        std::fill_n(results.radiance[c], wave.slots, 0.0f);
+        std::fill_n(results.opacity[c], wave.slots, 0.0f);
+    }
+    for (int plane = 0; plane < results.channels.planes(); ++plane)
+        std::fill_n(results.channels[plane], wave.slots, wave.frame.firstHit[plane].background);
+}
+
+/// Active paths without a history, one for each slot.
+void takePaths(PathWave &wave) {
+    ActivePaths &active = wave.active;
+    active.rays.count = active.count = wave.slots;
+    for (int c = 0; c < colorSamples; ++c)
+        std::fill_n(active.throughput[c], wave.slots, 1.0f);
+    std::fill_n(active.left.pdf, wave.slots, 0.0f);
+    for (int c = 0; c < 3; ++c)
+        std::fill_n(active.left.N[c], wave.slots, 0.0f);
+    std::fill_n(active.left.lightSet, wave.slots, -1);
+    std::fill_n(active.left.code, wave.slots, -1);
+    std::iota(active.slot, active.slot + wave.slots, 0);
+    std::fill_n(active.depth, wave.slots, 0);
+    std::fill_n(active.seen, wave.slots, 1);
+}
+
+} // namespace
+
+void startCamera(PathWave &wave, int pixels, const int *x, const int *y, int first, int last) {
+    takeSlots(wave, pixels, x, y, first, last);
+    takePaths(wave);
+    const Camera &camera = wave.frame.scene.camera();
+    PathResults &results = wave.results;
+    std::array<float *, 2 * cameraPairs> numbers;
+    for (int pair = 0; pair < cameraPairs; ++pair) {
+        numbers[2 * pair] = wave.cameraNumbers[2 * pair];
+        numbers[2 * pair + 1] = wave.cameraNumbers[2 * pair + 1];
+        if (pair == filterPair || (pair == lensPair && camera.hasLens()) ||
+            (pair == timePair && camera.hasShutterInterval()))
+            sobolPairs(wave.slots, results.keys[0],
+                       reinterpret_cast<const std::uint32_t *>(results.sampleIndex), pair,
+                       numbers[2 * pair], numbers[2 * pair + 1]);
+    }
+    float *rasterX = numbers[2 * filterPair], *rasterY = numbers[2 * filterPair + 1];
+    float *weight = results.weight[0];
+    for (int i = 0; i < wave.slots; ++i) {
+        FilterSample at = wave.frame.filter.sample(rasterX[i], rasterY[i]);
+        rasterX[i] = float(results.x[i]) + 0.5f + at.dx;
+        rasterY[i] = float(results.y[i]) + 0.5f + at.dy;
+        weight[i] = at.weight;
+    }
+    camera.rays(wave.slots, rasterX, rasterY, numbers[2 * lensPair], numbers[2 * lensPair + 1],
+                numbers[2 * timePair], wave.active.rays);
+    wave.active.rays.count = wave.slots;
+    wave.frame.statistics.paths += wave.slots;
+    wave.frame.statistics.cameraRays += wave.slots;
+}
+
+void startGathering(PathWave &wave, int count, const int *lane, const GatheringRays &from) {
+    wave.slots = count;
+    takePaths(wave);
+    auto take = [&](const auto *plane, auto *to) { lanes::take(count, lane, plane, to); };
+    PathResults &results = wave.results;
+    for (int c = 0; c < colorSamples; ++c)
+        std::fill_n(results.radiance[c], count, 0.0f);
+    take(from.x, results.x), take(from.y, results.y);
+    take(reinterpret_cast<const int *>(from.sampleIndex), results.sampleIndex);
+    take(from.pixelKey, results.keys[0]);
+
+    ActivePaths &active = wave.active;
+    RayBatch &rays = active.rays;
+    for (int c = 0; c < 3; ++c) {
+        take(from.origin[c], rays.origin[c]), take(from.direction[c], rays.direction[c]);
+        take(from.N[c], active.left.N[c]);
+    }
+    take(from.time, rays.time);
+    std::fill_n(rays.tMin, count, 0.0f);
+    std::fill_n(rays.tMax, count, INFINITY);
+    take(from.width, rays.width), take(from.spread, rays.spread);
+    take(from.pdf, active.left.pdf);
+    take(from.lightSet, active.left.lightSet);
+    std::fill_n(active.left.code, count, from.code);
+    take(from.depth, active.depth);
+    std::fill_n(active.seen, count, 0);
+    for (int i = 0; i < count; ++i)
+        ++active.depth[i];
+    wave.frame.statistics.bounceRays += count;
+}
+
+} // namespace candela

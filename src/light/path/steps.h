@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Steps that several stages share.
+#pragma once
+
+#include "light/path/wave.h"
+
+namespace candela {
+
+/// Draws one of the vertices' dimension pairs into chunk.numbers.
+void drawNumbers(PathWave &, VertexPair);
+/// chunk.N, of vertices whose directions are drawn from the mixture.
+void stateLightNormals(VertexChunk &, const ConeMixture &);
+/// True if slot()[i] = slot()[0] + i.
+bool slotsAreConsecutive(const PathWave &);
+/// Tells of a value that is not finite at vertex i of the chunk.
+void reportNonFinite(PathWave &, int i);
+/// The paths go on along chunk.events; those whose throughput is below the threshold play roulette.
+void goOn(PathWave &, float rouletteThreshold);
+/// Of rays along directions of these densities (RayBatch::spread).
+void spreadOfDirections(int count, const float *pdf, float *spread);
+/// Puts the paths of vertices way.lane[0..count) behind those in `next`.
+void append(PathWave &, int count);
+
+} // namespace candela

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "light/path/wave.h"
+
+#include "foundation/base/lanes.h"
+#include "light/path/numbers.h"
+
+namespace candela {
+
+FrameContext::FrameContext(const Scene &scene, const IntegratorSettings &settings,
+                           const PixelFilterSampler &filter, std::span<const ChannelInfo> channels,
+                           TransportStatistics &statistics, DiagnosticSink &diagnostics)
+    : scene(scene), settings(settings), filter(filter), firstHit(firstHitPlanes(channels)),
+      statistics(statistics), nonFinite(statistics, diagnostics) {}
+
+PathWave::PathWave(FrameContext &frame, Purpose purpose)
+    : frame(frame), purpose(purpose),
+      results(capacity, purpose == Purpose::Camera ? int(frame.firstHit.size()) : 0),
+      active(capacity), next(capacity), hits(capacity), bins(frame.scene, capacity),
+      cameraNumbers(2 * cameraPairs, capacity) {}
+
+VertexChunk::VertexChunk()
+    : vertices(capacity), paths(capacity), numbers(capacity), ambientLight(colorSamples, capacity),
+      events(capacity), mixture(capacity), normals(3, capacity), noFiniteLobe(1, capacity),
+      hemisphere(capacity), emission(capacity), direct(capacity), way(capacity) {
+    for (int c = 0; c < colorSamples; ++c)
+        ambientTable[c] = ambientLight[c];
+}
+
+void VertexChunk::gather(const std::array<const float *, colorSamples> &contribution) {
+    for (int c = 0; c < colorSamples; ++c)
+        lanes::multiplyAdd(count(), paths.throughput[c], contribution[c], paths.light[c]);
+}
+
+} // namespace candela

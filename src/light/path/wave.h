@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// A wave of paths, advanced a vertex at a time: a plain record, on which the stages of stages.h
+// work. One wave a thread.
+#pragma once
+
+#include "light/path/chunk.h"
+#include "light/path/classic_light.h"
+#include "light/path/first_hit.h"
+#include "light/path/gathered_light.h"
+#include "light/path/hit_bins.h"
+#include "light/path/non_finite.h"
+#include "light/path/paths.h"
+#include "light/path/settings.h"
+#include "world/camera/pixel_filter.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace candela {
+
+/// What all waves of a frame share.
+struct FrameContext {
+    FrameContext(const Scene &, const IntegratorSettings &, const PixelFilterSampler &,
+                 std::span<const ChannelInfo>, TransportStatistics &, DiagnosticSink &);
+    const Scene &scene;
+    const IntegratorSettings &settings;
+    const PixelFilterSampler &filter;
+    std::vector<FirstHitPlane> firstHit;
+    TransportStatistics &statistics;
+    NonFiniteReporter nonFinite;
+};
+
+/// Camera: paths of pictures. Gathering: paths that find light for a shader that isn't affine in
+/// it; they end at the next one of that kind with what lights send there.
+enum class Purpose { Camera, Gathering };
+
+/// Branches that found no room beside the others of their vertex, and its number.
+struct WaitingPaths {
+    int vertex;
+    ActivePaths paths;
+};
+
+struct PathWave {
+    /// Most paths a wave holds: their rays fit a core's second-level cache.
+    static constexpr int capacity = 4096;
+
+    explicit PathWave(FrameContext &, Purpose = Purpose::Camera);
+
+    FrameContext &frame;
+    const Purpose purpose;
+
+    PathResults results;
+    int slots = 0;  ///< Used.
+    int vertex = 0; ///< Number of the vertex that the rays of `active` lead to, from 0.
+    ActivePaths active, next;
+    std::vector<WaitingPaths> waiting;
+    HitBatch hits;
+    HitBins bins;
+    Planes<float> cameraNumbers; ///< Camera pairs of the wave's samples.
+    VertexChunk chunk;
+    std::unique_ptr<ClassicLight> classic;   ///< Made when the first vertex needs it,
+    std::unique_ptr<GatheredLight> gathered; ///< and this too.
+};
+
+} // namespace candela

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "light/vertex/surface_vertices.h"
+
+#include "foundation/base/hot.h"
+#include "world/scene/opacity.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace candela {
+
+namespace {
+
+/// Unit geometric normals on the side that I comes from.
+CANDELA_HOT void faceForward(int count, const float *__restrict nx, const float *__restrict ny,
+                             const float *__restrict nz, const float *__restrict ix,
+                             const float *__restrict iy, const float *__restrict iz,
+                             float *__restrict fx, float *__restrict fy, float *__restrict fz) {
+    for (int i = 0; i < count; ++i) {
+        float squared = nx[i] * nx[i] + ny[i] * ny[i] + nz[i] * nz[i];
+        float towards = nx[i] * ix[i] + ny[i] * iy[i] + nz[i] * iz[i];
+        float scale = (towards > 0 ? -1.0f : 1.0f) / std::sqrt(squared > 0 ? squared : 1.0f);
+        fx[i] = nx[i] * scale;
+        fy[i] = ny[i] * scale;
+        fz[i] = nz[i] * scale;
+    }
+}
+
+/// The same for normals of unit length.
+CANDELA_HOT void faceForwardUnit(int count, const float *__restrict nx, const float *__restrict ny,
+                                 const float *__restrict nz, const float *__restrict ix,
+                                 const float *__restrict iy, const float *__restrict iz,
+                                 float *__restrict fx, float *__restrict fy, float *__restrict fz) {
+    for (int i = 0; i < count; ++i) {
+        float sign = nx[i] * ix[i] + ny[i] * iy[i] + nz[i] * iz[i] > 0 ? -1.0f : 1.0f;
+        fx[i] = nx[i] * sign;
+        fy[i] = ny[i] * sign;
+        fz[i] = nz[i] * sign;
+    }
+}
+
+/// Shaders get unit normals: RI leaves their length open, but many (the paper's figure 2 too)
+/// hand N to reflect() as it comes.
+CANDELA_HOT void makeUnit(int count, float *__restrict x, float *__restrict y,
+                          float *__restrict z) {
+    for (int i = 0; i < count; ++i) {
+        float squared = x[i] * x[i] + y[i] * y[i] + z[i] * z[i];
+        float scale = 1 / std::sqrt(squared > 0 ? squared : 1.0f);
+        x[i] *= scale;
+        y[i] *= scale;
+        z[i] *= scale;
+    }
+}
+
+/// Scene::offsetOrigin for unit normals.
+CANDELA_HOT void offsetAlong(int count, const float *__restrict nx, const float *__restrict ny,
+                             const float *__restrict nz, const float *__restrict dx,
+                             const float *__restrict dy, const float *__restrict dz,
+                             const float *__restrict offset, float *__restrict step) {
+    for (int i = 0; i < count; ++i) {
+        float side = nx[i] * dx[i] + ny[i] * dy[i] + nz[i] * dz[i];
+        step[i] = side < 0 ? -offset[i] : offset[i];
+    }
+}
+
+CANDELA_HOT void stepFrom(int count, const float *__restrict P, const float *__restrict n,
+                          const float *__restrict step, float *__restrict origin) {
+    for (int i = 0; i < count; ++i)
+        origin[i] = P[i] + n[i] * step[i];
+}
+
+CANDELA_HOT void clampOpacities(int count, float *__restrict Oi) {
+    for (int i = 0; i < count; ++i)
+        Oi[i] = clampedOpacity(Oi[i]);
+}
+
+/// Grows storage to what a question needs; keeps it otherwise.
+void reserve(Planes<float> &planes, int count, int lanes) {
+    if (planes.planes() < count)
+        planes = Planes<float>(count, lanes);
+}
+
+} // namespace
+
+SurfaceVertices::SurfaceVertices(int capacity)
+    : points(capacity), capacity_(paddedLanes(capacity)) {
+    storage_.facing = Planes<float>(3, capacity);
+    storage_.step = Planes<float>(1, capacity);
+}
+
+ConstVec3Planes SurfaceVertices::input(ShaderInput first) {
+    int at = int(first);
+    return {points.input(at), points.input(at + 1), points.input(at + 2)};
+}
+
+void SurfaceVertices::meet(const Scene &scene, int code, const RayBatch &rays, const HitBatch &hits,
+                           const int *order, int count) {
+    scene_ = &scene;
+    codeIndex_ = code;
+    scene.shadingPoints(rays, hits, order, count, points);
+    ConstVec3Planes n = input(ShaderInput::Ng), i = input(ShaderInput::I);
+    const Planes<float> &facing = storage_.facing;
+    if (scene.normalsAreUnit(code)) {
+        faceForwardUnit(count, n[0], n[1], n[2], i[0], i[1], i[2], facing[0], facing[1], facing[2]);
+        return;
+    }
+    const int N = int(ShaderInput::N);
+    makeUnit(count, points.input(N), points.input(N + 1), points.input(N + 2));
+    faceForward(count, n[0], n[1], n[2], i[0], i[1], i[2], facing[0], facing[1], facing[2]);
+}
+
+void SurfaceVertices::rayOrigins(const ConstVec3Planes &d, const MutableVec3Planes &origin) {
+    ConstVec3Planes from = P();
+    const Planes<float> &facing = storage_.facing;
+    float *step = storage_.step[0];
+    offsetAlong(count(), facing[0], facing[1], facing[2], d[0], d[1], d[2], points.offset, step);
+    for (int c = 0; c < 3; ++c)
+        stepFrom(count(), from[c], facing[c], step, origin[c]);
+}
+
+ShaderArgs SurfaceVertices::arguments() const {
+    ShaderArgs args;
+    scene_->bind(codeIndex_, points, args);
+    args.count = points.count;
+    return args;
+}
+
+void SurfaceVertices::prepare(const float *const *ambient) {
+    const QuestionCode &question = code().question(ir::Question::Prepare);
+    reserve(storage_.outputs, int(question.function.outputs.size()), capacity_);
+    reserve(storage_.frame, question.function.frameSlots, capacity_);
+    storage_.outputTable.resize(question.function.outputs.size());
+    for (std::size_t slot = 0; slot < storage_.outputTable.size(); ++slot)
+        storage_.outputTable[slot] = storage_.outputs[int(slot)];
+    takeCones();
+
+    ShaderArgs args = arguments();
+    args.outputs = storage_.outputTable.data();
+    args.frame = storage_.frame[0];
+    args.ambient = ambient;
+    question.code(&args);
+    takeOpacity(question);
+}
+
+void SurfaceVertices::takeCones() {
+    answers_.cones.clear();
+    for (const ir::ConeSlot &cone : code().facts().cones) {
+        float *const *out = storage_.outputTable.data() + cone.output;
+        std::fill_n(out[5], points.count, 0.0f); // Lanes that do not reach the request leave it.
+        std::fill_n(out[3], points.count, 180.0f);
+        for (int c = 0; c < 3 && !code().facts().affine; ++c)
+            std::fill_n(out[c], points.count, 0.0f); // Gathering asks whether there is an axis.
+        const bool first = answers_.cones.empty() || answers_.cones.back().request != cone.request;
+        const float *kindAngle = first ? out[3] : answers_.cones.back().kindAngle;
+        answers_.cones.push_back(
+            {{out[0], out[1], out[2]}, out[3], out[4], out[5], kindAngle, cone.request, first});
+    }
+}
+
+void SurfaceVertices::takeOpacity(const QuestionCode &question) {
+    const int Oi = question.output("Oi"), Ca = question.output("Ca");
+    for (int c = 0; c < colorSamples; ++c) {
+        answers_.Oi[c] = storage_.outputTable[Oi + c];
+        answers_.Ca[c] = Ca >= 0 ? storage_.outputTable[Ca + c] : nullptr;
+        clampOpacities(points.count, answers_.Oi[c]);
+    }
+}
+
+void SurfaceVertices::scatter(const ConstVec3Planes &direction, const std::int32_t *answered,
+                              const std::int32_t *light, float *const *g) {
+    for (int c = 0; c < 3; ++c)
+        points.inputTable[int(ShaderInput::sampleL) + c] = const_cast<float *>(direction[c]);
+    const QuestionCode &question = code().question(ir::Question::Scatter);
+    ShaderArgs args = arguments();
+    args.outputs = g;
+    args.frame = storage_.frame[0];
+    args.answeredRequest = answered;
+    args.sampleLight = light;
+    question.code(&args);
+}
+
+void SurfaceVertices::shade(int sampleCount, float *const *L, float *const *Cl,
+                            const std::int32_t *light, const float *const *ambient,
+                            float *const *Ci, float *const *Oi) {
+    const QuestionCode &question = code().question(ir::Question::Shade);
+    std::vector<float *> outputs(question.function.outputs.size());
+    reserve(storage_.shadeOutputs, int(outputs.size()), capacity_);
+    for (std::size_t slot = 0; slot < outputs.size(); ++slot)
+        outputs[slot] = storage_.shadeOutputs[int(slot)];
+    for (int c = 0; c < colorSamples; ++c) {
+        outputs[question.output("Ci") + c] = Ci[c];
+        outputs[question.output("Oi") + c] = Oi[c];
+    }
+    ShaderArgs args = arguments();
+    args.outputs = outputs.data();
+    args.sampleCount = sampleCount;
+    args.sampleL = L;
+    args.sampleCl = Cl;
+    args.sampleStride = capacity_;
+    args.sampleLight = light;
+    args.ambient = ambient;
+    question.code(&args);
+}
+
+} // namespace candela

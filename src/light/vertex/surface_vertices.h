@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// The points where a wave meets surfaces of one shader, and the questions it asks them.
+#pragma once
+
+#include "foundation/units/color.h"
+#include "light/sampling/cone_mixture.h"
+#include "world/scene/scene.h"
+
+#include <vector>
+
+namespace candela {
+
+class SurfaceVertices {
+public:
+    explicit SurfaceVertices(int capacity);
+
+    /// Fills the points of hits[order[0..count)] and their facing geometric normals.
+    void meet(const Scene &, int code, const RayBatch &, const HitBatch &, const int *order,
+              int count);
+    /// Asks for importance, opacity and the answer to ambient light (Prepare).
+    void prepare(const float *const *ambient);
+    /// Linear response g (see ir::Question::Scatter) to light along `direction` (any length);
+    /// `answered` is finiteRequests or the number of a delta request, lane by lane; `light` says
+    /// whose light it is (index + 1, 0 = indirect).
+    void scatter(const ConstVec3Planes &direction, const std::int32_t *answered,
+                 const std::int32_t *light, float *const *g);
+    /// All light given: `sampleCount` rows of `lanes()` lanes in L and Cl. Answers Ci and Oi.
+    void shade(int sampleCount, float *const *L, float *const *Cl, const std::int32_t *light,
+               const float *const *ambient, float *const *Ci, float *const *Oi);
+
+    const Scene &scene() const { return *scene_; }
+    const ShaderCode &code() const { return scene_->code(codeIndex_); }
+    int codeIndex() const { return codeIndex_; }
+    int count() const { return points.count; }
+    int lanes() const { return capacity_; }
+    ConstVec3Planes facingPlanes() const {
+        return {storage_.facing[0], storage_.facing[1], storage_.facing[2]};
+    }
+    /// Where rays start that leave the vertices along `direction` (docs/ray-offset.md).
+    void rayOrigins(const ConstVec3Planes &direction, const MutableVec3Planes &origin);
+    ConstVec3Planes P() { return input(ShaderInput::P); }
+    ConstVec3Planes input(ShaderInput first);
+
+    /// The cones of the last prepare(), one for each of facts().cones.
+    const std::vector<ConePlanes> &cones() const { return answers_.cones; }
+    const float *Oi(int channel) const { return answers_.Oi[channel]; } ///< In [0,1].
+    const float *Ca(int channel) const { return answers_.Ca[channel]; } ///< Null = none.
+
+    ShadingPoints points;
+
+private:
+    /// What prepare() was told; the planes are those of `storage_`.
+    struct Answers {
+        std::vector<ConePlanes> cones;
+        std::array<float *, colorSamples> Oi{};
+        std::array<const float *, colorSamples> Ca{};
+    };
+    struct Storage {
+        Planes<float> facing, step, frame, outputs, shadeOutputs;
+        std::vector<float *> outputTable;
+    };
+    ShaderArgs arguments() const;
+    void takeCones();
+    void takeOpacity(const QuestionCode &);
+
+    const Scene *scene_ = nullptr;
+    int codeIndex_ = 0, capacity_;
+    Storage storage_;
+    Answers answers_;
+};
+
+} // namespace candela

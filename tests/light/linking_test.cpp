@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lamps that a surface must not hear, by linking or by category: its picture is that of a world in
+// which they do not shine.
+#include "tests/light/pictures.h"
+#include "tests/support/student.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace candela::test {
+namespace {
+
+/// How one of two lamps is kept from a surface.
+struct Linking {
+    const char *name;
+    const char *surface;  ///< Its shader.
+    const char *heardTag; ///< Parameters of the lamp that it hears,
+    const char *otherTag; ///< and of the other.
+    bool switchedOff;     ///< The other is off for the surface.
+};
+
+constexpr Linking linkings[] = {
+    {"OffForADiffuseSurface", "matte", "", "", true},
+    {"OffForAGlossySurface", "glossy", "", "", true},
+    {"Nondiffuse", "matte", "", "\"float __nondiffuse\" [1]", false},
+    {"Nonspecular", "glossy", "", "\"float __nonspecular\" [1]", false},
+    {"Category", "choosy", "\"string __category\" [\"wanted\"]",
+     "\"string __category\" [\"unwanted\"]", false},
+};
+
+struct Setting {
+    Linking linking;
+    bool path; ///< Else `classic`.
+    double size;
+};
+
+enum class Other { Shines, IsDark };
+
+/// A lamp before the surface, which stands at z = 3, to one side of the eye's view.
+std::string lamp(int number, double x, double size, double radiance, const std::string &tags) {
+    const double a = size / 2;
+    auto corner = [&](double dx, double dy) {
+        return std::to_string(x + dx) + " " + std::to_string(dy) + " 1.5 ";
+    };
+    return "AttributeBegin\nAreaLightSource \"taggedlamp\" " + std::to_string(number) +
+           " \"float radiance\" [" + std::to_string(radiance) + "] " + tags +
+           "\nSurface \"matte\" \"float Kd\" [0] \"float Ka\" [0]\nPolygon \"P\" [" +
+           corner(-a, -a) + corner(a, -a) + corner(a, a) + corner(-a, a) +
+           "]\nAttributeEnd\nIlluminate " + std::to_string(number) + " 1\n";
+}
+
+MeanAndError picture(const Setting &setting, Other other) {
+    const Linking &linking = setting.linking;
+    const double radiance = 1 / (setting.size * setting.size), at = .15 + setting.size / 2;
+    std::string world =
+        lamp(1, at, setting.size, radiance, linking.heardTag) +
+        lamp(2, -at, setting.size, other == Other::Shines ? 3 * radiance : 0, linking.otherTag);
+    if (linking.switchedOff)
+        world += "Illuminate 2 0\n";
+    world += "Surface \"" + std::string(linking.surface) + "\"\nColor [1 1 1]\n" + squareAt(3, 4);
+    const SmallPicture seen = takePicture(setting.path ? inPath : inClassic, world, 256);
+    return meanAndError({seen.red.begin(), seen.red.end()});
+}
+
+class LightLinking : public testing::TestWithParam<Setting> {};
+
+TEST_P(LightLinking, GivesThePictureOfAWorldWithoutTheOtherLamp) {
+    const MeanAndError both = picture(GetParam(), Other::Shines);
+    const MeanAndError alone = picture(GetParam(), Other::IsDark);
+    EXPECT_GT(alone.mean, 1e-3);
+    const double error = std::hypot(both.standardError, alone.standardError);
+    EXPECT_LE(error, .02 * alone.mean);
+    EXPECT_LE(std::fabs(both.mean - alone.mean), studentQuantile(1e-5, 63) * error + 1e-6);
+}
+
+std::vector<Setting> settings() {
+    std::vector<Setting> all;
+    for (const Linking &linking : linkings)
+        for (bool path : {true, false})
+            for (double size : {.05, 1., 6.})
+                all.push_back({linking, path, size});
+    return all;
+}
+
+std::string nameOf(const testing::TestParamInfo<Setting> &info) {
+    const Setting &setting = info.param;
+    return std::string(setting.linking.name) + (setting.path ? "Path" : "Classic") +
+           std::to_string(int(setting.size * 100));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, LightLinking, testing::ValuesIn(settings()), nameOf);
+
+} // namespace
+} // namespace candela::test

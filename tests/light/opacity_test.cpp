@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sheets that let light through: exact under `classic`, and right whatever opacity is claimed.
+#include "tests/light/pictures.h"
+
+#include <gtest/gtest.h>
+
+namespace candela::test {
+namespace {
+
+std::string sheet(double z, double color, double opacity) {
+    return "Surface \"constant\"\nColor [" + std::to_string(color) + " 0 0]\nOpacity [" +
+           std::to_string(opacity) + " " + std::to_string(opacity) + " " + std::to_string(opacity) +
+           "]\n" + squareAt(z);
+}
+
+std::string claiming(double opacity) {
+    return "Surface \"exactly\" \"float opacity\" [" + std::to_string(opacity) +
+           "]\nColor [0 0 0]\n";
+}
+
+void expectEverywhere(const std::vector<float> &values, double expected) {
+    ASSERT_EQ(values.size(), 64u);
+    for (float value : values)
+        EXPECT_NEAR(value, expected, 1e-6 * (1 + expected));
+}
+
+TEST(ClassicSheets, AreExactInEveryPixelWithOneSample) {
+    const SmallPicture picture = takePicture(
+        inClassic, sheet(1, .25, .5) + sheet(2, .5, .5) + sheet(3, .75, .5) + sheet(4, 3, 1), 1);
+    expectEverywhere(picture.red, .25 / 2 + .5 / 4 + .75 / 8 + 3. / 8);
+    expectEverywhere(picture.alpha, 1);
+}
+
+TEST(ClassicSheets, OfAnyNumberAreExact) {
+    std::string world;
+    double expected = 0, through = 1;
+    for (int i = 0; i < 30; ++i, through *= .875) {
+        world += sheet(1 + i, .01 * i, .125);
+        expected += through * .125 * .01 * i;
+    }
+    const SmallPicture picture = takePicture(inClassic, world, 1);
+    expectEverywhere(picture.red, expected);
+    expectEverywhere(picture.alpha, 1 - through);
+}
+
+// A pane with air behind it, which the shader takes for a body: F = .04 comes back, the rest goes
+// in. The body is left again by a second pane that faces the other way.
+TEST(ClassicGlass, FollowsReflectionAndRefractionBoth) {
+    const std::string behindTheEye = "Surface \"constant\"\nColor [2 0 0]\n" + squareAt(-1, 5);
+    const std::string wall = "Surface \"constant\"\nColor [1 0 0]\n" + squareAt(9, 5);
+    const std::string near = "Clipping .5 1000\n";
+    const SmallPicture picture = takePicture(
+        inClassic, behindTheEye + wall + "Color [1 1 1]\nSurface \"glass\"\n" + squareAt(3, 5), 1);
+    expectEverywhere(picture.red, .04 * 2 + .96 * 1);
+}
+
+TEST(Opacity, BeyondOneIsOneAndBelowNoneIsNone) {
+    for (const std::string &integrator : {inClassic, inPath}) {
+        const std::string wall = sheet(4, 3, 1);
+        SmallPicture hidden = takePicture(integrator, claiming(1.5) + squareAt(1) + wall, 1);
+        expectEverywhere(hidden.red, 0);
+        expectEverywhere(hidden.alpha, 1);
+        SmallPicture clear = takePicture(integrator, claiming(-.5) + squareAt(1) + wall, 1);
+        expectEverywhere(clear.red, 3);
+        expectEverywhere(clear.alpha, 1);
+        clear = takePicture(integrator, claiming(-.5) + squareAt(1), 1);
+        expectEverywhere(clear.alpha, 0);
+    }
+}
+
+// Intensity pi over distance 1 is E = pi, and a white wall then sends 1. The sheet stands where the
+// eye does not look through it.
+TEST(Opacity, OfWhatCastsAShadowIsWithinTheSameBounds) {
+    for (const std::string &integrator : {inClassic, inPath})
+        for (auto [opacity, expected] : {std::pair{1.5, 0.}, {-.5, 1.}, {1., 0.}, {0., 1.}}) {
+            const std::string lamp = "Attribute \"light\" \"string shadows\" [\"on\"]\n"
+                                     "LightSource \"pointlight\" 1 \"float intensity\" [314.15926]"
+                                     " \"point from\" [0 0 -8]\n";
+            const std::string wall = "Surface \"matte\"\nColor [1 1 1]\n" + squareAt(2);
+            const SmallPicture picture =
+                takePicture(integrator, lamp + claiming(opacity) + squareAt(-1) + wall, 1);
+            ASSERT_EQ(picture.red.size(), 64u);
+            for (float value : picture.red)
+                EXPECT_NEAR(value, expected, 1e-3) << opacity;
+        }
+}
+
+} // namespace
+} // namespace candela::test

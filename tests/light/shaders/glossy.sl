@@ -1,0 +1,8 @@
+/* SPDX-License-Identifier: Apache-2.0
+   Highlights alone. */
+surface glossy(float roughness = .05;)
+{
+    normal facing = faceforward(normalize(N), I);
+    Oi = Os;
+    Ci = Os * Cs * specular(facing, -normalize(I), roughness);
+}
