@@ -25,6 +25,7 @@ public:
     double triangleCount(const DiceRate &) const override { return double(pieces_.size()); }
     float area() const override { return area_; }
     void evaluate(const SurfaceQuery &, const SurfaceAnswer &) const override;
+    bool isFlat() const override { return true; }
     bool hasOwnNormals() const override { return normal_.has_value(); }
     std::span<const VariableInfo> variables() const override { return infos_; }
     void evaluateVariable(int index, const SurfaceQuery &, float *const *value,

@@ -114,6 +114,8 @@ public:
     virtual void sphereCoordinates(int /*count*/, const Vec3Planes & /*P*/, float * /*u*/,
                                    float * /*v*/) const {}
 
+    /// Made of flat faces: dicing leaves them as they are, whatever the rate.
+    virtual bool isFlat() const { return false; }
     /// The user has given normals ("N"): N is not Ng.
     virtual bool hasOwnNormals() const = 0;
     /// The primitive variables other than position and normal: Cs, Os, s, t (of "st" too) and

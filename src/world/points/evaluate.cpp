@@ -97,6 +97,16 @@ void locate(const PointTables &tables, const SurfaceCode &code, float *normalSig
         takeInstances(tables, code, points);
 }
 
+/// On which side of dPdu x dPdv, taken in current space, the oriented natural normal lies.
+void fillOrientation(const PointTables &tables, const float *normalSign, ShadingPoints &points) {
+    float *orientation = points.input(ShaderInput::orientation, 0);
+    for (int i = 0; i < points.count; ++i) {
+        orientation[i] = normalSign[i] * tables.shapes[points.shape[i]].handedness;
+        if (points.instance[i] != noHit)
+            orientation[i] *= tables.instances[points.instance[i]].handedness;
+    }
+}
+
 /// du and dv: how far u and v run over the footprint.
 void fillFootprint(const Camera &camera, const float *footprint, ShadingPoints &points) {
     for (int i = 0; i < points.count; ++i) {
@@ -126,6 +136,8 @@ void evaluatePoints(const PointTables &tables, const Camera &camera, const Surfa
     for (int c = 0; c < 3; ++c)
         std::copy_n(points.input(ShaderInput::Ng, c), points.count,
                     points.input(ShaderInput::N, c));
+    if (code.wanted.orientation)
+        fillOrientation(tables, normalSign, points);
     if (!code.fromElements)
         evaluateRuns(tables, code, normalSign, points);
     addRounding(points.count, vec3(points, ShaderInput::P), pointRounding, points.offset);

@@ -43,6 +43,7 @@ void WantedInputs::add(const ShaderCode &code) {
         reads({ShaderInput::dsdu, ShaderInput::dsdv, ShaderInput::dtdu, ShaderInput::dtdv});
     st |= stDerivatives || reads({ShaderInput::s, ShaderInput::t});
     Cs |= code.reads(ShaderInput::Cs), Os |= code.reads(ShaderInput::Os);
+    orientation |= code.reads(ShaderInput::orientation);
     E |= code.reads(ShaderInput::E);
     dPd |= footprint;
 }

@@ -26,6 +26,7 @@ struct alignas(64) Appearance {
     float normalSign = 1;             ///< -1: the natural normal is turned round.
     float elementSign = 1;            ///< Shape::elementSign times normalSign.
     float offset = 0;                 ///< Shape::offset.
+    std::int32_t firstSource = -1;    ///< Lights only: see Shape::sourceOfElement.
     std::array<float, colorSamples> Cs{}, Os{};
 };
 
@@ -41,13 +42,14 @@ struct Instance {
     std::uint32_t firstShape = 0;
     std::int32_t firstAppearance = 0;
     std::int32_t firstId = 0;
-    float stretch = 1; ///< The largest factor by which it stretches lengths.
+    float stretch = 1;    ///< The largest factor by which it stretches lengths.
+    float handedness = 1; ///< -1: it mirrors.
 };
 
 /// Inputs that evaluation may leave out.
 struct WantedInputs {
     bool dPd = false, dNd = false, uv = false, footprint = false, st = false, Cs = false;
-    bool Os = false, stDerivatives = false, E = false;
+    bool Os = false, stDerivatives = false, orientation = false, E = false;
 
     /// Adds what a shader reads.
     void add(const ShaderCode &);

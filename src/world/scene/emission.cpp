@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What surfaces send of themselves: the one function behind hits on lights and light sampling.
+#include "foundation/base/scratch.h"
+#include "world/points/surface_points.h"
 #include "world/scene/light_question.h"
 #include "world/scene/scene_state.h"
-#include "world/points/surface_points.h"
 
 #include <algorithm>
 #include <optional>
@@ -11,9 +12,9 @@ namespace candela {
 
 namespace {
 
-void addSurfaceEmission(const SceneState &state, int code, const ShadingPoints &points,
+void addSurfaceEmission(const SceneState &state, int code, ShadingPoints &points,
                         float *const *radiance) {
-    const QuestionCode &question = state.codes[code].code->question(ir::Question::Emit);
+    const QuestionCode &question = state.points.codes[code].code->question(ir::Question::Emit);
     int Ce = question.output("Ce");
     if (!question.code || Ce < 0)
         return;
@@ -29,7 +30,7 @@ void addSurfaceEmission(const SceneState &state, int code, const ShadingPoints &
     for (std::size_t slot = 0; slot < slots; ++slot)
         outputs[slot] = values + slot * stride;
     ShaderArgs args;
-    state.bind(code, points, args);
+    bindPoints(state.points, code, points, args);
     args.outputs = outputs.data();
     question.code(&args);
     for (int c = 0; c < colorSamples; ++c)
@@ -38,7 +39,7 @@ void addSurfaceEmission(const SceneState &state, int code, const ShadingPoints &
 }
 
 /// Adds what the light shader `code` of area lights sends from those points that are on them.
-void addLightEmission(const SceneState &state, const ShaderCode &code, const ShadingPoints &points,
+void addLightEmission(const SceneState &state, const ShaderCode &code, ShadingPoints &points,
                       LightBatch &batch, int first, float *const *radiance) {
     int count = batch.count;
     std::uint16_t active[lightBatchSize / laneBlock] = {};
@@ -70,10 +71,10 @@ void addLightEmission(const SceneState &state, const ShaderCode &code, const Sha
 
 } // namespace
 
-void SceneState::emission(int code, const ShadingPoints &points, float *const *radiance) const {
+void SceneState::emission(int code, ShadingPoints &points, float *const *radiance) const {
     if (points.count == 0)
         return;
-    if (codes[code].code->facts().emits)
+    if (this->points.codes[code].code->facts().emits)
         addSurfaceEmission(*this, code, points, radiance);
     if (areaLightCodes.empty())
         return;
@@ -90,7 +91,7 @@ void SceneState::emission(int code, const ShadingPoints &points, float *const *r
     }
 }
 
-void Scene::emission(int code, const ShadingPoints &points, float *const *radiance) const {
+void Scene::emission(int code, ShadingPoints &points, float *const *radiance) const {
     state_->emission(code, points, radiance);
 }
 

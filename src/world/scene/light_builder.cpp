@@ -2,9 +2,11 @@
 #include "world/scene/light_builder.h"
 
 #include "world/scene/light_power.h"
+#include "world/scene/source_geometry.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace candela {
 
@@ -45,8 +47,19 @@ LightKind kindOf(const LightRecord &record, ir::LightClass lightClass) {
     return record.units == LightUnits::Si ? LightKind::Area : LightKind::ClassicArea;
 }
 
-bool needsGeometry(LightKind kind) {
-    return kind == LightKind::Area || kind == LightKind::ClassicArea || kind == LightKind::Emitter;
+/// The inputs that elements tell: position and normals, besides who asks and when.
+bool readsOnlyPlace(const ShaderCode &code) {
+    for (int input = 0; input < int(ShaderInput::Count); ++input) {
+        auto within = [input](ShaderInput first, int components) {
+            return input >= int(first) && input < int(first) + components;
+        };
+        bool given = within(ShaderInput::P, 3) || within(ShaderInput::N, 3) ||
+                     within(ShaderInput::Ng, 3) || within(ShaderInput::Ps, 3) ||
+                     within(ShaderInput::time, 1);
+        if (!given && code.reads(ShaderInput(input)))
+            return false;
+    }
+    return code.variables().empty();
 }
 
 } // namespace
@@ -71,105 +84,159 @@ void LightBuilder::declare(const std::vector<std::shared_ptr<const LightRecord>>
         state_.lights.lights.push_back(std::move(light));
         tags_.push_back(std::move(tags));
     }
+    sources_.resize(records.size()), appearances_.resize(records.size());
 }
 
-void LightBuilder::addTriangles(int index, std::uint32_t primitiveIndex, const RayMesh &mesh) {
-    SceneLight &light = state_.lights.lights[index];
-    ScenePrimitive &primitive = state_.primitives[primitiveIndex];
-    areas_.resize(state_.lights.lights.size());
-    if (!primitive.vertexUv.empty()) {
-        primitive.uvDensity =
-            std::make_shared<UvDensity>(*primitive.surface, primitive.currentFromObject);
-        light.triangles.push_back({primitiveIndex, wholeSurface});
-        areas_[index].push_back(primitive.uvDensity->area());
-        return;
+void LightBuilder::attachShapes(const RayGeometry &geometry) {
+    const PointTables &points = state_.points;
+    for (std::uint32_t i = 0; i < points.worldShapes; ++i)
+        attach({noHit, i, std::int32_t(i), geometry.world[i]});
+    for (std::uint32_t i = 0; i < points.instances.size(); ++i) {
+        const Instance &instance = points.instances[i];
+        const RayObject &object = geometry.objects[geometry.instances[i].object];
+        for (std::uint32_t k = 0; k < object.size(); ++k)
+            attach({i, instance.firstShape + k, instance.firstAppearance + std::int32_t(k),
+                    object[k]});
     }
-    for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
-        auto [a, b, c] = mesh.triangles[k];
-        Vec3 p0 = mesh.positions[a];
-        Vec3 normal = cross(mesh.positions[b] - p0, mesh.positions[c] - p0);
-        light.triangles.push_back({primitiveIndex, std::uint32_t(k)});
-        areas_[index].push_back(double(length(normal)) / 2);
-    }
-}
-
-void LightBuilder::attachAreas(const std::vector<RayMesh> &meshes) {
-    int declared = int(state_.lights.lights.size());
-    for (std::size_t i = 0; i < meshes.size(); ++i) {
-        PrimitiveSummary &summary = state_.summaries[i];
-        SceneCode &code = state_.codes[summary.code];
-        const auto &areaLight = state_.primitives[i].attributes->areaLight;
-        if (areaLight && areaLight->index >= 0 && areaLight->index < declared) {
-            SceneLight &light = state_.lights.lights[areaLight->index];
-            if (needsGeometry(light.kind)) {
-                addTriangles(areaLight->index, std::uint32_t(i), meshes[i]);
-                code.wanted.add(*light.shader.code);
-            }
-            if (light.kind == LightKind::Area)
-                summary.light = areaLight->index + 1;
-        }
-        if (state_.classic || summary.light != 0 || !code.code->facts().emits)
-            continue;
-        SceneLight emitter;
-        emitter.kind = LightKind::Emitter;
-        emitter.shader = {code.code, summary.parameterOffset};
-        state_.lights.lights.push_back(std::move(emitter));
-        tags_.emplace_back();
-        summary.light = int(state_.lights.lights.size());
-        addTriangles(summary.light - 1, std::uint32_t(i), meshes[i]);
-    }
-    areas_.resize(state_.lights.lights.size());
-    for (std::size_t light = 0; light < state_.lights.lights.size(); ++light)
-        finishArea(int(light));
+    finishLights();
     fillSwitches();
 }
 
-/// Running sums of the triangles' shares, and the densities that follow from them.
-void LightBuilder::finishArea(int index) {
-    SceneLight &light = state_.lights.lights[index];
-    if (!needsGeometry(light.kind))
+void LightBuilder::attach(const PlacedShape &placed) {
+    PointTables &points = state_.points;
+    auto &lights = state_.lights.lights;
+    Appearance &appearance = points.appearances[placed.appearance];
+    SurfaceCode &code = points.codes[appearance.code];
+    const auto &areaLight = points.details[placed.appearance].attributes->areaLight;
+    const int declared = areaLight ? areaLight->index : -1;
+    if (declared >= 0 && declared < int(tags_.size()) && lights[declared].hasGeometry()) {
+        addSources(declared, placed);
+        code.wanted.add(*lights[declared].shader.code);
+        if (!code.wanted.isPlain())
+            code.fromElements = false;
+        if (lights[declared].kind == LightKind::Area)
+            appearance.light = declared + 1;
+    }
+    if (state_.classic || appearance.light != 0 || !code.code->facts().emits)
         return;
-    double total = 0;
-    for (double area : areas_[index])
-        total += area;
-    if (!(total > 0)) {
+    SceneLight emitter;
+    emitter.kind = LightKind::Emitter;
+    emitter.shader = {code.code, appearance.parameterOffset};
+    lights.push_back(std::move(emitter));
+    tags_.emplace_back();
+    sources_.emplace_back(), appearances_.emplace_back();
+    appearance.light = int(lights.size());
+    addSources(appearance.light - 1, placed);
+}
+
+bool LightBuilder::isPlain(const SceneLight &light, int surfaceCode) const {
+    const SurfaceCode &code = state_.points.codes[surfaceCode];
+    if (!code.fromElements)
+        return false;
+    return light.kind == LightKind::Emitter ||
+           (readsOnlyPlace(*light.shader.code) && !code.code->facts().emits);
+}
+
+void LightBuilder::addSources(int index, const PlacedShape &placed) {
+    PointTables &points = state_.points;
+    Appearance &appearance = points.appearances[placed.appearance];
+    Matrix4 currentFromOuter;
+    if (placed.instance != noHit)
+        std::copy_n(points.matricesOf(placed.instance), 16, currentFromOuter.m.begin());
+    LightSource source;
+    source.light = index;
+    source.instance = placed.instance, source.shape = placed.shape;
+    source.offset = appearance.offset;
+    if (placed.instance != noHit)
+        source.offset *= points.instances[placed.instance].stretch;
+    appearance.firstSource = std::int32_t(sources_[index].size()); // Within the light, as yet.
+    appearances_[index].push_back(placed.appearance);
+    if (placed.mesh.radius > 0 && placed.instance == noHit) {
+        source.form = LightSource::Form::Sphere;
+        source.corner = placed.mesh.centre, source.edgeA = {placed.mesh.radius, 0, 0};
+        sources_[index].push_back(source);
+        return;
+    }
+    addElements(source, placed, currentFromOuter,
+                isPlain(state_.lights.lights[index], appearance.code));
+}
+
+/// A source for each element, or for two that make a rectangle, if elements may be paired.
+void LightBuilder::addElements(LightSource source, const PlacedShape &placed,
+                               const Matrix4 &currentFromOuter, bool pair) {
+    std::vector<LightSource> &sources = sources_[source.light];
+    std::vector<std::uint32_t> numbers;
+    const std::size_t first = sources.size();
+    for (std::uint32_t k = 0; k < placed.mesh.triangles.size(); ++k) {
+        setTriangle(source, placed.mesh, k, currentFromOuter);
+        std::optional<LightSource> rectangle;
+        if (pair && k > 0 && sources.size() > first &&
+            sources.back().form == LightSource::Form::Triangle)
+            rectangle = rectangleOf(sources.back(), source);
+        if (rectangle)
+            sources.back() = *rectangle;
+        else
+            sources.push_back(source);
+        numbers.push_back(std::uint32_t(sources.size() - 1 - first));
+    }
+    state_.points.shapes[placed.shape].sourceOfElement = std::move(numbers);
+}
+
+/// Puts the sources into one table, light by light.
+void LightBuilder::finishLights() {
+    LightTable &table = state_.lights;
+    for (std::size_t i = 0; i < table.lights.size(); ++i) {
+        SceneLight &light = table.lights[i];
+        light.firstSource = std::int32_t(table.sources.size());
+        if (light.hasGeometry())
+            finishGeometry(int(i));
+        else if (light.isSampled())
+            table.sources.push_back({std::int32_t(i), LightSource::Form::NoShape, noHit, 0, 0,
+                                     transformPoint(light.currentFromShader, {0, 0, 0}), {}, {},
+                                     0});
+        light.sources = std::int32_t(table.sources.size()) - light.firstSource;
+    }
+    sources_.clear(), appearances_.clear();
+}
+
+void LightBuilder::finishGeometry(int index) {
+    LightTable &table = state_.lights;
+    SceneLight &light = table.lights[index];
+    double sum = 0;
+    for (const LightSource &source : sources_[index]) {
+        sum += areaOf(source);
+        light.cumulative.push_back(sum);
+    }
+    if (!(sum > 0)) {
         light.kind = LightKind::None;
         return;
     }
-    light.area = total;
-    const ShaderCode *code = light.shader.code.get();
-    auto &areaCodes = state_.areaLightCodes;
-    if (light.kind == LightKind::Area &&
-        std::find(areaCodes.begin(), areaCodes.end(), code) == areaCodes.end())
-        areaCodes.push_back(code);
-    double sum = 0;
-    for (std::size_t k = 0; k < light.triangles.size(); ++k) {
-        double share = areas_[index][k] / total;
-        sum += share;
-        light.cumulative.push_back(sum);
-        auto [primitiveIndex, triangle] = light.triangles[k];
-        ScenePrimitive &primitive = state_.primitives[primitiveIndex];
-        if (triangle == wholeSurface)
-            primitive.uvDensity->scale(float(share));
-        else if (light.finite())
-            primitive.density.push_back(float(1 / total));
-    }
+    light.area = sum;
     for (double &share : light.cumulative)
         share /= sum;
-    auto codeOf = [&](const SceneLight::Triangle &place) {
-        return state_.summaries[place.primitive].code;
-    };
-    int first = codeOf(light.triangles.front());
-    bool same = std::ranges::all_of(light.triangles,
-                                    [&](const auto &place) { return codeOf(place) == first; });
-    light.surfaceCode = same ? first : -1;
+    light.surfaceCode = state_.points.appearances[appearances_[index].front()].code;
+    light.plain = true;
+    for (std::int32_t at : appearances_[index]) {
+        Appearance &appearance = state_.points.appearances[at];
+        appearance.firstSource += light.firstSource;
+        light.plain &= isPlain(light, appearance.code);
+        if (appearance.code != light.surfaceCode)
+            light.surfaceCode = -1;
+    }
+    table.sources.insert(table.sources.end(), sources_[index].begin(), sources_[index].end());
+    const ShaderCode *code = light.shader.code.get();
+    auto &areaCodes = state_.areaLightCodes;
+    if (light.kind == LightKind::Area && std::ranges::find(areaCodes, code) == areaCodes.end())
+        areaCodes.push_back(code);
 }
 
 void LightBuilder::fillSwitches() {
-    std::size_t row = state_.lights.lights.size() + 1;
-    state_.lights.isOn.assign(state_.lightSets.size() * row, 0);
+    const std::size_t row = state_.lights.lights.size() + 1;
+    if (state_.lightSets.empty())
+        state_.lightSets.emplace_back();
+    state_.lights.isOn.assign(state_.lightSets.size(), std::vector<std::uint8_t>(row, 0));
     for (std::size_t set = 0; set < state_.lightSets.size(); ++set) {
-        std::uint8_t *on = state_.lights.isOn.data() + set * row;
+        std::vector<std::uint8_t> &on = state_.lights.isOn[set];
         on[0] = 1;
         for (int index : state_.lightSets[set])
             if (index >= 0 && index < int(row) - 1)
@@ -195,18 +262,47 @@ void LightBuilder::bindCategories(const ShaderLibrary &library) {
     }
 }
 
-void LightBuilder::estimatePowers() {
-    for (SceneLight &light : state_.lights.lights)
+void LightBuilder::prepareChoices() {
+    LightTable &table = state_.lights;
+    for (SceneLight &light : table.lights)
         light.power = estimatePower(state_, light);
-    state_.lights.finish();
-    for (std::size_t i = 0; i < state_.primitives.size(); ++i)
-        if (int light = state_.summaries[i].light) {
-            float probability = state_.lights.lights[light - 1].probability;
-            for (float &density : state_.primitives[i].density)
-                density *= probability;
-            if (state_.primitives[i].uvDensity)
-                state_.primitives[i].uvDensity->scale(probability);
+    table.number();
+    for (std::size_t set = 0; set < state_.lightSets.size(); ++set)
+        table.choices.push_back(choiceOf(int(set)));
+    table.isSingle = table.sources.size() <= 1 && std::ranges::all_of(table.isOn, [](auto &on) {
+        return std::ranges::find(on, 0) == on.end();
+    });
+}
+
+/// The choice among the sources that are on for a light set.
+LightChoice LightBuilder::choiceOf(int set) const {
+    const LightTable &table = state_.lights;
+    std::vector<EmitterBound> bounds;
+    std::vector<std::int32_t> numbers;
+    std::vector<InfiniteLight> infinite;
+    // Estimates may miss a narrow beam: no light counts for nothing.
+    double strongest = 0;
+    for (const SceneLight &light : table.lights)
+        strongest = std::max(strongest, light.power);
+    const double least = strongest > 0 ? 1e-4 * strongest : 1;
+    for (std::size_t i = 0; i < table.lights.size(); ++i) {
+        const SceneLight &light = table.lights[i];
+        if (!table.on(set, std::int32_t(i) + 1))
+            continue;
+        const double power = std::max(light.power, least);
+        for (std::int32_t k = light.firstSource; k < light.firstSource + light.sources; ++k) {
+            const LightSource &source = table.sources[k];
+            const double share = light.area > 0 ? areaOf(source) / light.area : 1;
+            if (light.kind == LightKind::Distant) {
+                const double disc = std::numbers::pi * state_.radius * state_.radius;
+                infinite.push_back({k, float(power / disc), true, {}, 1});
+            } else if (share > 0) {
+                bounds.push_back(boundOf(source, power * share));
+                numbers.push_back(k);
+            }
         }
+    }
+    return LightChoice(bounds, numbers, infinite, int(table.sources.size()));
 }
 
 } // namespace candela

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Light records and emitting primitives become the scene's lights.
+// Light records and shining shapes become the scene's lights, and these fall into sources.
 #pragma once
 
 #include "world/scene/light_categories.h"
 #include "world/scene/scene_state.h"
+#include "world/scene/shape_builder.h"
 
 namespace candela {
 
@@ -13,22 +14,33 @@ public:
     LightBuilder(SceneState &, ShaderLibrary &);
 
     void declare(const std::vector<std::shared_ptr<const LightRecord>> &);
-    /// Gives area lights their geometry and emitting primitives their lights.
-    void attachAreas(const std::vector<RayMesh> &);
+    /// Gives area lights their geometry and shining shapes their lights.
+    void attachShapes(const RayGeometry &);
     /// Tells every code which lights its loops hear.
     void bindCategories(const ShaderLibrary &);
-    /// Asks every light, 256 times, how much it sends; sets the probabilities of choice.
-    void estimatePowers();
+    /// Asks every light how much it sends, and prepares the choice among them for each light set.
+    void prepareChoices();
 
 private:
-    void addTriangles(int light, std::uint32_t primitive, const RayMesh &);
-    void finishArea(int light);
+    struct PlacedShape {
+        std::uint32_t instance, shape;
+        std::int32_t appearance;
+        const RayShape &mesh;
+    };
+    void attach(const PlacedShape &);
+    void addSources(int light, const PlacedShape &);
+    void addElements(LightSource, const PlacedShape &, const Matrix4 &currentFromOuter, bool pair);
+    void finishLights();
+    void finishGeometry(int light);
+    LightChoice choiceOf(int lightSet) const;
     void fillSwitches();
+    bool isPlain(const SceneLight &, int surfaceCode) const;
 
     SceneState &state_;
     ShaderLibrary &library_;
     std::vector<LightTags> tags_;
-    std::vector<std::vector<double>> areas_; ///< By light: areas of its triangles.
+    std::vector<std::vector<LightSource>> sources_; ///< By light.
+    std::vector<std::vector<std::int32_t>> appearances_; ///< By light: those of its shapes.
 };
 
 } // namespace candela

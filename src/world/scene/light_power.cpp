@@ -2,6 +2,7 @@
 #include "world/scene/light_power.h"
 
 #include "world/scene/light_question.h"
+#include "world/scene/source_points.h"
 
 #include <algorithm>
 #include <cmath>
@@ -88,11 +89,30 @@ double pointPower(const SceneState &state, const SceneLight &light, LightBatch &
     return sum / samples * 4 * pi;
 }
 
-void placeSamples(const SceneState &state, const SceneLight &light, std::uint32_t *primitive,
-                  std::uint32_t *triangle, float *u, float *v) {
-    for (int i = 0; i < samples; ++i)
-        state.placeOnLight(light, (i + 0.5) / samples, quasiRandom(i, 0), quasiRandom(i, 1),
-                           primitive[i], triangle[i], u[i], v[i]);
+/// Points on the light, uniform by area, as shading points of `code`.
+void placeSamples(const SceneState &state, const SceneLight &light, const SurfaceCode &code,
+                  ShadingPoints &points) {
+    std::int32_t source[samples];
+    float u[samples], v[samples];
+    for (int i = 0; i < samples; ++i) {
+        double choice = (i + 0.5) / samples;
+        source[i] = light.firstSource + chooseByCumulative(light.cumulative, choice);
+        u[i] = quasiRandom(i, 0), v[i] = quasiRandom(i, 1);
+    }
+    SourcePoints drawn(samples);
+    sampleSources(state.lights, {samples, source, {}}, u, v, true, drawn);
+    points.count = samples;
+    for (int i = 0; i < samples; ++i) {
+        const LightSource &from = state.lights.sources[source[i]];
+        points.instance[i] = from.instance, points.shape[i] = from.shape;
+        points.element[i] = from.element;
+        points.u[i] = drawn.u[i], points.v[i] = drawn.v[i];
+        for (int c = 0; c < 3; ++c) {
+            points.input(ShaderInput::P, c)[i] = drawn.point[c][i];
+            points.input(ShaderInput::Ng, c)[i] = drawn.normal[c][i];
+        }
+    }
+    evaluatePoints(state.points, state.camera, code, nullptr, points);
 }
 
 /// Points and cosine-distributed directions on both sides; I is set.
@@ -110,46 +130,33 @@ void placeViewers(ShadingPoints &points) {
 
 /// Radiant exitance of both sides times area.
 double finitePower(const SceneState &state, const SceneLight &light) {
-    std::uint32_t primitive[samples], triangle[samples];
-    float u[samples], v[samples];
-    placeSamples(state, light, primitive, triangle, u, v);
     ShadingPoints points(samples);
     Planes<float> planes(colorSamples, samples);
+    float *radiance[colorSamples];
+    for (int c = 0; c < colorSamples; ++c)
+        std::fill_n(radiance[c] = planes[c], samples, 0.0f);
+    // Where the shapes' codes differ their own emission counts as the first one's.
+    const std::uint32_t shape = state.lights.sources[light.firstSource].shape;
+    const std::uint32_t instance = state.lights.sources[light.firstSource].instance;
+    const int code = state.points.appearances[state.points.appearanceOf(instance, shape)].code;
+    placeSamples(state, light, state.points.codes[code], points);
+    placeViewers(points);
+    state.emission(code, points, radiance);
     double sum = 0;
-    // The triangles come in the order of their primitives, so runs of one code are found in place.
-    for (int first = 0, last; first < samples; first = last) {
-        int code = state.summaries[primitive[first]].code;
-        for (last = first; last < samples && state.summaries[primitive[last]].code == code;)
-            ++last;
-        int count = last - first;
-        state.evaluate({count, primitive + first, triangle + first, u + first, v + first},
-                       state.codes[code], points);
-        placeViewers(points);
-        float *radiance[colorSamples];
-        for (int c = 0; c < colorSamples; ++c) {
-            radiance[c] = planes[c];
-            std::fill_n(radiance[c], count, 0.0f);
-        }
-        state.emission(code, points, radiance);
-        for (int c = 0; c < colorSamples; ++c)
-            for (int i = 0; i < count; ++i)
-                sum += std::max(0.0f, radiance[c][i]);
-    }
+    for (int c = 0; c < colorSamples; ++c)
+        for (int i = 0; i < samples; ++i)
+            sum += std::max(0.0f, radiance[c][i]);
     return sum / samples * 2 * pi * light.area;
 }
 
 /// Classic area lights are told by their shader how to fall off: what arrives at the rim of the
 /// scene counts.
 void placeClassicArea(const SceneState &state, const SceneLight &light, LightBatch &batch) {
-    std::uint32_t primitive[samples], triangle[samples];
-    float u[samples], v[samples];
-    placeSamples(state, light, primitive, triangle, u, v);
     ShadingPoints points(samples);
-    state.evaluate({samples, primitive, triangle, u, v}, SceneCode{}, points);
-    float *const *from = points.inputTable.data();
+    placeSamples(state, light, SurfaceCode{}, points);
     for (ShaderInput input : {ShaderInput::P, ShaderInput::N, ShaderInput::Ng})
         for (int c = 0; c < 3; ++c)
-            std::copy_n(from[int(input) + c], samples, batch.input(input, c));
+            std::copy_n(points.input(input, c), samples, batch.input(input, c));
 }
 
 } // namespace

@@ -42,7 +42,7 @@ void LightBatch::ask(const SceneState &state, const ShaderCode &code, const std:
     args.active = active;
     args.inputs = inputTable.data();
     args.parameterOffset = parameterOffset;
-    args.objectMatrices = state.objectMatrices.data();
+    args.objectMatrices = state.points.shapeMatrices.data();
     args.objectIndex = objectIndex;
     args.outputs = outputs.data();
     code.bind(args);

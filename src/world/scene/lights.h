@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// All that shines, behind one interface: light shaders (points, distant lights, area lights) and
-// surfaces that emit. Lights are chosen by power; the interface leaves room for a light tree.
+// Light sampling as estimators see it: points ask, samples answer, in batches.
 #pragma once
 
 #include "foundation/base/planes.h"
-#include "interface/ri/attributes.h"
-#include "language/runtime/shader_abi.h"
+#include "foundation/units/color.h"
 
 #include <array>
 #include <cstdint>
@@ -34,7 +32,7 @@ struct LightSamples {
     /// sr^-1), undivided, since the pdf includes the choice; for delta lights (pdfSolidAngle = 0)
     /// E_perp / pi, or in classic units the number the light shader wrote, divided by the
     /// probability of choosing the light.
-    float *value[8] = {};
+    std::array<float *, colorSamples> value{};
     float *pdfSolidAngle = nullptr; ///< Of this direction, choice included; 0 = delta light.
     std::int32_t *light = nullptr;  ///< Index + 1; 0 = no sample (black).
     /// 1 if a shadow ray is due (else the light shines through everything, as classic ones may).

@@ -38,8 +38,6 @@ float largestStretch(const Matrix4 &matrix) {
     return float(std::sqrt(stretch));
 }
 
-namespace {
-
 float viewingDepth(const Box3 &box) {
     Vec3 extent = box.extent();
     float size = std::max({extent.x, extent.y, extent.z});
@@ -54,23 +52,5 @@ float viewingDepth(const Box3 &box) {
     return std::max(length(outside), size);
 }
 
-} // namespace
-
-DiceRate diceRate(const Camera &camera, const Box3 &objectBound, const Matrix4 &currentFromObject,
-                  float shadingRate) {
-    Box3 box = transformBox(currentFromObject, objectBound);
-    float rate = shadingRate > 0 && std::isfinite(shadingRate) ? std::sqrt(shadingRate) : 1;
-    float pixel = camera.pixelSize(viewingDepth(box)) * rate;
-    float stretch = largestStretch(currentFromObject);
-    Vec3 extent = objectBound.extent();
-    float size = std::max({extent.x, extent.y, extent.z, 1e-30f});
-    if (!(stretch > 0) || !std::isfinite(pixel) || !(pixel > 0))
-        return {size / 16, size / 1000};
-    // Coarser than the thing itself means nothing, finer than a float's rounding neither.
-    DiceRate result;
-    result.edgeLength = std::clamp(edgePixels * pixel / stretch, size * 1e-4f, size);
-    result.chordError = std::clamp(0.1f * pixel / stretch, size * 1e-7f, size * 0.01f);
-    return result;
-}
 
 } // namespace candela

@@ -75,6 +75,7 @@ std::optional<Shape> makeShape(std::shared_ptr<const Surface> surface,
     shape.s = numericVariable(*surface, "s"), shape.t = numericVariable(*surface, "t");
     shape.Cs = numericVariable(*surface, "Cs"), shape.Os = numericVariable(*surface, "Os");
     shape.surface = std::move(surface);
+    shape.handedness = flipsHandedness(outerFromShape) ? -1 : 1;
     shape.outerFromShape = outerFromShape, shape.shapeFromOuter = *shapeFromOuter;
     return shape;
 }
@@ -97,7 +98,7 @@ std::optional<OuterSphere> outerSphere(const Shape &shape) {
                        *radius * std::sqrt(squared)};
 }
 
-RayShape dice(Shape &shape, const DiceRate &rate, Vec3 eye) {
+RayShape dice(Shape &shape, const DiceRate &rate, const Vec3 *eye) {
     RayShape result;
     if (std::optional<OuterSphere> sphere = outerSphere(shape)) {
         shape.naming = Naming::Sphere;
@@ -117,8 +118,8 @@ RayShape dice(Shape &shape, const DiceRate &rate, Vec3 eye) {
     for (Vec3 &position : diced.positions)
         position = transformPoint(shape.outerFromShape, position);
     shape.flat = hasFlatNormals(*shape.surface, diced);
-    if (diced.vertexUv.empty())
-        shape.pieces = cutLargeTriangles(diced, eye);
+    if (eye && diced.vertexUv.empty())
+        shape.pieces = cutLargeTriangles(diced, *eye);
     shape.naming = diced.vertexUv.empty() ? Naming::Direct : Naming::Corners;
     if (shape.naming == Naming::Corners) {
         shape.triangles = diced.triangles;

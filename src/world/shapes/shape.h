@@ -29,6 +29,7 @@ struct Shape {
     /// Times (p1 - p0) x (p2 - p0) of an element's corners in the outer space (of a sphere, times
     /// the outward normal): along the natural normal, carried along as a covector.
     float elementSign = 1;
+    float handedness = 1; ///< -1: the matrix mirrors.
     /// Outer units: no element is farther than this from the true surface, and rays that start
     /// within as much of an element may meet it by rounding.
     float offset = 0;
@@ -39,6 +40,10 @@ struct Shape {
     std::vector<std::array<float, 2>> vertexUv;
     std::vector<std::uint32_t> pieces;
     std::uint32_t elements = 0;
+
+    /// Lights only: the number of the source, counted from the shape's first, that each element
+    /// belongs to; empty = the first for all.
+    std::vector<std::uint32_t> sourceOfElement;
 
     /// Index into Surface::variables(), -1 = none.
     int s = -1, t = -1, Cs = -1, Os = -1;
@@ -59,7 +64,8 @@ struct OuterSphere {
 std::optional<OuterSphere> outerSphere(const Shape &);
 
 /// Dices: fills in naming, signs and offset; what rays will meet. Triangles that are large against
-/// their distance from `eye` (outer space) are cut, so that rounding goes with the distance.
-RayShape dice(Shape &, const DiceRate &, Vec3 eye);
+/// their distance from `eye` (outer space; null = nowhere) are cut, so that rounding goes with the
+/// distance.
+RayShape dice(Shape &, const DiceRate &, const Vec3 *eye);
 
 } // namespace candela

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world/scene/appearance_builder.h"
+
+#include <algorithm>
+
+namespace candela {
+
+namespace {
+
+/// Asks for the shipped library's default surface.
+const ShaderRecord &defaultSurface() {
+    static const ShaderRecord record;
+    return record;
+}
+
+/// Variables that are shader inputs, and so override no parameter.
+bool isInput(const std::string &name) {
+    return name == "Cs" || name == "Os" || name == "s" || name == "t";
+}
+
+std::set<std::string> overridingNames(const Surface &surface) {
+    std::set<std::string> names;
+    for (const VariableInfo &variable : surface.variables())
+        if (variable.declaration.type != ValueType::String && !isInput(variable.name))
+            names.insert(variable.name);
+    return names;
+}
+
+} // namespace
+
+AppearanceBuilder::AppearanceBuilder(SceneState &state, ShaderLibrary &library)
+    : state_(state), library_(library) {}
+
+int AppearanceBuilder::numberOf(std::shared_ptr<ShaderCode> code) {
+    auto &codes = state_.points.codes;
+    auto [place, isNew] = codeNumbers_.try_emplace(code.get(), int(codes.size()));
+    if (isNew)
+        codes.push_back(surfaceCode(std::move(code)));
+    return place->second;
+}
+
+AppearanceBuilder::Shading
+AppearanceBuilder::shadingOf(const Attributes &attributes,
+                             const std::set<std::string> &variables) {
+    const ShaderRecord &record = attributes.surface ? *attributes.surface : defaultSurface();
+    auto known = shadings_.find({&record, variables});
+    if (known != shadings_.end())
+        return known->second;
+    auto rule = state_.classic ? ir::LightRule::Classic : ir::LightRule::Path;
+    auto instance = library_.instance(ShaderKind::Surface, record, state_.options, rule, variables);
+    Shading shading{-1, 0};
+    if (instance)
+        shading = {numberOf(instance->code), instance->parameterOffset};
+    shadings_[{&record, variables}] = shading;
+    return shading;
+}
+
+int AppearanceBuilder::lightSetOf(const Attributes &attributes) {
+    auto [place, isNew] = lightSets_.try_emplace(attributes.lightsOn, int(state_.lightSets.size()));
+    if (isNew)
+        state_.lightSets.push_back(attributes.lightsOn);
+    return place->second;
+}
+
+bool AppearanceBuilder::add(std::uint32_t shape,
+                            const std::shared_ptr<const Attributes> &attributes, bool turned) {
+    PointTables &points = state_.points;
+    const Surface &surface = *points.shapes[shape].surface;
+    const Shading shading = shadingOf(*attributes, overridingNames(surface));
+    if (shading.code < 0)
+        return false;
+    Appearance appearance;
+    appearance.parameterOffset = shading.parameterOffset;
+    appearance.code = shading.code;
+    appearance.lightSet = lightSetOf(*attributes);
+    appearance.normalSign = turned ? -1 : 1;
+    appearance.Cs = attributes->color.c, appearance.Os = attributes->opacity.c;
+    AppearanceDetail detail{attributes, {}};
+    for (const std::string &name : points.codes[shading.code].variableNames)
+        detail.overriding.push_back(numericVariable(surface, name));
+    points.appearances.push_back(appearance);
+    points.details.push_back(std::move(detail));
+    shapes_.push_back(shape);
+    return true;
+}
+
+bool AppearanceBuilder::shines(std::int32_t index) const {
+    const PointTables &points = state_.points;
+    return points.details[index].attributes->areaLight ||
+           (!state_.classic &&
+            points.codes[points.appearances[index].code].code->facts().emits);
+}
+
+bool AppearanceBuilder::isOpaque(std::int32_t index) const {
+    const PointTables &points = state_.points;
+    const Color &opacity = points.details[index].attributes->opacity;
+    bool full = points.shapes[shapes_[index]].Os < 0 &&
+                std::ranges::all_of(opacity.c, [](float o) { return o >= 1; });
+    return full && points.codes[points.appearances[index].code].code->facts().opaqueIfOsIs1;
+}
+
+void AppearanceBuilder::finish() {
+    PointTables &points = state_.points;
+    for (SurfaceCode &code : points.codes)
+        code.fromElements = code.wanted.isPlain() && code.variableNames.empty();
+    for (std::size_t i = 0; i < points.appearances.size(); ++i) {
+        Appearance &appearance = points.appearances[i];
+        const Shape &shape = points.shapes[shapes_[i]];
+        appearance.offset = shape.offset;
+        appearance.elementSign = shape.elementSign * appearance.normalSign;
+        const bool tells = shape.flat || (shape.naming == Naming::Sphere &&
+                                          !shape.surface->hasOwnNormals());
+        if (!tells || shape.Cs >= 0 || shape.Os >= 0)
+            points.codes[appearance.code].fromElements = false;
+    }
+    state_.statistics.codes = points.codes.size();
+}
+
+} // namespace candela

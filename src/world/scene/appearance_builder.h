@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shapes with attributes become appearances: which code shades them, with which parameters, under
+// which lights.
+#pragma once
+
+#include "world/scene/scene_state.h"
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+
+namespace candela {
+
+class AppearanceBuilder {
+public:
+    AppearanceBuilder(SceneState &, ShaderLibrary &);
+
+    /// Adds what a shape looks like under the attributes, `turned` if its orientation is reversed.
+    /// Its offset and signs follow once it is diced. False if its shader can't be had.
+    bool add(std::uint32_t shape, const std::shared_ptr<const Attributes> &, bool turned);
+
+    /// What is known before dicing: by appearance, its shape.
+    const std::vector<std::uint32_t> &shapes() const { return shapes_; }
+    /// The surface shines by itself, or has an area light.
+    bool shines(std::int32_t appearance) const;
+    bool isOpaque(std::int32_t appearance) const;
+    /// Completes the appearances with what dicing has found, and the codes with what they shade.
+    void finish();
+
+private:
+    struct Shading {
+        int code;
+        std::int32_t parameterOffset;
+    };
+    Shading shadingOf(const Attributes &, const std::set<std::string> &variables);
+    int numberOf(std::shared_ptr<ShaderCode>);
+    int lightSetOf(const Attributes &);
+
+    SceneState &state_;
+    ShaderLibrary &library_;
+    std::vector<std::uint32_t> shapes_;
+    std::map<std::pair<const ShaderRecord *, std::set<std::string>>, Shading> shadings_;
+    std::map<const ShaderCode *, int> codeNumbers_;
+    std::map<std::vector<int>, int> lightSets_;
+};
+
+} // namespace candela

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world/scene/light_choices.h"
+
+#include "foundation/base/lanes.h"
+#include "foundation/base/scratch.h"
+
+#include <algorithm>
+
+namespace candela {
+
+namespace {
+
+/// Calls body(set, query of its lanes, lanes) for each light set among the points; lanes are null
+/// where all points share one.
+template <class Body> void forLightSets(const SceneState &state, const LightQuery &query, Body body) {
+    const std::int32_t first = query.count > 0 ? query.lightSet[0] : -1;
+    if (std::all_of(query.lightSet, query.lightSet + query.count,
+                    [first](std::int32_t set) { return set == first; })) {
+        if (first >= 0)
+            body(first, query, nullptr);
+        return;
+    }
+    thread_local AlignedScratch floats;
+    thread_local Scratch<int> integers;
+    const int stride = paddedLanes(query.count);
+    float *planes = floats.get(6 * std::size_t(stride));
+    int *lane = integers.get(query.count);
+    for (int set = 0; set < int(state.lightSets.size()); ++set) {
+        LightQuery part = query;
+        part.count = 0;
+        for (int i = 0; i < query.count; ++i)
+            if (query.lightSet[i] == set)
+                lane[part.count++] = i;
+        if (part.count == 0)
+            continue;
+        for (int c = 0; c < 3; ++c) {
+            float *P = planes + c * stride, *N = planes + (3 + c) * stride;
+            lanes::gather(part.count, lane, query.P[c], P);
+            lanes::gather(part.count, lane, query.N[c], N);
+            part.P[c] = P, part.N[c] = N;
+        }
+        body(set, part, lane);
+    }
+}
+
+} // namespace
+
+void chooseSources(const SceneState &state, const LightQuery &query, double *u,
+                   std::int32_t *source, float *probability) {
+    std::fill_n(source, query.count, -1);
+    std::fill_n(probability, query.count, 0.0f);
+    forLightSets(state, query, [&](int set, const LightQuery &part, const int *lane) {
+        const LightChoice &choice = state.lights.choices[set];
+        if (!lane)
+            return choice.choose(part.count, part.P.data(), part.N.data(), u, source, probability);
+        thread_local Scratch<double> partU;
+        thread_local Scratch<std::int32_t> partSource;
+        thread_local Scratch<float> partProbability;
+        double *own = partU.get(part.count);
+        std::int32_t *chosen = partSource.get(part.count);
+        float *chance = partProbability.get(part.count);
+        for (int k = 0; k < part.count; ++k)
+            own[k] = u[lane[k]];
+        choice.choose(part.count, part.P.data(), part.N.data(), own, chosen, chance);
+        for (int k = 0; k < part.count; ++k)
+            u[lane[k]] = own[k], source[lane[k]] = chosen[k], probability[lane[k]] = chance[k];
+    });
+}
+
+void sourceProbabilities(const SceneState &state, const LightQuery &query,
+                         const std::int32_t *source, float *probability) {
+    std::fill_n(probability, query.count, 0.0f);
+    forLightSets(state, query, [&](int set, const LightQuery &part, const int *lane) {
+        const LightChoice &choice = state.lights.choices[set];
+        if (!lane)
+            return choice.probability(part.count, part.P.data(), part.N.data(), source,
+                                      probability);
+        thread_local Scratch<std::int32_t> partSource;
+        thread_local Scratch<float> partProbability;
+        std::int32_t *asked = partSource.get(part.count);
+        float *chance = partProbability.get(part.count);
+        for (int k = 0; k < part.count; ++k)
+            asked[k] = source[lane[k]];
+        choice.probability(part.count, part.P.data(), part.N.data(), asked, chance);
+        for (int k = 0; k < part.count; ++k)
+            probability[lane[k]] = chance[k];
+    });
+}
+
+} // namespace candela

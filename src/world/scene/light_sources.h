@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// The lights of a scene, and the sources that they consist of: points choose among sources, shaders
+// are asked about lights.
+#pragma once
+
+#include "world/lights/light_choice.h"
+#include "world/points/point_tables.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace candela {
+
+enum class LightKind : std::uint8_t {
+    None,        ///< Declared, but there is nothing of it (no geometry, faulty shader).
+    Ambient,     ///< Only in ambient().
+    Point,       ///< A light shader with illuminate().
+    Distant,     ///< A light shader with solar().
+    ClassicArea, ///< Shapes with a light shader in classic units: a mean over positions.
+    Area,        ///< Shapes with a light shader that gives radiance.
+    Emitter,     ///< A shape whose surface shader emits.
+};
+
+/// What is chosen: a light without geometry, a piece of one with it. A cache line, read as a row.
+struct alignas(64) LightSource {
+    enum class Form : std::int32_t { NoShape, Triangle, Rectangle, Sphere };
+    std::int32_t light = 0; ///< Index.
+    Form form = Form::NoShape;
+    std::uint32_t instance = noHit, shape = 0, element = 0; ///< The place of a triangle's points.
+    /// Current space. Spheres: the centre, and the radius as edgeA.x.
+    Vec3 corner, edgeA, edgeB;
+    float offset = 0; ///< Rays towards it end so far before it: see ShadingPoints::offset.
+};
+
+struct SceneLight {
+    LightKind kind = LightKind::None;
+    ShaderInstance shader;
+    bool si = true;
+    bool castsShadow = true;
+    /// Shader and surfaces look at position and normals alone: elements tell all, and the sources
+    /// may be rectangles.
+    bool plain = false;
+    Matrix4 currentFromShader;
+    std::int32_t firstSource = 0, sources = 0;
+    std::vector<double> cumulative; ///< With geometry: running sum of the sources' share of area.
+    double area = 0;                ///< Of all sources, m^2.
+    int surfaceCode = -1;           ///< The code of all its shapes; -1 = they differ.
+    double power = 0;               ///< An estimate; W, or what would be W for classic units.
+    int batch = 0;                  ///< Lights of one batch share kind and code.
+
+    bool finite() const { return kind == LightKind::Area || kind == LightKind::Emitter; }
+    bool hasGeometry() const { return finite() || kind == LightKind::ClassicArea; }
+    bool isSampled() const { return kind != LightKind::None && kind != LightKind::Ambient; }
+};
+
+/// Chooses index i with the probability that a running sum gives it; `sample` in [0,1) becomes a
+/// new uniform sample.
+int chooseByCumulative(std::span<const double> cumulative, double &sample);
+
+struct LightTable {
+    std::vector<SceneLight> lights; ///< LightRecords in order, then emitting surfaces.
+    std::vector<LightSource> sources;
+    std::vector<LightChoice> choices; ///< By light set.
+    std::vector<int> ambient;         ///< Indices of the ambient lights.
+    std::vector<std::vector<std::uint8_t>> isOn; ///< [lightSet][index + 1].
+    int batches = 0;
+    bool isSingle = false; ///< There is one source at most, on for all: none has to be chosen.
+
+    bool on(std::int32_t lightSet, std::int32_t light) const {
+        return isOn[lightSet][light] != 0;
+    }
+    /// Numbers the batches, lists the ambient lights.
+    void number();
+};
+
+} // namespace candela

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world/shapes/dicing_plan.h"
+
+#include "foundation/base/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace candela {
+
+namespace {
+
+/// Outlines of lights keep this share of their size.
+constexpr float lightChord = 2e-4f;
+
+float squareRootOf(float shadingRate) {
+    return shadingRate > 0 && std::isfinite(shadingRate) ? std::sqrt(shadingRate) : 1;
+}
+
+bool touch(const Box3 &a, const Box3 &b) {
+    for (int axis = 0; axis < 3; ++axis) {
+        float slack = 1e-6f * (std::fabs(a.high[axis]) + std::fabs(a.low[axis]));
+        if (a.high[axis] + slack < b.low[axis] || b.high[axis] + slack < a.low[axis])
+            return false;
+    }
+    return true;
+}
+
+} // namespace
+
+DicingPlan::DicingPlan(const Camera &camera) : camera_(camera) {}
+
+float DicingPlan::nearestPixel(const Box3 &bound, const Matrix4 &currentFromObject) const {
+    const float stretch = largestStretch(currentFromObject);
+    const float pixel = camera_.pixelSize(viewingDepth(transformBox(currentFromObject, bound)));
+    return stretch > 0 ? pixel / stretch : pixel;
+}
+
+void DicingPlan::add(const Shape &shape, float shadingRate) {
+    const Box3 box = transformBox(shape.outerFromShape, shape.surface->bound());
+    add(shape, shadingRate, camera_.pixelSize(viewingDepth(box)));
+    wishes_.back().inWorld = true;
+}
+
+void DicingPlan::add(const Shape &shape, float shadingRate, float pixel) {
+    const Box3 box = transformBox(shape.outerFromShape, shape.surface->bound());
+    const bool isCurved = !shape.surface->isFlat() && !outerSphere(shape);
+    wishes_.push_back({box, pixel * squareRootOf(shadingRate), false, isCurved});
+}
+
+void DicingPlan::makeFine(std::uint32_t shape) { wishes_[shape].fine = true; }
+
+/// On a ladder of powers of two, and no coarser than those that it touches ask for, within a factor
+/// of eight: bodies made of several primitives close where these share a rim.
+std::vector<float> DicingPlan::sharedPixels() const {
+    std::vector<float> pixels;
+    for (const Wish &wish : wishes_)
+        pixels.push_back(wish.pixel > 0 && std::isfinite(wish.pixel)
+                             ? std::exp2(std::floor(std::log2(wish.pixel)))
+                             : wish.pixel);
+    std::vector<std::uint32_t> order;
+    for (std::uint32_t i = 0; i < wishes_.size(); ++i)
+        if (wishes_[i].isCurved)
+            order.push_back(i);
+    std::ranges::sort(order, {}, [&](std::uint32_t i) {
+        return std::pair(!wishes_[i].inWorld, wishes_[i].box.low.x);
+    });
+    constexpr int rounds = 4;
+    constexpr std::size_t neighbours = 64; // As far as it looks along the order.
+    for (int round = 0; round < rounds; ++round)
+        for (std::size_t a = 0; a < order.size(); ++a)
+            for (std::size_t b = a + 1; b < std::min(order.size(), a + 1 + neighbours); ++b) {
+                const Wish &one = wishes_[order[a]], &other = wishes_[order[b]];
+                if (one.inWorld != other.inWorld || !touch(one.box, other.box))
+                    continue;
+                float &p = pixels[order[a]], &q = pixels[order[b]];
+                const float least = std::min(p, q);
+                if (std::max(p, q) <= 8 * least)
+                    p = q = least;
+            }
+    return pixels;
+}
+
+DiceRate DicingPlan::rateOf(const Shape &shape, const Wish &wish, float pixel,
+                            double coarsening) const {
+    const Vec3 extent = shape.surface->bound().extent();
+    const float size = std::max({extent.x, extent.y, extent.z, 1e-30f});
+    const float stretch = largestStretch(shape.outerFromShape);
+    if (!(stretch > 0) || !std::isfinite(pixel) || !(pixel > 0))
+        return {size / 16, size / 1000};
+    // Finer than a float's rounding means nothing.
+    DiceRate rate;
+    rate.edgeLength = std::max(edgePixels * pixel / stretch, size * 1e-4f);
+    rate.chordError = std::max(chordPixels * pixel / stretch, size * 1e-7f);
+    if (wish.fine)
+        rate.chordError = std::min(rate.chordError, lightChord * size);
+    rate.chordError *= float(coarsening);
+    rate.edgeLength *= float(std::sqrt(coarsening));
+    return rate;
+}
+
+/// The factor by which chord errors must grow for the budget.
+double DicingPlan::coarseningFor(const std::vector<Shape> &shapes,
+                                 const std::vector<float> &pixels) const {
+    auto triangles = [&](double coarsening) {
+        double sum = 0;
+        for (std::size_t i = 0; i < shapes.size(); ++i)
+            if (wishes_[i].isCurved)
+                sum += shapes[i].surface->triangleCount(
+                    rateOf(shapes[i], wishes_[i], pixels[i], coarsening));
+        return sum;
+    };
+    double coarsening = 1;
+    while (triangles(coarsening) > dicingBudget && coarsening < 1e12)
+        coarsening *= 2;
+    return coarsening;
+}
+
+std::vector<RayShape> DicingPlan::dice(std::vector<Shape> &shapes) const {
+    const std::vector<float> pixels = sharedPixels();
+    const double coarsening = coarseningFor(shapes, pixels);
+    std::vector<RayShape> meshes(shapes.size());
+    parallelFor(shapes.size(), [&](std::size_t i) {
+        // Instances stand anywhere: what an object holds is not cut for the eye.
+        const Vec3 eye{};
+        meshes[i] = candela::dice(shapes[i], rateOf(shapes[i], wishes_[i], pixels[i], coarsening),
+                                  wishes_[i].inWorld ? &eye : nullptr);
+    });
+    return meshes;
+}
+
+} // namespace candela

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// One budget for the dicing of a whole scene, and rates that neighbours share.
+#pragma once
+
+#include "world/camera/camera.h"
+#include "world/shapes/dice_rate.h"
+#include "world/shapes/shape.h"
+
+#include <vector>
+
+namespace candela {
+
+/// No scene is diced into more triangles of curved surfaces than this; polygons come as they are.
+inline constexpr double dicingBudget = 12e6;
+
+class DicingPlan {
+public:
+    explicit DicingPlan(const Camera &);
+
+    /// The next shape stands in the world.
+    void add(const Shape &, float shadingRate);
+    /// The next shape is of an object, whose nearest placement sees a pixel as so many units of the
+    /// object's space.
+    void add(const Shape &, float shadingRate, float pixel);
+    /// Lights are met by rays and sampled: their outlines must hold also where they are small.
+    void makeFine(std::uint32_t shape);
+
+    /// Units of an object's space that a pixel spans where the placed bound is nearest.
+    float nearestPixel(const Box3 &objectBound, const Matrix4 &currentFromObject) const;
+
+    /// Dices all shapes, which must be those that were added.
+    std::vector<RayShape> dice(std::vector<Shape> &) const;
+
+private:
+    struct Wish {
+        Box3 box;        ///< In the outer space.
+        float pixel;     ///< Outer units.
+        bool inWorld, isCurved;
+        bool fine = false;
+    };
+    std::vector<float> sharedPixels() const;
+    DiceRate rateOf(const Shape &, const Wish &, float pixel, double coarsening) const;
+    double coarseningFor(const std::vector<Shape> &, const std::vector<float> &pixels) const;
+
+    const Camera &camera_;
+    std::vector<Wish> wishes_;
+};
+
+} // namespace candela
