@@ -40,41 +40,55 @@ double cosOfDifference(double cosA, double sinA, double cosB, double sinB) {
 
 double sineOf(double cosine) { return std::sqrt(std::max(1 - cosine * cosine, 0.0)); }
 
+/// True if the bounds leave the light a way from the emitters' normals to P.
+bool mayShine(const LightTree::Node &node, double cosAxis, double d2, double r2) {
+    if (d2 <= r2)
+        return true;
+    double sinBox = std::sqrt(r2 / d2), cosBox = sineOf(sinBox);
+    // From the normals' cone, then from the box.
+    double c = cosOfDifference(cosAxis, sineOf(cosAxis), node.cosNormal, node.sinNormal);
+    return cosOfDifference(c, sineOf(c), cosBox, sinBox) >= node.cosEmission - margin;
+}
+
+/// What cosines at emitters and receiver a direction from P (unit) has.
+double cosines(const LightTree::Node &node, const Point &p, const double w[3]) {
+    double cosAxis = 0, cosine = 0;
+    for (int k = 0; k < 3; ++k)
+        cosAxis -= node.axis[k] * w[k], cosine += p.N[k] * w[k];
+    cosAxis = std::clamp(cosAxis, -1.0, 1.0);
+    if (node.cosEmission < -margin && cosAxis < 0) // Backs shine as fronts do.
+        cosAxis = -cosAxis;
+    double sent = cosOfDifference(cosAxis, sineOf(cosAxis), node.cosNormal, node.sinNormal);
+    return std::max(sent, leastCosine) * (p.horizon ? std::max(cosine, leastCosine) : 1);
+}
+
 /// An estimate of the irradiance that a node gives; 0 only if it can give none.
 double importance(const LightTree::Node &node, const Point &p) {
     if (!(node.intensity > 0) || !p.sound)
         return node.intensity;
-    double v[3], d2 = 0, r2 = 0, height = 0, reach = 0, scale = 0, facing = 0;
+    double v[3], w[3], d2 = 0, r2 = 0, near2 = 0;
+    double height = 0, reach = 0, scale = 0, facing = 0;
     for (int k = 0; k < 3; ++k) {
+        double half = node.half[k];
         v[k] = node.centre[k] - p.P[k];
-        d2 += v[k] * v[k], r2 += double(node.half[k]) * node.half[k];
-        height += p.N[k] * v[k], reach += std::abs(p.N[k]) * node.half[k];
+        w[k] = v[k] - std::clamp(v[k], -half, half); // To the nearest point of the box.
+        d2 += v[k] * v[k], r2 += half * half;
+        near2 += w[k] * w[k], height += p.N[k] * v[k], reach += std::abs(p.N[k]) * half;
         scale += std::abs(v[k]);
         facing -= node.axis[k] * v[k];
     }
     if (p.horizon && height + reach < -1e-6 * scale)
         return 0;
-    double weight = node.intensity / std::max({d2, r2, 1e-30});
-    if (d2 <= r2)
-        return weight;
-    double d = std::sqrt(d2), sinBox = std::sqrt(r2 / d2), cosBox = sineOf(sinBox);
-    double cosAxis = std::clamp(facing / d, -1.0, 1.0);
-    // From the normals' cone, then from the box.
-    auto nearestTo = [&](double cosine) {
-        double c = cosOfDifference(cosine, sineOf(cosine), node.cosNormal, node.sinNormal);
-        return cosOfDifference(c, sineOf(c), cosBox, sinBox);
-    };
-    double nearest = nearestTo(cosAxis);
-    if (nearest < node.cosEmission - margin)
+    double d = std::sqrt(d2), near = std::sqrt(near2);
+    if (!mayShine(node, d > 0 ? std::clamp(facing / d, -1.0, 1.0) : 1, d2, r2))
         return 0;
-    if (node.cosEmission < -margin) // Backs shine as fronts do.
-        nearest = std::max(nearest, nearestTo(-cosAxis));
-    weight *= std::max(nearest, leastCosine);
-    if (p.horizon) {
-        double cosine = std::clamp(height / d, -1.0, 1.0);
-        weight *= std::max(cosOfDifference(cosine, sineOf(cosine), cosBox, sinBox), leastCosine);
-    }
-    return weight;
+    // In a box, and near a large one, emitters are nearer than its centre.
+    double weight = node.intensity / std::max({d2, r2 / 4, 1e-30});
+    if (!(near > 0))
+        return weight;
+    for (int k = 0; k < 3; ++k)
+        v[k] /= d, w[k] /= near;
+    return weight * std::max(cosines(node, p, v), cosines(node, p, w));
 }
 
 /// A probability that isn't 0 stays so as a float.

@@ -28,9 +28,12 @@ inline Double3 cross(Double3 a, Double3 b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-inline Double3 load(const float *const planes[3], int i) {
-    return {planes[0][i], planes[1][i], planes[2][i]};
-}
+/// Three planes, their pointers read ahead of the loop.
+struct Columns {
+    explicit Columns(const float *const planes[3]) : x(planes[0]), y(planes[1]), z(planes[2]) {}
+    Double3 operator[](int i) const { return {x[i], y[i], z[i]}; }
+    const float *x, *y, *z;
+};
 
 inline void store(float *const planes[3], int i, Double3 p) {
     planes[0][i] = float(p.x), planes[1][i] = float(p.y), planes[2][i] = float(p.z);
@@ -101,10 +104,9 @@ struct SeenSphere {
 /// A rectangle in the frame of its edges with P in the origin, and the angles at its corners as
 /// seen from there (figure and names of the paper, section 4).
 struct SeenRectangle {
-    double lengthA, lengthB, height; ///< Height of P above the plane, not negative.
+    double lengthA, lengthB, height; ///< Height of P above the plane; 0 = there's nothing to see.
     double x0, x1, y0, y1;
-    double solidAngle, k;
-    bool visible, byArea;
+    double solidAngle, k; ///< Solid angle 0 where that would lose digits.
 };
 
 /// Below this many steradians by area: the density hardly varies there, and angles lose digits.
@@ -123,7 +125,6 @@ constexpr double leastSolidAngle = 1e-4;
     Double3 normal = cross(edgeA, edgeB);
     double area = std::sqrt(dot(normal, normal));
     r.height = heightOver(toCorner, normal * (1 / area));
-    r.visible = r.height > 0 && area > 0;
     double h = r.height, h2 = h * h;
     double x0 = dot(toCorner, edgeA) / r.lengthA, y0 = dot(toCorner, edgeB) / r.lengthB;
     double x1 = x0 + r.lengthA, y1 = y0 + r.lengthB;
@@ -134,8 +135,8 @@ constexpr double leastSolidAngle = 1e-4;
     double g2 = angleOf(h * std::sqrt(xx0 + yy1), x0 * y1);
     double g3 = angleOf(h * std::sqrt(xx0 + yy0), -(x0 * y0));
     r.k = 2 * pi - g2 - g3;
-    r.solidAngle = g0 + g1 - r.k;
-    r.byArea = !(r.solidAngle >= leastSolidAngle);
+    double solidAngle = h > 0 ? g0 + g1 - r.k : 0.0;
+    r.solidAngle = solidAngle >= leastSolidAngle ? solidAngle : 0.0;
     return r;
 }
 
@@ -147,8 +148,8 @@ constexpr double leastSolidAngle = 1e-4;
 
 [[gnu::always_inline]] inline float density(const SeenRectangle &r, Double3 fromP) {
     double byArea = areaDensity(fromP, r.height, r.lengthA * r.lengthB);
-    float density = rounded(r.byArea ? byArea : 1 / r.solidAngle);
-    return r.visible ? density : 0.0f;
+    float density = rounded(r.solidAngle > 0 ? 1 / r.solidAngle : byArea);
+    return r.height > 0 ? density : 0.0f;
 }
 
 /// Turns (u,v) to shares of the edges, uniformly by solid angle.
@@ -189,9 +190,10 @@ inline Double3 asFloats(Double3 p) { return {float(p.x), float(p.y), float(p.z)}
 CANDELA_HOT void sampleSpheres(int count, const float *const P[3], const float *const centre[3],
                                const float *radius, const float *u, const float *v,
                                float *const point[3], float *pdf) {
+    const Columns ps(P), centres(centre);
 #pragma GCC ivdep
     for (int i = 0; i < count; ++i) {
-        Double3 p = load(P, i), c = load(centre, i), toCentre = c - p;
+        Double3 p = ps[i], c = centres[i], toCentre = c - p;
         SeenSphere s = seen(toCentre, radius[i]);
         double d = std::sqrt(s.d2), perD = 1 / (d > 0 ? d : 1.0);
         Double3 w{toCentre.x * perD, toCentre.y * perD, d > 0 ? toCentre.z * perD : 1.0};
@@ -209,23 +211,25 @@ CANDELA_HOT void sampleSpheres(int count, const float *const P[3], const float *
 
 CANDELA_HOT void sphereDensities(int count, const float *const P[3], const float *const centre[3],
                                  const float *radius, float *pdf) {
+    const Columns ps(P), centres(centre);
 #pragma GCC ivdep
     for (int i = 0; i < count; ++i)
-        pdf[i] = seen(load(centre, i) - load(P, i), radius[i]).density;
+        pdf[i] = seen(centres[i] - ps[i], radius[i]).density;
 }
 
 CANDELA_HOT void sampleRectangles(int count, const float *const P[3], const float *const corner[3],
                                   const float *const edgeA[3], const float *const edgeB[3],
                                   const float *u, const float *v, float *const point[3],
                                   float *pdf) {
+    const Columns ps(P), corners(corner), as(edgeA), bs(edgeB);
 #pragma GCC ivdep
     for (int i = 0; i < count; ++i) {
-        Double3 p = load(P, i), o = load(corner, i), a = load(edgeA, i), b = load(edgeB, i);
+        Double3 p = ps[i], o = corners[i], a = as[i], b = bs[i];
         SeenRectangle r = seen(o - p, a, b);
         double s = u[i], t = v[i];
         spread(r, s, t);
-        bool flat = r.byArea || !r.visible;
-        Double3 at = asFloats(o + a * (flat ? double(u[i]) : s) + b * (flat ? double(v[i]) : t));
+        s = r.solidAngle > 0 ? s : u[i], t = r.solidAngle > 0 ? t : v[i];
+        Double3 at = asFloats(o + a * s + b * t);
         store(point, i, at);
         pdf[i] = density(r, at - p);
     }
@@ -235,11 +239,12 @@ CANDELA_HOT void rectangleDensities(int count, const float *const P[3],
                                     const float *const corner[3], const float *const edgeA[3],
                                     const float *const edgeB[3], const float *const point[3],
                                     float *pdf) {
+    const Columns ps(P), corners(corner), as(edgeA), bs(edgeB), points(point);
 #pragma GCC ivdep
     for (int i = 0; i < count; ++i) {
-        Double3 p = load(P, i);
-        SeenRectangle r = seen(load(corner, i) - p, load(edgeA, i), load(edgeB, i));
-        pdf[i] = density(r, load(point, i) - p);
+        Double3 p = ps[i];
+        SeenRectangle r = seen(corners[i] - p, as[i], bs[i]);
+        pdf[i] = density(r, points[i] - p);
     }
 }
 
@@ -247,9 +252,10 @@ CANDELA_HOT void sampleTriangles(int count, const float *const P[3], const float
                                  const float *const edgeA[3], const float *const edgeB[3],
                                  const float *u, const float *v, float *const point[3],
                                  float *pdf) {
+    const Columns ps(P), corners(corner), as(edgeA), bs(edgeB);
 #pragma GCC ivdep
     for (int i = 0; i < count; ++i) {
-        Double3 p = load(P, i), o = load(corner, i), a = load(edgeA, i), b = load(edgeB, i);
+        Double3 p = ps[i], o = corners[i], a = as[i], b = bs[i];
         // The square folded along a diagonal, so that neighbours stay neighbours (Heitz 2019).
         double x = u[i], y = v[i];
         bool lower = x > y;
@@ -263,10 +269,10 @@ CANDELA_HOT void sampleTriangles(int count, const float *const P[3], const float
 CANDELA_HOT void triangleDensities(int count, const float *const P[3], const float *const corner[3],
                                    const float *const edgeA[3], const float *const edgeB[3],
                                    const float *const point[3], float *pdf) {
+    const Columns ps(P), corners(corner), as(edgeA), bs(edgeB), points(point);
 #pragma GCC ivdep
     for (int i = 0; i < count; ++i)
-        pdf[i] = triangleDensity(load(P, i), load(corner, i), load(edgeA, i), load(edgeB, i),
-                                 load(point, i));
+        pdf[i] = triangleDensity(ps[i], corners[i], as[i], bs[i], points[i]);
 }
 
 } // namespace candela
