@@ -89,14 +89,23 @@ double pointPower(const SceneState &state, const SceneLight &light, LightBatch &
     return sum / samples * 4 * pi;
 }
 
-/// Points on the light, uniform by area, as shading points of `code`.
+std::int32_t codeOf(const SceneState &state, std::int32_t source) {
+    const LightSource &from = state.lights.sources[source];
+    return state.points.appearances[state.points.appearanceOf(from.instance, from.shape)].code;
+}
+
+/// Points on the light, uniform by area, as shading points of `code`. Where the shapes' codes
+/// differ, those of the first one stand for all.
 void placeSamples(const SceneState &state, const SceneLight &light, const SurfaceCode &code,
                   ShadingPoints &points) {
+    const std::int32_t first = codeOf(state, light.firstSource);
     std::int32_t source[samples];
     float u[samples], v[samples];
     for (int i = 0; i < samples; ++i) {
         double choice = (i + 0.5) / samples;
         source[i] = light.firstSource + chooseByCumulative(light.cumulative, choice);
+        if (codeOf(state, source[i]) != first)
+            source[i] = light.firstSource;
         u[i] = quasiRandom(i, 0), v[i] = quasiRandom(i, 1);
     }
     SourcePoints drawn(samples);
@@ -135,10 +144,7 @@ double finitePower(const SceneState &state, const SceneLight &light) {
     float *radiance[colorSamples];
     for (int c = 0; c < colorSamples; ++c)
         std::fill_n(radiance[c] = planes[c], samples, 0.0f);
-    // Where the shapes' codes differ their own emission counts as the first one's.
-    const std::uint32_t shape = state.lights.sources[light.firstSource].shape;
-    const std::uint32_t instance = state.lights.sources[light.firstSource].instance;
-    const int code = state.points.appearances[state.points.appearanceOf(instance, shape)].code;
+    const int code = codeOf(state, light.firstSource);
     placeSamples(state, light, state.points.codes[code], points);
     placeViewers(points);
     state.emission(code, points, radiance);

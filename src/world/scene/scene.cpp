@@ -3,8 +3,8 @@
 
 #include "foundation/base/hot.h"
 #include "foundation/base/lanes.h"
+#include "foundation/base/scratch.h"
 #include "world/scene/scene_state.h"
-#include "world/points/surface_points.h"
 
 #include <cmath>
 #include <map>
@@ -13,41 +13,60 @@ namespace candela {
 
 namespace {
 
-struct HitScratch {
-    Scratch<std::uint32_t> primitive, triangle;
-    Scratch<float> u, v;
-};
-
 /// I holds the directions of the rays and becomes what leads from the origins to the hits.
 CANDELA_HOT void reachOut(int count, const float *__restrict t, float *__restrict I) {
     for (int i = 0; i < count; ++i)
         I[i] *= t[i];
 }
 
-CANDELA_HOT void lookUpBins(int count, const std::uint32_t *__restrict primitive,
-                            const int *__restrict binOfPrimitive, int *__restrict bin) {
+/// P holds the origins of rays, and becomes where they are at t.
+CANDELA_HOT void walk(int count, const float *__restrict t, const float *__restrict direction,
+                      float *__restrict P) {
+    for (int i = 0; i < count; ++i)
+        P[i] += t[i] * direction[i];
+}
+
+CANDELA_HOT void lookUpBins(int count, const std::uint32_t *__restrict shape,
+                            const int *__restrict binOfAppearance, int *__restrict bin) {
     for (int i = 0; i < count; ++i) {
-        bool hit = primitive[i] != noHit;
-        int found = binOfPrimitive[hit ? primitive[i] : 0];
+        bool hit = shape[i] != noHit;
+        int found = binOfAppearance[hit ? shape[i] : 0];
         bin[i] = hit ? found : -1;
     }
 }
 
-/// I = t times the ray's direction, and what else the rays tell.
-void fillFromRays(const RayBatch &rays, const HitBatch &hits, const int *order,
-                  const WantedInputs &wanted, ShadingPoints &points) {
-    thread_local Scratch<float> own;
-    float *t = own.get(points.count);
-    lanes::take(points.count, order, hits.t, t);
+/// What the rays tell of where they have met elements: P, Ng, I and the rest.
+void meetElements(const PointTables &tables, const RayBatch &rays, const HitBatch &hits,
+                  const int *order, ShadingPoints &points) {
+    const int count = points.count;
+    thread_local AlignedScratch own;
+    float *t = own.get(count);
+    lanes::take(count, order, hits.t, t);
+    lanes::take(count, order, hits.shape, points.shape);
+    lanes::take(count, order, hits.element, points.element);
+    lanes::take(count, order, hits.instance, points.instance);
+    lanes::take(count, order, hits.u, points.u);
+    lanes::take(count, order, hits.v, points.v);
+    float *Ng[3];
     for (int c = 0; c < 3; ++c) {
-        float *I = points.input(int(ShaderInput::I) + c);
-        lanes::take(points.count, order, rays.direction[c], I);
-        reachOut(points.count, t, I);
-        if (wanted.E)
-            std::fill_n(points.input(int(ShaderInput::E) + c), points.count, 0.0f);
+        float *P = points.input(ShaderInput::P, c), *I = points.input(ShaderInput::I, c);
+        lanes::take(count, order, rays.direction[c], I);
+        lanes::take(count, order, rays.origin[c], P);
+        walk(count, t, I, P);
+        reachOut(count, t, I);
+        lanes::take(count, order, hits.Ng[c], Ng[c] = points.input(ShaderInput::Ng, c));
     }
+    if (!tables.instances.empty())
+        placeElementNormals(tables, count, points.instance, Ng);
     // Shadow rays want the time even where the shader does not.
-    lanes::take(points.count, order, rays.time, points.input(int(ShaderInput::time)));
+    lanes::take(count, order, rays.time, points.input(ShaderInput::time, 0));
+}
+
+/// How wide the rays' cones are where they have met something.
+CANDELA_HOT void widths(int count, const float *__restrict width, const float *__restrict spread,
+                        const float *__restrict t, float *__restrict footprint) {
+    for (int i = 0; i < count; ++i)
+        footprint[i] = width[i] + spread[i] * t[i];
 }
 
 } // namespace
@@ -64,29 +83,37 @@ void Scene::intersect(const RayBatch &rays, HitBatch &hits, Coherence coherence)
     state_->rays->intersect(rays, hits, RayWorld::Which::All, coherence == Coherence::Primary);
 }
 
-int Scene::codeCount() const { return int(state_->codes.size()); }
-const ShaderCode &Scene::code(int index) const { return *state_->codes[index].code; }
-int Scene::codeOf(std::uint32_t primitive) const { return state_->summaries[primitive].code; }
-
-bool Scene::normalsAreUnit(int code) const { return state_->codes[code].flat; }
+int Scene::codeCount() const { return int(state_->points.codes.size()); }
+const ShaderCode &Scene::code(int index) const { return *state_->points.codes[index].code; }
+int Scene::codeOf(const HitBatch &hits, int i) const {
+    const PointTables &points = state_->points;
+    return points.appearances[points.appearanceOf(hits.instance[i], hits.shape[i])].code;
+}
 
 int Scene::binCount() const { return int(state_->codeOfBin.size()); }
 int Scene::codeOfBin(int bin) const { return state_->codeOfBin[bin]; }
 
-void Scene::bins(int count, const std::uint32_t *primitive, int *bin) const {
-    lookUpBins(count, primitive, state_->binOfPrimitive.data(), bin);
+void Scene::bins(int count, const HitBatch &hits, int *bin) const {
+    const PointTables &points = state_->points;
+    if (points.instances.empty())
+        return lookUpBins(count, hits.shape, state_->binOfAppearance.data(), bin);
+    for (int i = 0; i < count; ++i)
+        bin[i] = hits.shape[i] == noHit
+                     ? -1
+                     : state_->binOfAppearance[points.appearanceOf(hits.instance[i],
+                                                                   hits.shape[i])];
 }
 
 void SceneState::numberBins() {
     std::map<std::pair<int, bool>, int> known;
-    for (const PrimitiveSummary &summary : summaries) {
+    for (const Appearance &appearance : points.appearances) {
         auto [place, isNew] =
-            known.try_emplace({summary.code, summary.light != 0}, int(codeOfBin.size()));
+            known.try_emplace({appearance.code, appearance.light != 0}, int(codeOfBin.size()));
         if (isNew)
-            codeOfBin.push_back(summary.code);
-        binOfPrimitive.push_back(place->second);
+            codeOfBin.push_back(appearance.code);
+        binOfAppearance.push_back(place->second);
     }
-    binOfPrimitive.push_back(-1); // Rays that miss look at an entry, too.
+    binOfAppearance.push_back(-1); // Rays that miss look at an entry, too.
 }
 
 void Scene::shadingPoints(const RayBatch &rays, const HitBatch &hits, const int *order, int count,
@@ -94,30 +121,39 @@ void Scene::shadingPoints(const RayBatch &rays, const HitBatch &hits, const int 
     points.count = count;
     if (count == 0)
         return;
-    thread_local HitScratch own;
-    std::uint32_t *primitive = own.primitive.get(count), *triangle = own.triangle.get(count);
-    float *u = own.u.get(count), *v = own.v.get(count);
-    lanes::take(count, order, hits.shape, primitive);
-    lanes::take(count, order, hits.element, triangle);
-    lanes::take(count, order, hits.u, u);
-    lanes::take(count, order, hits.v, v);
-    const SceneCode &code = state_->codes[codeOf(primitive[0])];
-    state_->evaluate({count, primitive, triangle, u, v}, code, points);
-    fillFromRays(rays, hits, order, code.wanted, points);
+    const SurfaceCode &code = state_->points.codes[codeOf(hits, order[0])];
+    meetElements(state_->points, rays, hits, order, points);
+    const float *footprint = nullptr;
+    if (code.wanted.footprint) {
+        thread_local AlignedScratch own;
+        const int stride = paddedLanes(count);
+        float *planes = own.get(4 * std::size_t(stride));
+        lanes::take(count, order, rays.width, planes);
+        lanes::take(count, order, rays.spread, planes + stride);
+        lanes::take(count, order, hits.t, planes + 2 * stride);
+        widths(count, planes, planes + stride, planes + 2 * stride, planes + 3 * stride);
+        footprint = planes + 3 * stride;
+    }
+    evaluatePoints(state_->points, state_->camera, code, footprint, points);
+    for (int c = 0; c < 3 && code.wanted.E; ++c)
+        std::fill_n(points.input(ShaderInput::E, c), count, 0.0f);
+}
+
+void Scene::elementPoints(const RayBatch &rays, const HitBatch &hits, const int *order, int count,
+                          const std::array<float *, 3> &point) const {
+    thread_local AlignedScratch own;
+    const int stride = paddedLanes(count);
+    float *t = own.get(2 * std::size_t(stride)), *direction = t + stride;
+    lanes::take(count, order, hits.t, t);
+    for (int c = 0; c < 3; ++c) {
+        lanes::take(count, order, rays.direction[c], direction);
+        lanes::take(count, order, rays.origin[c], point[c]);
+        walk(count, t, direction, point[c]);
+    }
 }
 
 void Scene::bind(int code, const ShadingPoints &points, ShaderArgs &args) const {
-    state_->bind(code, points, args);
-}
-
-void SceneState::bind(int code, const ShadingPoints &points, ShaderArgs &args) const {
-    args.count = points.count;
-    args.inputs = points.inputTable.data();
-    args.parameterOffset = points.parameterOffset;
-    args.objectIndex = points.objectIndex;
-    args.objectMatrices = objectMatrices.data();
-    args.variables = points.variableTable.data();
-    codes[code].code->bind(args);
+    bindPoints(state_->points, code, points, args);
 }
 
 Vec3 Scene::offsetOrigin(Vec3 P, Vec3 Ng, Vec3 direction, float offset) {
@@ -128,9 +164,9 @@ Vec3 Scene::offsetOrigin(Vec3 P, Vec3 Ng, Vec3 direction, float offset) {
     return P + Ng * (side / length);
 }
 
-bool Scene::hasLights() const { return state_->lights.any(); }
+bool Scene::hasLights() const { return !state_->lights.sources.empty(); }
 bool Scene::hasAmbient() const { return !state_->lights.ambient.empty(); }
-bool Scene::readsLightChoice() const { return !state_->lights.isOneFlatLight(); }
+bool Scene::readsLightChoice() const { return !state_->lights.isSingle; }
 int Scene::lightCount() const { return int(state_->lights.lights.size()); }
 bool Scene::lightIsOn(std::int32_t lightSet, std::int32_t light) const {
     return state_->lights.on(lightSet, light);

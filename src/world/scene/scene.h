@@ -41,19 +41,20 @@ public:
     /// Surface shader codes, numbered.
     int codeCount() const;
     const ShaderCode &code(int index) const;
-    int codeOf(std::uint32_t primitive) const;
-    /// shadingPoints() of this code have N and Ng of unit length.
-    bool normalsAreUnit(int code) const;
-    /// Bins: what is shaded together, the primitives of one code, those that are lights apart.
+    /// The code that shades what ray i has met.
+    int codeOf(const HitBatch &, int i) const;
+    /// Bins: what is shaded together, the shapes of one code, those that are lights apart.
     int binCount() const;
     int codeOfBin(int bin) const;
-    /// bin[i] = bin of primitive[i], -1 where that is noHit.
-    void bins(int count, const std::uint32_t *primitive, int *bin) const;
+    /// bin[i] = bin of hit i, -1 where nothing was hit.
+    void bins(int count, const HitBatch &, int *bin) const;
     /// Fills the shading points of hits[order[0..count)], `order` increasing, which must share one
-    /// code. `fromPoint`
-    /// gives I; rays are those that made the hits.
+    /// code; rays are those that made the hits. I is the ray's direction times t.
     void shadingPoints(const RayBatch &, const HitBatch &, const int *order, int count,
                        ShadingPoints &) const;
+    /// Where the rays met the elements, on these rather than on the true surface.
+    void elementPoints(const RayBatch &, const HitBatch &, const int *order, int count,
+                       const std::array<float *, 3> &point) const;
     /// The shader arguments to ask the points' shader with: inputs, parameters, variables bound.
     void bind(int code, const ShadingPoints &, ShaderArgs &) const;
     /// The documented ray-offset rule: where a ray that leaves P along `direction` starts.
@@ -62,16 +63,21 @@ public:
     // ---- Light ----
     bool hasLights() const;
     bool hasAmbient() const;
-    /// One sample a point, lights chosen by power. Black where the light isn't on for the point.
+    /// One sample a point, of one of the lights that are on for it, chosen by what they may bring.
     void sampleLights(const LightQuery &, LightSamples &) const;
     /// sampleLights() reads LightQuery::choice: which light, and where on it.
     bool readsLightChoice() const;
     /// `classic`: one sample of light `index` (of lightCount()) at every point, no choice.
     int lightCount() const;
     void sampleLight(int index, const LightQuery &, LightSamples &) const;
+    /// pdf[i] per steradian with which sampleLights(), asked by `query` (of which count, P, N and
+    /// lightSet are read), would have sent to the points, which rays from query.P have met on
+    /// elements at `elementPoint`. 0 where the point is no light, or off.
+    void lightDensity(const LightQuery &query, const ShadingPoints &,
+                      const std::array<const float *, 3> &elementPoint, float *pdf) const;
     /// radiance[c][i] that area lights (si) and emitting surfaces send from the points to the
     /// viewers they were hit from (I), W m^-2 sr^-1; added to what is there.
-    void emission(int code, const ShadingPoints &, float *const *radiance) const;
+    void emission(int code, ShadingPoints &, float *const *radiance) const;
     /// Sum of the ambient lights at the points, as ambient() returns it.
     void ambient(int count, const std::array<const float *, 3> &P, const std::int32_t *lightSet,
                  float *const *ambient) const;
@@ -79,7 +85,7 @@ public:
     bool lightIsOn(std::int32_t lightSet, std::int32_t light) const;
 
     struct Statistics {
-        std::size_t primitives = 0, triangles = 0, lights = 0, codes = 0;
+        std::size_t primitives = 0, instances = 0, triangles = 0, lights = 0, codes = 0;
         double secondsDicing = 0, secondsBuilding = 0;
     };
     Statistics statistics() const;

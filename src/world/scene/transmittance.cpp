@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What comes through along shadow rays. Opaque surfaces end the matter at once; transparent ones
 // are walked through from front to back, all rays together, a surface each at a time.
+#include "foundation/base/scratch.h"
 #include "world/scene/opacity.h"
 #include "world/scene/scene.h"
 #include "world/scene/scene_state.h"
@@ -42,7 +43,7 @@ struct Walk {
     void takeHitsOf(const Scene &scene, int code) {
         order.clear();
         for (int i = 0; i < rays.count; ++i)
-            if (hits.shape[i] != noHit && scene.codeOf(hits.shape[i]) == code)
+            if (hits.shape[i] != noHit && scene.codeOf(hits, i) == code)
                 order.push_back(i);
     }
     void dropTheRest() {
