@@ -133,10 +133,7 @@ class Trial:
                     shutil.copy(shader, folder)
             problem = self.render(scene, folder)
             if problem == TOO_LONG and name.endswith(".sl") and LOOP.search(text):
-                # A loop may have no end, and runs as it says; compiling it must end all the same.
-                # (Out of sight, as shaders of scenes that render nothing are not compiled.)
-                scene.write_text(SHADER_SCENE.replace("Translate 0 0 4", "Translate 99 0 4"))
-                problem = self.render(scene, folder)
+                problem = self.render_loop(scene, folder)
         if problem:
             kept = Path(self.options.keep, f"{seed}-{name}")
             kept.parent.mkdir(parents=True, exist_ok=True)
@@ -145,7 +142,16 @@ class Trial:
                    f"{self.options.candela} --memory {self.options.memory} --first {seed} --count 1"
         return None
 
-    def render(self, scene, folder):
+    def render_loop(self, scene, folder):
+        """A loop may have no end, and runs as it says. Its compilation has to end all the same: it
+        is the only one here, so an object in the cache is its."""
+        scene.write_text(re.sub(r"LightSource.*\n", "", SHADER_SCENE))
+        cache = Path(folder, "cache")
+        problem = self.render(scene, folder, CANDELA_CACHE=str(cache))
+        compiled = any(path.is_file() for path in cache.rglob("*"))
+        return None if problem == TOO_LONG and compiled else problem
+
+    def render(self, scene, folder, **environment):
         said = Path(folder, "said")
         seconds = self.options.seconds * self.scale
         with said.open("wb") as stream:
@@ -153,7 +159,7 @@ class Trial:
                 [*self.launcher, self.options.candela, "--quiet", "--threads", "1", "--format", "8x8",
                  "--spp", "1", "--output-dir", folder, str(scene)],
                 stdin=subprocess.DEVNULL, stdout=stream, stderr=stream, cwd=folder,
-                env=self.environment, preexec_fn=self.limit)
+                env=dict(self.environment, **environment), preexec_fn=self.limit)
             try:
                 status = process.wait(seconds)
             except subprocess.TimeoutExpired:
