@@ -27,6 +27,8 @@ NUMBERS = ["0", "-0", "1", "-1", "0.5", "2", "3", "7", "255", "1e38", "-1e38", "
 STRINGS = ['""', '"P"', '"nosuch"', '"uniform float x"', '"varying color Cs"', '"vertex point P"',
            '"constant string[3] s"', '"uniform float[0] x"', '"uniform float[-1] x"', '"matte"', '"../x"',
            '"%s%n"', '"' + "x" * 3000 + '"', '"\\377\\000"', '"bicubic"', '"periodic"', '"inside"']
+LOOP = re.compile(r"\b(?:for|while)\b")
+TOO_LONG = "took too long"
 FLOOD = 100_000  # Bytes of messages: an ordinary scene's few, said once each.
 SHADER_SCENE = """Format 8 8 1
 Display "out.exr" "openexr" "rgba"
@@ -130,6 +132,8 @@ class Trial:
                 if shader.name != name:
                     shutil.copy(shader, folder)
             problem = self.render(scene, folder)
+            if problem == TOO_LONG and name.endswith(".sl") and LOOP.search(text):
+                problem = self.render_loop(scene, folder)
         if problem:
             kept = Path(self.options.keep, f"{seed}-{name}")
             kept.parent.mkdir(parents=True, exist_ok=True)
@@ -138,7 +142,16 @@ class Trial:
                    f"{self.options.candela} --memory {self.options.memory} --first {seed} --count 1"
         return None
 
-    def render(self, scene, folder):
+    def render_loop(self, scene, folder):
+        """A loop may have no end, and runs as it says. Its compilation has to end all the same: it
+        is the only one here, so an object in the cache is its."""
+        scene.write_text(re.sub(r"LightSource.*\n", "", SHADER_SCENE))
+        cache = Path(folder, "cache")
+        problem = self.render(scene, folder, CANDELA_CACHE=str(cache))
+        compiled = any(path.is_file() for path in cache.rglob("*"))
+        return None if problem == TOO_LONG and compiled else problem
+
+    def render(self, scene, folder, **environment):
         said = Path(folder, "said")
         seconds = self.options.seconds * self.scale
         with said.open("wb") as stream:
@@ -146,13 +159,13 @@ class Trial:
                 [*self.launcher, self.options.candela, "--quiet", "--threads", "1", "--format", "8x8",
                  "--spp", "1", "--output-dir", folder, str(scene)],
                 stdin=subprocess.DEVNULL, stdout=stream, stderr=stream, cwd=folder,
-                env=self.environment, preexec_fn=self.limit)
+                env=dict(self.environment, **environment), preexec_fn=self.limit)
             try:
                 status = process.wait(seconds)
             except subprocess.TimeoutExpired:
                 process.kill()
                 process.wait()
-                return f"took longer than {seconds:g} s"
+                return TOO_LONG
         messages = said.read_bytes()
         if status not in (0, 1):
             how = f"signal {-status}" if status < 0 else f"exit status {status}"
@@ -168,7 +181,7 @@ def main():
     parser.add_argument("--first", type=int, default=1, help="the first seed")
     parser.add_argument("--count", type=int, default=500)
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
-    parser.add_argument("--seconds", type=float, default=10, help="for one input")
+    parser.add_argument("--seconds", type=float, default=20, help="for one input")
     parser.add_argument("--memory", type=int, default=4096, help="MiB of addresses; 0: any")
     parser.add_argument("--keep", default="fuzz-failures", help="folder for what fails")
     options = parser.parse_args()

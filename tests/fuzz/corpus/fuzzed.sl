@@ -8,8 +8,10 @@ surface fuzzed(float amount = .5; color tint = color(1, .5, .2); string space = 
     uniform float i;
     for (i = 0; i < 3; i += 1)
         sum += weights[i] * noise(transform("shader", P) * pow(2, i));
-    while (sum > 2)
+    while (sum > 2 && i < 40) {
+        i += 1;
         sum = sum / 2;
+    }
     if (mod(s * 8, 2) < 1 && t > .1)
         sum = mix(sum, wave(t, 6), amount);
     else
