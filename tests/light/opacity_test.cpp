@@ -15,7 +15,7 @@ std::string sheet(double z, double color, double opacity) {
 
 std::string claiming(double opacity) {
     return "Surface \"exactly\" \"float opacity\" [" + std::to_string(opacity) +
-           "]\nColor [0 0 0]\n";
+           "]\n";
 }
 
 void expectEverywhere(const std::vector<float> &values, double expected) {

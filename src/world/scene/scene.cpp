@@ -72,6 +72,7 @@ bool Scene::normalsAreUnit(int code) const { return state_->codes[code].flat; }
 
 int Scene::binCount() const { return int(state_->codeOfBin.size()); }
 int Scene::codeOfBin(int bin) const { return state_->codeOfBin[bin]; }
+int Scene::escapedBin() const { return state_->binOfPrimitive.back(); }
 
 void Scene::bins(int count, const std::uint32_t *primitive, int *bin) const {
     lookUpBins(count, primitive, state_->binOfPrimitive.data(), bin);

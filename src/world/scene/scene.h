@@ -47,7 +47,9 @@ public:
     /// Bins: what is shaded together, the primitives of one code, those that are lights apart.
     int binCount() const;
     int codeOfBin(int bin) const;
-    /// bin[i] = bin of primitive[i], -1 where that is noHit.
+    /// Rays that meet nothing: their bin, -1 as long as nothing shines there.
+    int escapedBin() const;
+    /// bin[i] = bin of primitive[i], escapedBin() where that is noHit.
     void bins(int count, const std::uint32_t *primitive, int *bin) const;
     /// Fills the shading points of hits[order[0..count)], `order` increasing, which must share one
     /// code. `fromPoint`
