@@ -19,6 +19,7 @@ CANDELA_HOT void densityFromArea(int count, const ConstVec3Planes &P, const Cons
     const float *__restrict px = P[0], *__restrict py = P[1], *__restrict pz = P[2];
     const float *__restrict qx = lamp[0], *__restrict qy = lamp[1], *__restrict qz = lamp[2];
     const float *__restrict nx = Ng[0], *__restrict ny = Ng[1], *__restrict nz = Ng[2];
+#pragma GCC ivdep // Planes are apart; there are too many to compare.
     for (int i = 0; i < count; ++i) {
         const float x = qx[i] - px[i], y = qy[i] - py[i], z = qz[i] - pz[i];
         const float squared = x * x + y * y + z * z;

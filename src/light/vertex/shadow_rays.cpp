@@ -21,6 +21,7 @@ CANDELA_HOT void towardsLight(int count, const ConstVec3Planes &P, const ConstVe
     const float *__restrict lx = L[0], *__restrict ly = L[1], *__restrict lz = L[2];
     float *__restrict dx = direction[0], *__restrict dy = direction[1];
     float *__restrict dz = direction[2];
+#pragma GCC ivdep // Planes are apart; there are too many to compare.
     for (int i = 0; i < count; ++i) {
         const bool distant = distance[i] == INFINITY;
         dx[i] = distant ? lx[i] : lx[i] + (px[i] - ox[i]);

@@ -60,6 +60,7 @@ CANDELA_HOT void offsetOrigins(int count, const ConstVec3Planes &P, const ConstV
     const float *__restrict nx = normal[0], *__restrict ny = normal[1], *__restrict nz = normal[2];
     const float *__restrict dx = along[0], *__restrict dy = along[1], *__restrict dz = along[2];
     float *__restrict ox = origin[0], *__restrict oy = origin[1], *__restrict oz = origin[2];
+#pragma GCC ivdep // Planes are apart; there are too many to compare.
     for (int i = 0; i < count; ++i) {
         const float side = nx[i] * dx[i] + ny[i] * dy[i] + nz[i] * dz[i];
         const float step = side < 0 ? -offset[i] : offset[i];
