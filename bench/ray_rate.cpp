@@ -28,10 +28,10 @@ void set(RayBatch &rays, int i, Vec3 origin, Vec3 direction, float end) {
 }
 
 /// A primitive a quadrilateral, as the RIB file has it.
-std::vector<RayMesh> meshesOf(const CornellBox &box) {
-    std::vector<RayMesh> meshes;
+RayObject meshesOf(const CornellBox &box) {
+    RayObject meshes;
     for (std::size_t quad = 0; quad < box.vertices.size() / 4; ++quad) {
-        RayMesh mesh;
+        RayShape mesh;
         mesh.positions.assign(&box.vertices[4 * quad], &box.vertices[4 * quad] + 4);
         mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
         meshes.push_back(std::move(mesh));

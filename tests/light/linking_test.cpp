@@ -58,7 +58,7 @@ MeanAndError picture(const Setting &setting, Other other) {
     if (linking.switchedOff)
         world += "Illuminate 2 0\n";
     world += "Surface \"" + std::string(linking.surface) + "\"\nColor [1 1 1]\n" + squareAt(3, 4);
-    const SmallPicture seen = takePicture(setting.path ? inPath : inClassic, world, 256);
+    const SmallPicture seen = takePicture(setting.path ? inPath : inClassic, world, 1024);
     return meanAndError({seen.red.begin(), seen.red.end()});
 }
 
@@ -67,9 +67,9 @@ class LightLinking : public testing::TestWithParam<Setting> {};
 TEST_P(LightLinking, GivesThePictureOfAWorldWithoutTheOtherLamp) {
     const MeanAndError both = picture(GetParam(), Other::Shines);
     const MeanAndError alone = picture(GetParam(), Other::IsDark);
-    EXPECT_GT(alone.mean, 1e-3);
+    EXPECT_GT(alone.mean, 1e-4);
     const double error = std::hypot(both.standardError, alone.standardError);
-    EXPECT_LE(error, .02 * alone.mean);
+    EXPECT_LE(error, .04 * alone.mean);
     EXPECT_LE(std::fabs(both.mean - alone.mean), studentQuantile(1e-5, 63) * error + 1e-6);
 }
 

@@ -14,8 +14,7 @@ std::string sheet(double z, double color, double opacity) {
 }
 
 std::string claiming(double opacity) {
-    return "Surface \"exactly\" \"float opacity\" [" + std::to_string(opacity) +
-           "]\nColor [0 0 0]\n";
+    return "Surface \"exactly\" \"float opacity\" [" + std::to_string(opacity) + "]\n";
 }
 
 void expectEverywhere(const std::vector<float> &values, double expected) {
@@ -43,12 +42,10 @@ TEST(ClassicSheets, OfAnyNumberAreExact) {
     expectEverywhere(picture.alpha, 1 - through);
 }
 
-// A pane with air behind it, which the shader takes for a body: F = .04 comes back, the rest goes
-// in. The body is left again by a second pane that faces the other way.
+// One surface between two media: F = .04 comes back, the rest goes on behind it.
 TEST(ClassicGlass, FollowsReflectionAndRefractionBoth) {
     const std::string behindTheEye = "Surface \"constant\"\nColor [2 0 0]\n" + squareAt(-1, 5);
     const std::string wall = "Surface \"constant\"\nColor [1 0 0]\n" + squareAt(9, 5);
-    const std::string near = "Clipping .5 1000\n";
     const SmallPicture picture = takePicture(
         inClassic, behindTheEye + wall + "Color [1 1 1]\nSurface \"glass\"\n" + squareAt(3, 5), 1);
     expectEverywhere(picture.red, .04 * 2 + .96 * 1);

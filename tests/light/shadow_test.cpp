@@ -34,7 +34,7 @@ TEST(ShadowRays, LampsATenthOfAMillimetreBehindAPolygonDoNotShineThroughIt) {
             EXPECT_EQ(*std::max_element(behind.red.begin(), behind.red.end()), 0);
             const SmallPicture before = takePicture(options, lamp(1e-4) + screen + receiver, 4);
             ASSERT_EQ(before.red.size(), 64u);
-            EXPECT_GT(*std::min_element(before.red.begin(), before.red.end()), .5f);
+            EXPECT_GT(*std::min_element(before.red.begin(), before.red.end()), .3f);
         }
 }
 

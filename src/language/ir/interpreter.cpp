@@ -95,6 +95,7 @@ private:
         case Op::AnsweredRequest:
             setInteger(i, args_.answeredRequest[lane_] == i.immediate);
             return true;
+        case Op::CategoryAccepts: setInteger(i, accepts(i.immediate, lane_)); return true;
         default: return false;
         }
     }

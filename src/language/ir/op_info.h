@@ -16,7 +16,7 @@ struct OpInfo {
 };
 
 const OpInfo &info(Op);
-inline constexpr int opCount = int(Op::AnsweredRequest) + 1;
+inline constexpr int opCount = int(Op::CategoryAccepts) + 1;
 
 /// Same operands, same results, nothing else: may be shared, moved and left out. Not so are
 /// memory, light, control and effects.

@@ -109,7 +109,8 @@ private:
         case Op::Answer:
         case Op::FrameStore:
         case Op::FrameLoad:
-        case Op::AnsweredRequest: return fmt::format(" {}", i.immediate);
+        case Op::AnsweredRequest:
+        case Op::CategoryAccepts: return fmt::format(" {}", i.immediate);
         default: return "";
         }
     }

@@ -89,8 +89,13 @@ struct Subject {
         auto none = shade(whole, 0);
         const Function &scatter = slice(Question::Scatter);
         batch.answered.assign(batch.padded(), finiteRequests);
+        batch.lightCount = 2;
+        batch.categoryAccepts = {0, 1, 0}; // Of the light in each lane.
+        for (int i = 0; i < batch.padded(); ++i)
+            batch.sampleLight.push_back((i + int(seed)) % 3);
         auto lit = shade(whole, 1);
         expectOutput(scatter, batch.run(scatter, interpret), "g", lit, &none, "Ci");
+        batch.sampleLight.clear(), batch.categoryAccepts.clear();
         for (int request = 0; request < int(whole.requests.size()); ++request) {
             auto kept = batch.inputs;
             for (int c = 0; c < 3; ++c)

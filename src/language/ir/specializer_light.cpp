@@ -111,6 +111,8 @@ Specializer::Values Specializer::sampledLoop(int h, const Instruction &i) {
 ValueId Specializer::sampleReaches(int h, const Instruction &i) {
     const LightRequest &request = text_.requests[i.immediate];
     ValueId finite = b_.emit(Op::AnsweredRequest, {}, finiteRequests)[0];
+    if (request.category >= 0)
+        finite = b_.both(finite, b_.emit(Op::CategoryAccepts, {}, request.category)[0]);
     if (request.form == ConeForm::Extended && request.coneCount > 0) {
         ValueId isDelta = b_.lessEqual(value(h, i.operands[6]), b_.number(0));
         return b_.select(isDelta, b_.emit(Op::AnsweredRequest, {}, i.immediate)[0], finite);

@@ -116,6 +116,7 @@ private:
         case Op::FrameLoad: return below(std::size_t(std::max(function_.frameSlots, 0)));
         case Op::AnsweredRequest:
             return i.immediate == finiteRequests || below(function_.requests.size());
+        case Op::CategoryAccepts: return below(function_.categories.size());
         default: return true;
         }
     }

@@ -151,6 +151,7 @@ bool FunctionGenerator::emitSource(const Instruction &i) {
         auto *answered = lanes_.maskedLoad(integer_, plane, masks_.current());
         return give(builder_.CreateICmpEQ(answered, lanes_.splat(builder_.getInt32(i.immediate))));
     }
+    case Op::CategoryAccepts: return give(acceptedByCategory(i.immediate, base_));
     default: return false;
     }
 }

@@ -139,13 +139,14 @@ private:
         }
     }
     void source() {
-        switch (below(7)) {
+        switch (below(8)) {
         case 0: return floats_.push_back(b_.input(ShaderInput::N, below(3)));
         case 1: return floats_.push_back(b_.parameter(below(5)));
         case 2: return floats_.push_back(b_.variable(below(3)));
         case 3: return keep({b_.object()[below(16)], b_.objectInverse()[below(16)]});
         case 4: return floats_.push_back(b_.random());
         case 5: return bools_.push_back(b_.emit(Op::AnsweredRequest, {}, below(2))[0]);
+        case 6: return bools_.push_back(b_.emit(Op::CategoryAccepts, {}, below(2))[0]);
         default: return floats_.push_back(b_.number(constant()));
         }
     }

@@ -21,11 +21,10 @@ struct Tile {
 
 int roundDown(int value, int step) { return value - ((value % step) + step) % step; }
 
-/// Tiles so large that a pass over a tile's pixels fills a wave, and no larger. They depend on how
-/// many samples a pixel has in the end, and that no more where there are several passes.
-int tileSize(int samplesPerPixel) {
+/// Tiles so large that a pass over a tile's pixels fills a wave, and no larger.
+int tileSize(int samples) {
     int size = 64;
-    while (size * size * std::min(samplesPerPixel, passSamples) > PathWave::capacity)
+    while (size * size * samples > PathWave::capacity)
         size /= 2;
     return size;
 }
@@ -85,22 +84,22 @@ void renderTile(Worker &worker, const Tile &tile, int first, int last, SampleSin
 void integrate(const Scene &scene, const IntegratorSettings &settings,
                const PixelFilterSampler &filter, SampleSink &sink, TransportStatistics &statistics,
                DiagnosticSink &diagnostics) {
-    const std::vector<Tile> tiles = tilesOver(settings.crop, tileSize(settings.lastSample));
     FrameContext frame(scene, settings, filter, sink.channels(), statistics, diagnostics);
     std::vector<std::unique_ptr<Worker>> workers(std::max(1, threadCount()));
     const double samples = settings.lastSample - settings.firstSample;
-    std::atomic<std::size_t> done{0};
     for (int first = settings.firstSample, last; first < settings.lastSample; first = last) {
-        last = std::min(first + passSamples, settings.lastSample);
-        std::atomic<std::size_t> next{0};
+        last = std::min(passEnd(first), settings.lastSample);
+        const std::vector<Tile> tiles = tilesOver(settings.crop, tileSize(last - first));
+        std::atomic<std::size_t> next{0}, done{0};
         parallelFor(workers.size(), [&](std::size_t thread) {
             if (!workers[thread])
                 workers[thread] = std::make_unique<Worker>(frame);
             for (std::size_t at; (at = next++) < tiles.size();) {
                 renderTile(*workers[thread], tiles[at], first, last, sink);
-                done += last - first;
+                const double share = double(++done) / double(tiles.size());
                 if (settings.progress)
-                    settings.progress(double(done) / (samples * double(tiles.size())));
+                    settings.progress((first - settings.firstSample + share * (last - first)) /
+                                      samples);
             }
         });
     }

@@ -34,6 +34,12 @@ CANDELA_HOT void leaveFootprints(int count, const int *__restrict lane, const in
     }
 }
 
+CANDELA_HOT void takeDepths(int count, const int *__restrict lane, const int *__restrict depth,
+                            int *__restrict next) {
+    for (int k = 0; k < count; ++k)
+        next[k] = depth[lane[k]] + 1;
+}
+
 /// The page to append to: what is full waits.
 ActivePaths &roomFor(PathWave &wave, int count) {
     if (wave.next.count + count > PathWave::capacity) {
@@ -128,10 +134,8 @@ void append(PathWave &wave, int count) {
         lanes::take(count, lane, way.throughput[c], next.throughput[c] + first);
     }
     lanes::take(count, lane, chunk.paths.slot, next.slot + first);
-    lanes::take(count, lane, chunk.paths.depth, next.depth + first);
+    takeDepths(count, lane, chunk.paths.depth, next.depth + first);
     std::fill_n(next.seen + first, count, 0);
-    for (int at = first; at < next.count; ++at)
-        ++next.depth[at];
     if (chunk.events.needsChoice())
         correctSpecialEvents(wave, count, first);
 }

@@ -31,8 +31,8 @@ void seeFirstSurface(PathWave &wave) {
         const FirstHitPlane &from = wave.frame.firstHit[plane];
         float *values = wave.results.channels[plane];
         for (int i = 0; i < chunk.count(); ++i) {
-            if (from.primitive)
-                values[chunk.paths.slot[i]] = float(chunk.vertices.points.primitive[i] + 1);
+            if (from.id)
+                values[chunk.paths.slot[i]] = float(chunk.vertices.points.id[i]);
             else if (from.input >= 0)
                 values[chunk.paths.slot[i]] = chunk.vertices.points.input(from.input)[i];
         }

@@ -33,10 +33,12 @@ struct PathsAtVertices {
 /// What the emit stage works with; `left` and `origin` are of the rays that met lamps.
 struct EmissionPlanes {
     explicit EmissionPlanes(int capacity)
-        : left(capacity), origin(3, capacity), radiance(colorSamples, capacity),
+        : left(capacity), origin(3, capacity), met(3, capacity), radiance(colorSamples, capacity),
           lightPdf(1, capacity), weight(1, capacity) {}
     RayOrigins left;
-    Planes<float> origin, radiance, lightPdf, weight;
+    Planes<float> origin;
+    Planes<float> met; ///< Where the rays met the lamps' elements.
+    Planes<float> radiance, lightPdf, weight;
 };
 
 /// What the scatter stage works with.

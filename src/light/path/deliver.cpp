@@ -22,22 +22,29 @@ void dropNonFinite(PathWave &wave) {
                 }
 }
 
+/// Branches of a path share its slot, so one after the other.
+void addBySlot(int count, const int *slot, const Planes<float> &light,
+               const Planes<float> &radiance) {
+    static_assert(colorSamples == 3);
+    const float *red = light[0], *green = light[1], *blue = light[2];
+    float *toRed = radiance[0], *toGreen = radiance[1], *toBlue = radiance[2];
+    for (int i = 0; i < count; ++i) {
+        const int at = slot[i];
+        toRed[at] += red[i], toGreen[at] += green[i], toBlue[at] += blue[i];
+    }
+}
+
 } // namespace
 
 void deliver(PathWave &wave) {
     dropNonFinite(wave);
     const PathsAtVertices &paths = wave.chunk.paths;
+    const Planes<float> &radiance = wave.results.radiance;
     const int count = wave.chunk.count();
-    for (int c = 0; c < colorSamples; ++c) {
-        float *radiance = wave.results.radiance[c];
-        const float *light = paths.light[c];
-        if (slotsAreConsecutive(wave)) {
-            lanes::add(count, light, radiance + paths.slot[0]);
-            continue;
-        }
-        for (int i = 0; i < count; ++i)
-            radiance[paths.slot[i]] += light[i];
-    }
+    if (!slotsAreConsecutive(wave))
+        return addBySlot(count, paths.slot, paths.light, radiance);
+    for (int c = 0; c < colorSamples; ++c)
+        lanes::add(count, paths.light[c], radiance[c] + paths.slot[0]);
 }
 
 void reportNonFinite(PathWave &wave, int i) {

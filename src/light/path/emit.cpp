@@ -11,36 +11,6 @@ namespace candela {
 
 namespace {
 
-/// pdf[i] of the direction towards point i on a lamp, per steradian at P: that per unit area over
-/// distance and cosine.
-CANDELA_HOT void densityFromArea(int count, const ConstVec3Planes &P, const ConstVec3Planes &lamp,
-                                 const ConstVec3Planes &Ng, const float *__restrict areaPdf,
-                                 float *__restrict pdf) {
-    const float *__restrict px = P[0], *__restrict py = P[1], *__restrict pz = P[2];
-    const float *__restrict qx = lamp[0], *__restrict qy = lamp[1], *__restrict qz = lamp[2];
-    const float *__restrict nx = Ng[0], *__restrict ny = Ng[1], *__restrict nz = Ng[2];
-    for (int i = 0; i < count; ++i) {
-        const float x = qx[i] - px[i], y = qy[i] - py[i], z = qz[i] - pz[i];
-        const float squared = x * x + y * y + z * z;
-        const float height = std::fabs(x * nx[i] + y * ny[i] + z * nz[i]);
-        const float normal = std::sqrt(nx[i] * nx[i] + ny[i] * ny[i] + nz[i] * nz[i]);
-        const float cosine = height / (std::sqrt(squared) * normal);
-        pdf[i] = areaPdf[i] * squared / (cosine > 1e-9f ? cosine : 1e-9f);
-    }
-}
-
-/// The density with which light sampling at P, with the normal N and the lights of lightSet, would
-/// have chosen the points on lamps.
-void lightDensity(int count, const ConstVec3Planes &P, const ConstVec3Planes &,
-                  const std::int32_t *, ShadingPoints &points, float *pdfSolidAngle) {
-    auto planes = [&](ShaderInput input) {
-        const int at = int(input);
-        return ConstVec3Planes{points.input(at), points.input(at + 1), points.input(at + 2)};
-    };
-    densityFromArea(count, P, planes(ShaderInput::P), planes(ShaderInput::Ng), points.lightPdfArea,
-                    pdfSolidAngle);
-}
-
 /// Of the rays that met lamps, where they began and what they left there.
 void takeOrigins(const PathWave &wave, EmissionPlanes &emission) {
     const int *ray = wave.chunk.rays.data(), count = wave.chunk.count();
@@ -83,8 +53,14 @@ void emit(PathWave &wave) {
     takeOrigins(wave, emission);
     const RayOrigins &left = emission.left;
     float *lightPdf = emission.lightPdf[0], *weight = emission.weight[0];
-    lightDensity(count, {emission.origin[0], emission.origin[1], emission.origin[2]},
-                 {left.N[0], left.N[1], left.N[2]}, left.lightSet, points, lightPdf);
+    LightQuery asked;
+    asked.count = count;
+    asked.P = {emission.origin[0], emission.origin[1], emission.origin[2]};
+    asked.N = {left.N[0], left.N[1], left.N[2]};
+    asked.lightSet = left.lightSet;
+    const MutableVec3Planes met{emission.met[0], emission.met[1], emission.met[2]};
+    wave.frame.scene.elementPoints(wave.active.rays, wave.hits, chunk.rays.data(), count, met);
+    wave.frame.scene.lightDensity(asked, points, {met[0], met[1], met[2]}, lightPdf);
     emissionWeights(count, left.pdf, lightPdf, weight);
     leaveOutUnheard(wave.frame.scene, count, points.light, left, weight);
     for (float *plane : radiance)

@@ -10,10 +10,10 @@
 
 namespace candela {
 
-/// One plane of a channel: an input of shaders, or the number of the primitive (from 1).
+/// One plane of a channel: an input of shaders, or the number of the placed shape (from 1).
 struct FirstHitPlane {
     int input = -1; ///< ShaderInput, -1 = not an input.
-    bool primitive = false;
+    bool id = false;
     float background = 0; ///< Where nothing is hit.
 };
 

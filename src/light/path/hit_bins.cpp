@@ -15,8 +15,8 @@ constexpr int fewBins = 16;
 HitBins::HitBins(const Scene &scene, int capacity)
     : scene_(scene), bin_(capacity), order_(capacity + laneBlock), start_(scene.binCount() + 1) {}
 
-void HitBins::sort(int count, const std::uint32_t *primitive) {
-    scene_.bins(count, primitive, bin_.data());
+void HitBins::sort(int count, const HitBatch &hits) {
+    scene_.bins(count, hits, bin_.data());
     if (this->count() > fewBins)
         return sortByCounting(count);
     start_[0] = 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The hits of a wave by what is to be asked about them: a surface shader each, lights apart.
+// The rays of a wave by what is to be asked about where they lead: a surface shader each, lights
+// apart, and those that escape.
 #pragma once
 
 #include "world/scene/scene.h"
@@ -13,8 +14,9 @@ class HitBins {
 public:
     HitBins(const Scene &, int capacity);
 
-    /// Takes the hits of `count` rays; misses are left out.
-    void sort(int count, const std::uint32_t *primitive);
+    /// Takes the hits of `count` rays. Those that meet nothing are in Scene::escapedBin(), or left
+    /// out if there is none.
+    void sort(int count, const HitBatch &);
     int count() const { return int(start_.size()) - 1; }
     /// The rays of a bin, in increasing order.
     std::span<const int> rays(int bin) const {

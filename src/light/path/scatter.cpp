@@ -44,6 +44,7 @@ CANDELA_HOT void nextThroughput(int count, const std::array<const float *, color
     const float *__restrict o0 = opacity[0], *__restrict o1 = opacity[1];
     const float *__restrict o2 = opacity[2];
     float *__restrict t0 = to[0], *__restrict t1 = to[1], *__restrict t2 = to[2];
+#pragma GCC ivdep // Planes are apart; there are too many to compare.
     for (int i = 0; i < count; ++i) {
         bool through = event[i] == straightThrough, goesOn = scale[i] > 0;
         float red = goesOn ? f0[i] * (through ? 1 - o0[i] : g0[i]) * scale[i] : 0.0f;

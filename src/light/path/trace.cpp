@@ -9,6 +9,6 @@ void trace(PathWave &wave) {
                                fromCamera ? Coherence::Primary : Coherence::Secondary);
 }
 
-void bin(PathWave &wave) { wave.bins.sort(wave.active.count, wave.hits.shape); }
+void bin(PathWave &wave) { wave.bins.sort(wave.active.count, wave.hits); }
 
 } // namespace candela

@@ -242,8 +242,7 @@ CANDELA_HOT void addSimplePdf(int count, const float *__restrict ax, const float
 } // namespace
 
 ConeMixture::ConeMixture(int capacity)
-    : total_(1, capacity), fullSphere_(1, capacity), cosineLobes_(1, capacity),
-      chosen_(9, capacity) {}
+    : total_(1, capacity), fullSphere_(1, capacity), cosineLobes_(1, capacity), chosen_(capacity) {}
 
 void ConeMixture::state(int count, const std::vector<ConePlanes> &cones,
                         const ConstVec3Planes &facing, const float *transmits) {
@@ -301,15 +300,15 @@ void ConeMixture::markLeavingCones(int index) {
 }
 
 void ConeMixture::sample(const float *u, const float *v, const MutableVec3Planes &direction) {
-    float *tau = chosen_[6], *turn = chosen_[8];
+    float *tau = chosen_.tau, *turn = chosen_.turn;
     ConstVec3Planes axis = facing_;
     if (!allRadial_) {
         chooseLobe(u);
         lobeHeights();
         std::copy_n(v, count_, turn);
         for (int c = 0; c < 3; ++c)
-            chooseNormals(count_, cosineLobes_[0], facing_[c], chosen_[c]);
-        axis = {chosen_[0], chosen_[1], chosen_[2]};
+            chooseNormals(count_, cosineLobes_[0], facing_[c], chosen_.axis[c]);
+        axis = {chosen_.axis[0], chosen_.axis[1], chosen_.axis[2]};
     }
     radialHeights(count_, cosineLobes_[0], u, v, tau, turn);
     directionsAbout(count_, axis[0], axis[1], axis[2], tau, turn, direction[0], direction[1],
@@ -317,21 +316,22 @@ void ConeMixture::sample(const float *u, const float *v, const MutableVec3Planes
 }
 
 void ConeMixture::chooseLobe(const float *u) {
-    float *low = chosen_[7];
+    float *low = chosen_.low;
     std::fill_n(low, count_, 0.0f);
     for (int k = 0; k < coneCount_; ++k) {
         const Cone &cone = cones_[k];
         takeLobe(count_, u, cone.share(), cone.axis(0), cone.axis(1), cone.axis(2), cone.angle(),
-                 cone.exponent(), low, chosen_[0], chosen_[1], chosen_[2], chosen_[3], chosen_[4],
-                 chosen_[5]);
+                 cone.exponent(), low, chosen_.axis[0], chosen_.axis[1], chosen_.axis[2],
+                 chosen_.xi, chosen_.angle, chosen_.exponent);
     }
     takeDefensiveLobes(count_, u, low, fullSphere_[0], facing_[0], facing_[1], facing_[2],
-                       chosen_[0], chosen_[1], chosen_[2], chosen_[3], chosen_[4], chosen_[5]);
+                       chosen_.axis[0], chosen_.axis[1], chosen_.axis[2], chosen_.xi, chosen_.angle,
+                       chosen_.exponent);
 }
 
 void ConeMixture::lobeHeights() {
-    const float *xi = chosen_[3], *angle = chosen_[4], *exponent = chosen_[5];
-    float *tau = chosen_[6];
+    const float *xi = chosen_.xi, *angle = chosen_.angle, *exponent = chosen_.exponent;
+    float *tau = chosen_.tau;
     simpleHeights(count_, xi, exponent, tau);
     for (int k = 0; k < coneCount_; ++k)
         if (!cones_[k].simple) {

@@ -55,6 +55,19 @@ private:
         Planes<float> planes;
         bool simple = true; ///< Every lane: 180 degrees, exponent 0 or 1.
     };
+    /// The lobe that a sample falls into, and where in it.
+    struct ChosenLobe {
+        explicit ChosenLobe(int capacity) : axis(3, capacity), planes(6, capacity) {
+            xi = planes[0], angle = planes[1], exponent = planes[2];
+            tau = planes[3], low = planes[4], turn = planes[5];
+        }
+        Planes<float> axis, planes;
+        float *xi; ///< Uniform again, for the height.
+        float *angle, *exponent;
+        float *tau;  ///< 1 - mu
+        float *low;  ///< End of the shares so far.
+        float *turn; ///< Azimuth, in turns.
+    };
     void stateCone(int index, const ConePlanes &);
     void markLeavingCones(int index);
     void chooseLobe(const float *u);
@@ -69,7 +82,7 @@ private:
     /// that they can be sampled as one; -1 elsewhere.
     Planes<float> cosineLobes_;
     bool allRadial_ = false;
-    Planes<float> chosen_; ///< axis x y z, xi, angle, exponent, 1 - mu, low end, turn
+    ChosenLobe chosen_;
 };
 
 } // namespace candela

@@ -44,7 +44,8 @@ float deltaWeight(const ConePlanes &cone, int i) {
 } // namespace
 
 ScatteringEvents::ScatteringEvents(int capacity)
-    : events_(1, capacity), floats_(5, capacity), transmission_(1, capacity) {}
+    : events_(1, capacity), probability_(1, capacity), finiteProbability_(1, capacity),
+      direction_(3, capacity), transmission_(1, capacity) {}
 
 void ScatteringEvents::look(const SurfaceVertices &vertices) {
     const int count = vertices.count();
@@ -68,7 +69,7 @@ void ScatteringEvents::look(const SurfaceVertices &vertices) {
 void ScatteringEvents::choose(SurfaceVertices &vertices, const float *finiteTotal, const float *u) {
     const int count = vertices.count();
     if (!needsChoice()) {
-        followFiniteLobes(count, finiteTotal, events_[0], floats_[0], floats_[1]);
+        followFiniteLobes(count, finiteTotal, events_[0], probability_[0], finiteProbability_[0]);
         return;
     }
     if (opaque_)
@@ -79,11 +80,11 @@ void ScatteringEvents::choose(SurfaceVertices &vertices, const float *finiteTota
         for (int k : deltas_)
             total += deltaWeight(vertices.cones()[k], i);
         events_[0][i] = pathEnds;
-        floats_[0][i] = floats_[1][i] = 0;
+        probability_[0][i] = finiteProbability_[0][i] = 0;
         if (!(total > 0))
             continue;
         float scale = 1 / total, left = u[i] * total;
-        floats_[1][i] = finiteTotal[i] * scale;
+        finiteProbability_[0][i] = finiteTotal[i] * scale;
         auto take = [&](std::int32_t event, float weight) {
             if (weight <= 0 || events_[0][i] != pathEnds)
                 return false;
@@ -91,7 +92,7 @@ void ScatteringEvents::choose(SurfaceVertices &vertices, const float *finiteTota
             if (left >= 0)
                 return false;
             events_[0][i] = event;
-            floats_[0][i] = weight * scale;
+            probability_[0][i] = weight * scale;
             return true;
         };
         take(finiteRequests, finiteTotal[i]);
@@ -99,11 +100,11 @@ void ScatteringEvents::choose(SurfaceVertices &vertices, const float *finiteTota
             const ConePlanes &cone = vertices.cones()[k];
             if (take(cone.request, deltaWeight(cone, i)))
                 for (int c = 0; c < 3; ++c)
-                    floats_[2 + c][i] = cone.axis[c][i];
+                    direction_[c][i] = cone.axis[c][i];
         }
         if (take(straightThrough, transmission_[0][i]))
             for (int c = 0; c < 3; ++c)
-                floats_[2 + c][i] = incident[c][i];
+                direction_[c][i] = incident[c][i];
         // Rounding may leave a sliver above the last weight: the path ends there, unweighted,
         // with a probability below 1e-7.
     }
@@ -118,10 +119,10 @@ bool ScatteringEvents::takeAll(SurfaceVertices &vertices, int kind, const int *w
         const float weight = delta ? deltaWeight(*cone, i) : transmission_[0][i];
         const bool taken = wanted[i] != 0 && weight > 0;
         events_[0][i] = taken ? delta ? cone->request : straightThrough : pathEnds;
-        floats_[0][i] = taken ? 1 : 0;
-        floats_[1][i] = 0;
+        probability_[0][i] = taken ? 1 : 0;
+        finiteProbability_[0][i] = 0;
         for (int c = 0; c < 3; ++c)
-            floats_[2 + c][i] = along[c][i];
+            direction_[c][i] = along[c][i];
         some |= taken;
     }
     return some;

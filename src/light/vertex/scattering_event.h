@@ -35,17 +35,16 @@ public:
     void end(int count, const int *marked);
 
     const std::int32_t *event() const { return events_[0]; }
-    const float *probability() const { return floats_[0]; } ///< Of the event chosen.
+    const float *probability() const { return probability_[0]; } ///< Of the event chosen.
     /// Probability of finiteRequests, whatever was chosen: part of its pdf.
-    const float *finiteProbability() const { return floats_[1]; }
-    MutableVec3Planes direction() const { return {floats_[2], floats_[3], floats_[4]}; }
+    const float *finiteProbability() const { return finiteProbability_[0]; }
+    MutableVec3Planes direction() const { return {direction_[0], direction_[1], direction_[2]}; }
     /// True if any lane chose the event.
     bool any(std::int32_t event, int count) const;
 
 private:
     Planes<std::int32_t> events_;
-    Planes<float> floats_;
-    Planes<float> transmission_;
+    Planes<float> probability_, finiteProbability_, direction_, transmission_;
     std::vector<int> deltas_; ///< First cones of requests that may be delta ones.
     bool opaque_ = true, mayBeDelta_ = false;
 };

@@ -11,14 +11,22 @@ namespace candela {
 
 namespace {
 
-/// A component of the way from the shifted origin to the same end as L from P: the receiver's
-/// offset must not carry the ray's end into the light. Distant light is away from everywhere.
-CANDELA_HOT void towardsLight(int count, const float *__restrict P, const float *__restrict origin,
-                              const float *__restrict L, const float *__restrict distance,
-                              float *__restrict direction, float *__restrict end) {
+/// The way from the shifted origin to the same end as L from P: the receiver's offset must not
+/// carry the ray's end into the light. Distant light is away from everywhere.
+CANDELA_HOT void towardsLight(int count, const ConstVec3Planes &P, const ConstVec3Planes &origin,
+                              const ConstVec3Planes &L, const float *__restrict distance,
+                              const MutableVec3Planes &direction, float *__restrict end) {
+    const float *__restrict px = P[0], *__restrict py = P[1], *__restrict pz = P[2];
+    const float *__restrict ox = origin[0], *__restrict oy = origin[1], *__restrict oz = origin[2];
+    const float *__restrict lx = L[0], *__restrict ly = L[1], *__restrict lz = L[2];
+    float *__restrict dx = direction[0], *__restrict dy = direction[1];
+    float *__restrict dz = direction[2];
+#pragma GCC ivdep // Planes are apart; there are too many to compare.
     for (int i = 0; i < count; ++i) {
-        bool distant = distance[i] == INFINITY;
-        direction[i] = distant ? L[i] : L[i] + (P[i] - origin[i]);
+        const bool distant = distance[i] == INFINITY;
+        dx[i] = distant ? lx[i] : lx[i] + (px[i] - ox[i]);
+        dy[i] = distant ? ly[i] : ly[i] + (py[i] - oy[i]);
+        dz[i] = distant ? lz[i] : lz[i] + (pz[i] - oz[i]);
         end[i] = distant ? INFINITY : shadowRayEnd;
     }
 }
@@ -26,26 +34,24 @@ CANDELA_HOT void towardsLight(int count, const float *__restrict P, const float 
 } // namespace
 
 ShadowRays::ShadowRays(int capacity)
-    : rays_(capacity), origin_(3, capacity), direction_(1, capacity), end_(1, capacity),
+    : rays_(capacity), origin_(3, capacity), direction_(3, capacity), end_(1, capacity),
       factor_(1, capacity), transmittance_(colorSamples, capacity) {}
 
 int ShadowRays::attenuate(SurfaceVertices &vertices, const LightSamples &samples, int count,
                           const int *lanes, float *const *light) {
     const int all = vertices.count();
-    ConstVec3Planes L{samples.L[0], samples.L[1], samples.L[2]}, P = vertices.P();
-    MutableVec3Planes origin{origin_[0], origin_[1], origin_[2]};
-    float *direction = direction_[0], *end = end_[0];
+    const ConstVec3Planes L{samples.L[0], samples.L[1], samples.L[2]};
+    const MutableVec3Planes origin{origin_[0], origin_[1], origin_[2]};
+    const MutableVec3Planes direction{direction_[0], direction_[1], direction_[2]};
     vertices.rayOrigins(L, origin);
-    rays_.count = count;
-    float *origins[3] = {rays_.origin[0], rays_.origin[1], rays_.origin[2]};
-    float *directions[3] = {rays_.direction[0], rays_.direction[1], rays_.direction[2]};
+    towardsLight(all, vertices.P(), {origin[0], origin[1], origin[2]}, L, samples.distance,
+                 direction, end_[0]);
+    rays_.count = count; // tMin is 0 ever since it was made.
     for (int c = 0; c < 3; ++c) {
-        towardsLight(all, P[c], origin[c], L[c], samples.distance, direction, end);
-        lanes::take(count, lanes, origin[c], origins[c]);
-        lanes::take(count, lanes, direction, directions[c]);
+        lanes::take(count, lanes, origin[c], rays_.origin[c]);
+        lanes::take(count, lanes, direction[c], rays_.direction[c]);
     }
-    std::fill_n(rays_.tMin, count, 0.0f);
-    lanes::take(count, lanes, end, rays_.tMax);
+    lanes::take(count, lanes, end_[0], rays_.tMax);
     lanes::take(count, lanes, vertices.points.input(int(ShaderInput::time)), rays_.time);
 
     std::array<float *, colorSamples> transmittance;

@@ -11,26 +11,11 @@ namespace candela {
 
 namespace {
 
-/// Unit geometric normals on the side that I comes from.
+/// Unit normals on the side that I comes from.
 CANDELA_HOT void faceForward(int count, const float *__restrict nx, const float *__restrict ny,
                              const float *__restrict nz, const float *__restrict ix,
                              const float *__restrict iy, const float *__restrict iz,
                              float *__restrict fx, float *__restrict fy, float *__restrict fz) {
-    for (int i = 0; i < count; ++i) {
-        float squared = nx[i] * nx[i] + ny[i] * ny[i] + nz[i] * nz[i];
-        float towards = nx[i] * ix[i] + ny[i] * iy[i] + nz[i] * iz[i];
-        float scale = (towards > 0 ? -1.0f : 1.0f) / std::sqrt(squared > 0 ? squared : 1.0f);
-        fx[i] = nx[i] * scale;
-        fy[i] = ny[i] * scale;
-        fz[i] = nz[i] * scale;
-    }
-}
-
-/// The same for normals of unit length.
-CANDELA_HOT void faceForwardUnit(int count, const float *__restrict nx, const float *__restrict ny,
-                                 const float *__restrict nz, const float *__restrict ix,
-                                 const float *__restrict iy, const float *__restrict iz,
-                                 float *__restrict fx, float *__restrict fy, float *__restrict fz) {
     for (int i = 0; i < count; ++i) {
         float sign = nx[i] * ix[i] + ny[i] * iy[i] + nz[i] * iz[i] > 0 ? -1.0f : 1.0f;
         fx[i] = nx[i] * sign;
@@ -39,34 +24,22 @@ CANDELA_HOT void faceForwardUnit(int count, const float *__restrict nx, const fl
     }
 }
 
-/// Shaders get unit normals: RI leaves their length open, but many (the paper's figure 2 too)
-/// hand N to reflect() as it comes.
-CANDELA_HOT void makeUnit(int count, float *__restrict x, float *__restrict y,
-                          float *__restrict z) {
-    for (int i = 0; i < count; ++i) {
-        float squared = x[i] * x[i] + y[i] * y[i] + z[i] * z[i];
-        float scale = 1 / std::sqrt(squared > 0 ? squared : 1.0f);
-        x[i] *= scale;
-        y[i] *= scale;
-        z[i] *= scale;
-    }
-}
-
 /// Scene::offsetOrigin for unit normals.
-CANDELA_HOT void offsetAlong(int count, const float *__restrict nx, const float *__restrict ny,
-                             const float *__restrict nz, const float *__restrict dx,
-                             const float *__restrict dy, const float *__restrict dz,
-                             const float *__restrict offset, float *__restrict step) {
+CANDELA_HOT void offsetOrigins(int count, const ConstVec3Planes &P, const ConstVec3Planes &normal,
+                               const ConstVec3Planes &along, const float *__restrict offset,
+                               const MutableVec3Planes &origin) {
+    const float *__restrict px = P[0], *__restrict py = P[1], *__restrict pz = P[2];
+    const float *__restrict nx = normal[0], *__restrict ny = normal[1], *__restrict nz = normal[2];
+    const float *__restrict dx = along[0], *__restrict dy = along[1], *__restrict dz = along[2];
+    float *__restrict ox = origin[0], *__restrict oy = origin[1], *__restrict oz = origin[2];
+#pragma GCC ivdep // Planes are apart; there are too many to compare.
     for (int i = 0; i < count; ++i) {
-        float side = nx[i] * dx[i] + ny[i] * dy[i] + nz[i] * dz[i];
-        step[i] = side < 0 ? -offset[i] : offset[i];
+        const float side = nx[i] * dx[i] + ny[i] * dy[i] + nz[i] * dz[i];
+        const float step = side < 0 ? -offset[i] : offset[i];
+        ox[i] = px[i] + nx[i] * step;
+        oy[i] = py[i] + ny[i] * step;
+        oz[i] = pz[i] + nz[i] * step;
     }
-}
-
-CANDELA_HOT void stepFrom(int count, const float *__restrict P, const float *__restrict n,
-                          const float *__restrict step, float *__restrict origin) {
-    for (int i = 0; i < count; ++i)
-        origin[i] = P[i] + n[i] * step[i];
 }
 
 CANDELA_HOT void clampOpacities(int count, float *__restrict Oi) {
@@ -85,7 +58,6 @@ void reserve(Planes<float> &planes, int count, int lanes) {
 SurfaceVertices::SurfaceVertices(int capacity)
     : points(capacity), capacity_(paddedLanes(capacity)) {
     storage_.facing = Planes<float>(3, capacity);
-    storage_.step = Planes<float>(1, capacity);
 }
 
 ConstVec3Planes SurfaceVertices::input(ShaderInput first) {
@@ -100,22 +72,11 @@ void SurfaceVertices::meet(const Scene &scene, int code, const RayBatch &rays, c
     scene.shadingPoints(rays, hits, order, count, points);
     ConstVec3Planes n = input(ShaderInput::Ng), i = input(ShaderInput::I);
     const Planes<float> &facing = storage_.facing;
-    if (scene.normalsAreUnit(code)) {
-        faceForwardUnit(count, n[0], n[1], n[2], i[0], i[1], i[2], facing[0], facing[1], facing[2]);
-        return;
-    }
-    const int N = int(ShaderInput::N);
-    makeUnit(count, points.input(N), points.input(N + 1), points.input(N + 2));
     faceForward(count, n[0], n[1], n[2], i[0], i[1], i[2], facing[0], facing[1], facing[2]);
 }
 
-void SurfaceVertices::rayOrigins(const ConstVec3Planes &d, const MutableVec3Planes &origin) {
-    ConstVec3Planes from = P();
-    const Planes<float> &facing = storage_.facing;
-    float *step = storage_.step[0];
-    offsetAlong(count(), facing[0], facing[1], facing[2], d[0], d[1], d[2], points.offset, step);
-    for (int c = 0; c < 3; ++c)
-        stepFrom(count(), from[c], facing[c], step, origin[c]);
+void SurfaceVertices::rayOrigins(const ConstVec3Planes &along, const MutableVec3Planes &origin) {
+    offsetOrigins(count(), P(), facingPlanes(), along, points.offset, origin);
 }
 
 ShaderArgs SurfaceVertices::arguments() const {

@@ -30,7 +30,6 @@ public:
 
     const Scene &scene() const { return *scene_; }
     const ShaderCode &code() const { return scene_->code(codeIndex_); }
-    int codeIndex() const { return codeIndex_; }
     int count() const { return points.count; }
     int lanes() const { return capacity_; }
     ConstVec3Planes facingPlanes() const {
@@ -56,7 +55,7 @@ private:
         std::array<const float *, colorSamples> Ca{};
     };
     struct Storage {
-        Planes<float> facing, step, frame, outputs, shadeOutputs;
+        Planes<float> facing, frame, outputs, shadeOutputs;
         std::vector<float *> outputTable;
     };
     ShaderArgs arguments() const;

@@ -121,6 +121,40 @@ void fillFootprint(const Camera &camera, const float *footprint, ShadingPoints &
     }
 }
 
+/// At outlines a ray may meet the front of an element whose named point has its true normal turned
+/// away: what is seen from outside is to be shaded from outside. Such normals are mirrored at the
+/// line of sight, which moves them by as little as they were off.
+void keepSides(const float *const *elementNg, ShadingPoints &points) {
+    const Vec3Planes Ng = vec3(points, ShaderInput::Ng), N = vec3(points, ShaderInput::N);
+    const Vec3Planes I = vec3(points, ShaderInput::I);
+    for (int i = 0; i < points.count; ++i) {
+        const Vec3 way = I.get(i), normal = Ng.get(i);
+        const float met =
+            elementNg[0][i] * way.x + elementNg[1][i] * way.y + elementNg[2][i] * way.z;
+        const float seen = dot(normal, way);
+        if (!(met * seen < 0))
+            continue;
+        const Vec3 mirrored = normal - way * (2 * seen / dot(way, way));
+        if (N.get(i) == normal)
+            N.set(i, mirrored);
+        Ng.set(i, mirrored);
+    }
+}
+
+/// Asks the surfaces, where elements don't tell all.
+void askSurfaces(const PointTables &tables, const SurfaceCode &code, const float *normalSign,
+                 ShadingPoints &points) {
+    thread_local AlignedScratch own;
+    const int stride = paddedLanes(points.count);
+    float *elementNg[3];
+    for (int c = 0; c < 3; ++c) {
+        elementNg[c] = own.get(3 * std::size_t(stride)) + c * stride;
+        std::copy_n(points.input(ShaderInput::Ng, c), points.count, elementNg[c]);
+    }
+    evaluateRuns(tables, code, normalSign, points);
+    keepSides(elementNg, points);
+}
+
 } // namespace
 
 void evaluatePoints(const PointTables &tables, const Camera &camera, const SurfaceCode &code,
@@ -139,7 +173,7 @@ void evaluatePoints(const PointTables &tables, const Camera &camera, const Surfa
     if (code.wanted.orientation)
         fillOrientation(tables, normalSign, points);
     if (!code.fromElements)
-        evaluateRuns(tables, code, normalSign, points);
+        askSurfaces(tables, code, normalSign, points);
     addRounding(points.count, vec3(points, ShaderInput::P), pointRounding, points.offset);
     if (code.wanted.footprint)
         fillFootprint(camera, footprint, points);

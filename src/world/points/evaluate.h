@@ -11,8 +11,9 @@ namespace candela {
 
 /// Evaluates points of which the caller has filled in: instance, shape, element, u and v; P, the
 /// point on the element, and Ng, the element's normal of any length, both in current space, Ng not
-/// yet turned; and count. All shapes share `code`. Fills all else but I, E and time. `footprint` is
-/// the width of each point's footprint in metres, null = a pixel's at its distance from the camera.
+/// yet turned; I, from where they are seen (0 = from nowhere); and count. All shapes share `code`.
+/// Fills all else but E and time. `footprint` is the width of each point's footprint in metres,
+/// null = a pixel's at its distance from the camera.
 void evaluatePoints(const PointTables &, const Camera &, const SurfaceCode &code,
                     const float *footprint, ShadingPoints &);
 

@@ -39,9 +39,8 @@ int AppearanceBuilder::numberOf(std::shared_ptr<ShaderCode> code) {
     return place->second;
 }
 
-AppearanceBuilder::Shading
-AppearanceBuilder::shadingOf(const Attributes &attributes,
-                             const std::set<std::string> &variables) {
+AppearanceBuilder::Shading AppearanceBuilder::shadingOf(const Attributes &attributes,
+                                                        const std::set<std::string> &variables) {
     const ShaderRecord &record = attributes.surface ? *attributes.surface : defaultSurface();
     auto known = shadings_.find({&record, variables});
     if (known != shadings_.end())
@@ -87,8 +86,7 @@ bool AppearanceBuilder::add(std::uint32_t shape,
 bool AppearanceBuilder::shines(std::int32_t index) const {
     const PointTables &points = state_.points;
     return points.details[index].attributes->areaLight ||
-           (!state_.classic &&
-            points.codes[points.appearances[index].code].code->facts().emits);
+           (!state_.classic && points.codes[points.appearances[index].code].code->facts().emits);
 }
 
 bool AppearanceBuilder::isOpaque(std::int32_t index) const {
@@ -108,8 +106,8 @@ void AppearanceBuilder::finish() {
         const Shape &shape = points.shapes[shapes_[i]];
         appearance.offset = shape.offset;
         appearance.elementSign = shape.elementSign * appearance.normalSign;
-        const bool tells = shape.flat || (shape.naming == Naming::Sphere &&
-                                          !shape.surface->hasOwnNormals());
+        const bool tells =
+            shape.flat || (shape.naming == Naming::Sphere && !shape.surface->hasOwnNormals());
         if (!tells || shape.Cs >= 0 || shape.Os >= 0)
             points.codes[appearance.code].fromElements = false;
     }

@@ -191,8 +191,14 @@ void LightBuilder::finishLights() {
         if (light.hasGeometry())
             finishGeometry(int(i));
         else if (light.isSampled())
-            table.sources.push_back({std::int32_t(i), LightSource::Form::NoShape, noHit, 0, 0,
-                                     transformPoint(light.currentFromShader, {0, 0, 0}), {}, {},
+            table.sources.push_back({std::int32_t(i),
+                                     LightSource::Form::NoShape,
+                                     noHit,
+                                     0,
+                                     0,
+                                     transformPoint(light.currentFromShader, {0, 0, 0}),
+                                     {},
+                                     {},
                                      0});
         light.sources = std::int32_t(table.sources.size()) - light.firstSource;
     }
@@ -270,8 +276,8 @@ void LightBuilder::prepareChoices() {
     for (std::size_t set = 0; set < state_.lightSets.size(); ++set)
         table.choices.push_back(choiceOf(int(set)));
     table.isSingle = table.sources.size() <= 1 && std::ranges::all_of(table.isOn, [](auto &on) {
-        return std::ranges::find(on, 0) == on.end();
-    });
+                         return std::ranges::find(on, 0) == on.end();
+                     });
 }
 
 /// The choice among the sources that are on for a light set.

@@ -39,7 +39,7 @@ private:
     SceneState &state_;
     ShaderLibrary &library_;
     std::vector<LightTags> tags_;
-    std::vector<std::vector<LightSource>> sources_; ///< By light.
+    std::vector<std::vector<LightSource>> sources_;      ///< By light.
     std::vector<std::vector<std::int32_t>> appearances_; ///< By light: those of its shapes.
 };
 

@@ -12,7 +12,8 @@ namespace {
 
 /// Calls body(set, query of its lanes, lanes) for each light set among the points; lanes are null
 /// where all points share one.
-template <class Body> void forLightSets(const SceneState &state, const LightQuery &query, Body body) {
+template <class Body>
+void forLightSets(const SceneState &state, const LightQuery &query, Body body) {
     const std::int32_t first = query.count > 0 ? query.lightSet[0] : -1;
     if (std::all_of(query.lightSet, query.lightSet + query.count,
                     [first](std::int32_t set) { return set == first; })) {

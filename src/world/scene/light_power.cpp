@@ -119,6 +119,7 @@ void placeSamples(const SceneState &state, const SceneLight &light, const Surfac
         for (int c = 0; c < 3; ++c) {
             points.input(ShaderInput::P, c)[i] = drawn.point[c][i];
             points.input(ShaderInput::Ng, c)[i] = drawn.normal[c][i];
+            points.input(ShaderInput::I, c)[i] = 0;
         }
     }
     evaluatePoints(state.points, state.camera, code, nullptr, points);

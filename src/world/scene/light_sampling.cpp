@@ -192,8 +192,8 @@ void sampleDelta(const Job &job, const std::int32_t *lanes, int count) {
         geometryOnly.wanted.add(code);
         meetSources(job, geometryOnly, lanes, count);
         batch.readFrom(ShaderInput::P, int(ShaderInput::Count), own.points.inputTable.data());
-        for (auto [input, components] : {std::pair{ShaderInput::Ps, 3},
-                                         {ShaderInput::lightSample, 2}, {ShaderInput::time, 1}})
+        for (auto [input, components] :
+             {std::pair{ShaderInput::Ps, 3}, {ShaderInput::lightSample, 2}, {ShaderInput::time, 1}})
             batch.readFrom(input, components, nullptr);
     }
     for (int k = 0; k < count; ++k) {
@@ -289,8 +289,7 @@ void answer(const Job &job, const float *u, const float *v) {
         else
             job.out.light[i] = lights.sources[job.source[i]].light + 1;
     }
-    sampleSources(lights, {job.query.count, job.source, job.query.P}, u, v, false,
-                  *job.own.drawn);
+    sampleSources(lights, {job.query.count, job.source, job.query.P}, u, v, false, *job.own.drawn);
     runBins(job);
 }
 

@@ -61,15 +61,13 @@ int chooseByCumulative(std::span<const double> cumulative, double &sample);
 struct LightTable {
     std::vector<SceneLight> lights; ///< LightRecords in order, then emitting surfaces.
     std::vector<LightSource> sources;
-    std::vector<LightChoice> choices; ///< By light set.
-    std::vector<int> ambient;         ///< Indices of the ambient lights.
+    std::vector<LightChoice> choices;            ///< By light set.
+    std::vector<int> ambient;                    ///< Indices of the ambient lights.
     std::vector<std::vector<std::uint8_t>> isOn; ///< [lightSet][index + 1].
     int batches = 0;
     bool isSingle = false; ///< There is one source at most, on for all: none has to be chosen.
 
-    bool on(std::int32_t lightSet, std::int32_t light) const {
-        return isOn[lightSet][light] != 0;
-    }
+    bool on(std::int32_t lightSet, std::int32_t light) const { return isOn[lightSet][light] != 0; }
     /// Numbers the batches, lists the ambient lights.
     void number();
 };

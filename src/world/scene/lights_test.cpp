@@ -7,14 +7,16 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <random>
+#include <vector>
 
 namespace candela {
 namespace {
 
 struct Samples {
-    explicit Samples(int n) : floats(14, n), integers(2, n), shadow(1, n) {
+    explicit Samples(int n) : floats(15, n), integers(2, n), shadow(1, n) {
         query.count = n;
         query.P = {floats[0], floats[1], floats[2]};
+        query.N = {floats[14], floats[14], floats[14]}; // Light from all sides counts.
         query.lightSet = integers[0];
         query.time = floats[3];
         query.choice = floats[4];
@@ -135,10 +137,12 @@ TEST(Lights, C5Sphere) {
     });
 }
 
+/// What a lamp may bring decides how often it is chosen: three times the power, three times as
+/// often, and the nearer one more.
 TEST(Lights, PowersDecideHowOftenALightIsChosen) {
     TestWorld world;
     for (float power : {1.0f, 3.0f})
-        world.addLight("pointlight", {intensity(power), TestWorld::numbers("from", {power, 0, 2})});
+        world.addLight("pointlight", {intensity(power), TestWorld::numbers("from", {0, 0, 2})});
     world.addPolygon({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}});
     world.render([](const Scene &scene) {
         Samples samples(1 << 15);
@@ -147,11 +151,52 @@ TEST(Lights, PowersDecideHowOftenALightIsChosen) {
         int second = 0;
         for (int i = 0; i < samples.query.count; ++i)
             second += samples.out.light[i] == 2;
-        double expected = 0.05 / 2 + 0.95 * 0.75;
-        EXPECT_NEAR(second / double(samples.query.count), expected, 5 * 0.5 / std::sqrt(1 << 15));
+        EXPECT_NEAR(second / double(samples.query.count), 0.75, 5 * 0.5 / std::sqrt(1 << 15));
         EXPECT_TRUE(scene.lightIsOn(0, 1));
         EXPECT_TRUE(scene.lightIsOn(0, 0));
     });
+}
+
+/// One lamp on, 99 off: every sample is the one lamp's.
+TEST(Lights, SurfacesDrawOnlyFromLightsThatAreOn) {
+    TestWorld world;
+    for (int i = 0; i < 100; ++i)
+        world.addLight("pointlight", {intensity(1), TestWorld::numbers("from", {float(i), 0, 2})});
+    world.attributes.lightsOn = {37};
+    world.addPolygon({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}});
+    world.attributes.lightsOn = {};
+    world.addPolygon({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}});
+    world.render([](const Scene &scene) {
+        Samples samples(1024);
+        samples.draw(3, {0, 0, 0});
+        for (int i = 512; i < 1024; ++i)
+            samples.integers[0][i] = 1;
+        scene.sampleLights(samples.query, samples.out);
+        for (int i = 0; i < 1024; ++i)
+            EXPECT_EQ(samples.out.light[i], i < 512 ? 38 : 0);
+    });
+}
+
+/// The densities, from P, of the lights that rays from there have met.
+std::vector<float> densities(const Scene &scene, const RayBatch &rays, const HitBatch &hits,
+                             const std::vector<int> &order, ShadingPoints &points) {
+    const int count = int(order.size());
+    Planes<float> met(3, count), zero(1, count), pdf(1, count), from(3, count);
+    Planes<std::int32_t> sets(1, count);
+    const std::array<float *, 3> point{met[0], met[1], met[2]};
+    scene.shadingPoints(rays, hits, order.data(), count, points);
+    scene.elementPoints(rays, hits, order.data(), count, point);
+    LightQuery query;
+    query.count = count;
+    for (int c = 0; c < 3; ++c) {
+        for (int k = 0; k < count; ++k)
+            from[c][k] = rays.origin[c][order[k]];
+        query.P[c] = from[c];
+    }
+    query.N = {zero[0], zero[0], zero[0]};
+    query.lightSet = sets[0];
+    scene.lightDensity(query, points, {met[0], met[1], met[2]}, pdf[0]);
+    return {pdf[0], pdf[0] + count};
 }
 
 /// Rays over the whole sphere: what hits report as density is a density.
@@ -161,13 +206,14 @@ TEST(Lights, DensitiesOfHitsIntegrateToOne) {
     world.attributes.surface = TestWorld::shader("glow", {intensity(1)});
     world.transform = translation(0, 0.3f, 3);
     world.add(SphereRecord{1, -1, 1, 360});
+    world.transform = translation(0, 3, -1);
+    world.add(CylinderRecord{0.5f, -1, 1, 360});
     world.transform = Matrix4{};
     world.attributes.surface = TestWorld::shader("glow", {intensity(5)});
     world.addPolygon({{-3, -1, -1}, {-3, 1, -1}, {-3, 1, 1}, {-3, -1, 1}});
+    world.addPolygon({{3, -1, -1}, {3, 1, -1}, {3.5f, 1, 1}});
     world.render([](const Scene &scene) {
-        // A ray's share goes as 1 / cosine: where a cell of rays meets the outline is all its
-        // error.
-        constexpr int rows = 2048, columns = 4096;
+        constexpr int rows = 1024, columns = 2048;
         RayBatch rays(columns);
         HitBatch hits(columns);
         ShadingPoints points(columns);
@@ -183,27 +229,33 @@ TEST(Lights, DensitiesOfHitsIntegrateToOne) {
                 rays.direction[2][i] = float(z), rays.tMin[i] = 0, rays.tMax[i] = INFINITY;
             }
             scene.intersect(rays, hits, Coherence::Secondary);
-            std::vector<int> order;
-            for (int i = 0; i < columns; ++i)
-                if (hits.shape[i] != noHit)
-                    order.push_back(i);
-            scene.shadingPoints(rays, hits, order.data(), int(order.size()), points);
-            for (int k = 0; k < points.count; ++k) {
-                auto vec3 = [&](ShaderInput input) {
-                    return Vec3{points.input(int(input))[k], points.input(int(input) + 1)[k],
-                                points.input(int(input) + 2)[k]};
-                };
-                Vec3 I = vec3(ShaderInput::I);
-                double cosine = std::abs(dot(normalize(I), normalize(vec3(ShaderInput::Ng))));
-                sum += points.lightPdfArea[k] * dot(I, I) / cosine;
+            for (int code = 0; code < scene.codeCount(); ++code) {
+                std::vector<int> order;
+                for (int i = 0; i < columns; ++i)
+                    if (hits.shape[i] != noHit && scene.codeOf(hits, i) == code)
+                        order.push_back(i);
+                if (!order.empty())
+                    for (float pdf : densities(scene, rays, hits, order, points))
+                        sum += pdf;
             }
         }
-        // Half of the sphere's density lies on its far side, which rays from here never hit.
-        double toSphere = sum * 4 * M_PI / (rows * columns);
-        double spherePower = 4 * M_PI * 2 * M_PI, wallPower = 5 * 4 * 2 * M_PI;
-        double sphereShare = 0.025 + 0.95 * spherePower / (spherePower + wallPower);
-        double distance = std::sqrt(0.09 + 9), seen = (1 - 1 / distance) / 2;
-        EXPECT_NEAR(toSphere, 1 - sphereShare * (1 - seen), 0.004);
+        // The cylinder's far side is hidden by its near one.
+        const double total = sum * 4 * M_PI / (double(rows) * columns);
+        Samples samples(1 << 15);
+        samples.draw(5, {0, 0, 0});
+        scene.sampleLights(samples.query, samples.out);
+        int hidden = 0;
+        rays.count = 1;
+        for (int i = 0; i < samples.query.count; ++i) {
+            Vec3 L{samples.out.L[0][i], samples.out.L[1][i], samples.out.L[2][i]};
+            for (int c = 0; c < 3; ++c)
+                rays.origin[c][0] = 0, rays.direction[c][0] = L[c];
+            rays.tMin[0] = 0, rays.tMax[0] = 0.999f;
+            scene.intersect(rays, hits, Coherence::Secondary);
+            hidden += samples.out.light[i] != 0 && hits.shape[0] != noHit;
+        }
+        const double share = hidden / double(samples.query.count);
+        EXPECT_NEAR(total, 1 - share, 0.005 + 5 * std::sqrt(share / samples.query.count));
     });
 }
 
@@ -221,8 +273,9 @@ TEST(Lights, SamplesAndHitsAgree) {
         HitBatch hits(64);
         rays.count = 64;
         for (int i = 0; i < 64; ++i) {
-            rays.direction[0][i] = samples.out.L[0][i], rays.direction[1][i] = samples.out.L[1][i];
-            rays.direction[2][i] = samples.out.L[2][i], rays.tMin[i] = 0, rays.tMax[i] = INFINITY;
+            for (int c = 0; c < 3; ++c)
+                rays.direction[c][i] = samples.out.L[c][i];
+            rays.tMin[i] = 0, rays.tMax[i] = INFINITY;
         }
         scene.intersect(rays, hits, Coherence::Secondary);
         int compared = 0;
@@ -230,25 +283,16 @@ TEST(Lights, SamplesAndHitsAgree) {
             if (hits.shape[i] == noHit || samples.out.value[0][i] == 0)
                 continue;
             ShadingPoints point(1);
-            scene.shadingPoints(rays, hits, &i, 1, point);
-            auto vec3 = [&](ShaderInput input) {
-                return Vec3{point.input(int(input))[0], point.input(int(input) + 1)[0],
-                            point.input(int(input) + 2)[0]};
-            };
-            Vec3 I = vec3(ShaderInput::I);
-            float cosine = std::abs(dot(normalize(I), normalize(vec3(ShaderInput::Ng))));
-            if (cosine < 0.2f)
-                continue;
-            EXPECT_NEAR(point.lightPdfArea[0] * dot(I, I) / cosine / samples.out.pdfSolidAngle[i],
-                        1, 0.02);
+            const float pdf = densities(scene, rays, hits, {i}, point)[0];
+            EXPECT_NEAR(pdf / samples.out.pdfSolidAngle[i], 1, 1e-5);
             Planes<float> planes(colorSamples, 1);
             float *radiance[colorSamples] = {planes[0], planes[1], planes[2]};
-            scene.emission(scene.codeOf(hits.shape[i]), point, radiance);
+            scene.emission(scene.codeOf(hits, i), point, radiance);
             EXPECT_FLOAT_EQ(radiance[0][0], 7);
             EXPECT_FLOAT_EQ(samples.out.value[0][i], 7);
             ++compared;
         }
-        EXPECT_GT(compared, 10);
+        EXPECT_GT(compared, 60);
     });
 }
 

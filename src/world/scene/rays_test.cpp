@@ -13,9 +13,9 @@
 namespace candela {
 namespace {
 
-RayMesh soup(std::mt19937 &random, int triangles) {
+RayShape soup(std::mt19937 &random, int triangles) {
     std::uniform_real_distribution<float> place(-1, 1), edge(-0.3f, 0.3f);
-    RayMesh mesh;
+    RayShape mesh;
     for (int i = 0; i < triangles; ++i) {
         Vec3 a{place(random), place(random), place(random)};
         std::uint32_t first = std::uint32_t(mesh.positions.size());
@@ -28,7 +28,7 @@ RayMesh soup(std::mt19937 &random, int triangles) {
 }
 
 /// Distance in double, infinity = none.
-double distanceTo(const RayMesh &mesh, int triangle, Vec3 o, Vec3 d) {
+double distanceTo(const RayShape &mesh, int triangle, Vec3 o, Vec3 d) {
     auto corner = [&](int k, int axis) {
         return double(mesh.positions[mesh.triangles[triangle][k]][axis]);
     };
@@ -56,7 +56,7 @@ void setRay(RayBatch &rays, int i, Vec3 o, Vec3 d, float tMax = INFINITY) {
 
 TEST(Rays, NearestHitsAreThoseOfBruteForce) {
     std::mt19937 random(7);
-    std::vector<RayMesh> meshes{soup(random, 60), soup(random, 40)};
+    RayObject meshes{soup(random, 60), soup(random, 40)};
     RayWorld world(meshes);
     constexpr int count = 1003;
     RayBatch rays(count);
@@ -73,7 +73,7 @@ TEST(Rays, NearestHitsAreThoseOfBruteForce) {
             Vec3 o{rays.origin[0][i], rays.origin[1][i], rays.origin[2][i]};
             Vec3 d{rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]};
             double nearest = INFINITY;
-            for (const RayMesh &mesh : meshes)
+            for (const RayShape &mesh : meshes)
                 for (int k = 0; k < int(mesh.triangles.size()); ++k)
                     nearest = std::min(nearest, distanceTo(mesh, k, o, d));
             if (hits.shape[i] == noHit) {
@@ -88,9 +88,9 @@ TEST(Rays, NearestHitsAreThoseOfBruteForce) {
 }
 
 /// Small triangles in many coincident copies, in several meshes.
-std::vector<RayMesh> coincidentMeshes(int meshCount, int places, int copies) {
-    std::vector<RayMesh> meshes(meshCount);
-    for (RayMesh &mesh : meshes)
+RayObject coincidentMeshes(int meshCount, int places, int copies) {
+    RayObject meshes(meshCount);
+    for (RayShape &mesh : meshes)
         for (int place = 0; place < places; ++place) {
             float x = float(place % 100) * 0.02f - 1, y = float(place / 100) * 0.02f - 1;
             auto first = std::uint32_t(mesh.positions.size());
@@ -105,7 +105,7 @@ std::vector<RayMesh> coincidentMeshes(int meshCount, int places, int copies) {
 /// Which of several equally near hits is kept must depend on the scene alone: Embree sorts what
 /// it puts into a leaf, so its trees are the same whatever number of threads built them.
 TEST(Rays, EquallyNearHitsDoNotDependOnThreads) {
-    std::vector<RayMesh> meshes = coincidentMeshes(3, 5000, 4);
+    RayObject meshes = coincidentMeshes(3, 5000, 4);
     constexpr int count = 4096;
     RayBatch rays(count);
     rays.count = count;
@@ -131,8 +131,8 @@ TEST(Rays, EquallyNearHitsDoNotDependOnThreads) {
 }
 
 /// A closed sphere of triangles.
-RayMesh ball(Vec3 centre, float radius, int steps) {
-    RayMesh mesh;
+RayShape ball(Vec3 centre, float radius, int steps) {
+    RayShape mesh;
     for (int row = 0; row <= steps; ++row)
         for (int column = 0; column < steps; ++column) {
             double polar = M_PI * row / steps, turn = 2 * M_PI * column / steps;
@@ -161,7 +161,7 @@ TEST(Rays, NoneSlipsBetweenTriangles) {
     std::uniform_real_distribution<float> uniform(0, 1);
     for (Vec3 centre : {Vec3{0, 0, 0}, Vec3{0.3f, 0.2f, 1}, Vec3{30, -20, 100}})
         for (int steps : {8, 100}) {
-            RayMesh mesh = ball(centre, 0.5f, steps);
+            RayShape mesh = ball(centre, 0.5f, steps);
             RayWorld world({mesh});
             constexpr int count = 4096;
             RayBatch rays(count);
@@ -190,7 +190,7 @@ TEST(Rays, NoneSlipsBetweenTriangles) {
 }
 
 TEST(Rays, BadRaysAreNotTraced) {
-    RayMesh mesh;
+    RayShape mesh;
     mesh.positions = {{-9, -9, 1}, {9, -9, 1}, {0, 9, 1}};
     mesh.triangles = {{0, 1, 2}};
     RayWorld world({mesh});

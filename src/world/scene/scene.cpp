@@ -4,6 +4,7 @@
 #include "foundation/base/hot.h"
 #include "foundation/base/lanes.h"
 #include "foundation/base/scratch.h"
+#include "world/points/surface_points.h"
 #include "world/scene/scene_state.h"
 
 #include <cmath>
@@ -92,16 +93,17 @@ int Scene::codeOf(const HitBatch &hits, int i) const {
 
 int Scene::binCount() const { return int(state_->codeOfBin.size()); }
 int Scene::codeOfBin(int bin) const { return state_->codeOfBin[bin]; }
+int Scene::escapedBin() const { return state_->binOfAppearance.back(); }
 
 void Scene::bins(int count, const HitBatch &hits, int *bin) const {
     const PointTables &points = state_->points;
     if (points.instances.empty())
         return lookUpBins(count, hits.shape, state_->binOfAppearance.data(), bin);
     for (int i = 0; i < count; ++i)
-        bin[i] = hits.shape[i] == noHit
-                     ? -1
-                     : state_->binOfAppearance[points.appearanceOf(hits.instance[i],
-                                                                   hits.shape[i])];
+        bin[i] =
+            hits.shape[i] == noHit
+                ? -1
+                : state_->binOfAppearance[points.appearanceOf(hits.instance[i], hits.shape[i])];
 }
 
 void SceneState::numberBins() {
@@ -135,6 +137,11 @@ void Scene::shadingPoints(const RayBatch &rays, const HitBatch &hits, const int 
         footprint = planes + 3 * stride;
     }
     evaluatePoints(state_->points, state_->camera, code, footprint, points);
+    // What has come far is rounded by the way it came.
+    addRounding(count,
+                {points.input(ShaderInput::I, 0), points.input(ShaderInput::I, 1),
+                 points.input(ShaderInput::I, 2)},
+                4 * 0x1p-24f, points.offset);
     for (int c = 0; c < 3 && code.wanted.E; ++c)
         std::fill_n(points.input(ShaderInput::E, c), count, 0.0f);
 }

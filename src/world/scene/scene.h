@@ -5,9 +5,9 @@
 
 #include "interface/ri/scene_builder.h"
 #include "world/camera/camera.h"
+#include "world/points/shading_points.h"
 #include "world/rays/ray_batch.h"
 #include "world/scene/lights.h"
-#include "world/points/shading_points.h"
 #include "world/shading/shader_library.h"
 
 #include <functional>
@@ -46,7 +46,9 @@ public:
     /// Bins: what is shaded together, the shapes of one code, those that are lights apart.
     int binCount() const;
     int codeOfBin(int bin) const;
-    /// bin[i] = bin of hit i, -1 where nothing was hit.
+    /// Rays that meet nothing: their bin, -1 as long as nothing shines there.
+    int escapedBin() const;
+    /// bin[i] = bin of hit i, escapedBin() where nothing was hit.
     void bins(int count, const HitBatch &, int *bin) const;
     /// Fills the shading points of hits[order[0..count)], `order` increasing, which must share one
     /// code; rays are those that made the hits. I is the ray's direction times t.

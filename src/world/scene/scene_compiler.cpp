@@ -73,17 +73,16 @@ static bool isClassic(const DeclaredWorld &declared) {
         return integrator == "classic";
     if (declared.options.string("radiometry:units", "classic") == "si")
         return false;
-    return std::ranges::none_of(declared.lights, [](const auto &light) {
-        return light->units == LightUnits::Si;
-    });
+    return std::ranges::none_of(declared.lights,
+                                [](const auto &light) { return light->units == LightUnits::Si; });
 }
 
 /// The coordinate systems that the camera brings.
 static void addCameraSystems(const Camera &camera, const CameraRecord &record,
                              std::map<std::string, Matrix4> &systems) {
-    for (auto [name, matrix] :
-         {std::pair{"screen", &camera.screenFromCamera()}, std::pair{"NDC", &camera.ndcFromCamera()},
-          std::pair{"raster", &camera.rasterFromCamera()}})
+    for (auto [name, matrix] : {std::pair{"screen", &camera.screenFromCamera()},
+                                std::pair{"NDC", &camera.ndcFromCamera()},
+                                std::pair{"raster", &camera.rasterFromCamera()}})
         if (auto currentFromSpace = inverse(*matrix))
             systems[name] = *currentFromSpace;
     // What depth() reads: camera space with z from 0 at the near plane to 1 at the far one.
@@ -110,8 +109,7 @@ void SceneCompiler::worldEnd() {
     lights.declare(declared.lights);
     lights.attachShapes(geometry);
     lights.bindCategories(state_->library);
-    state->rays =
-        std::make_unique<RayWorld>(geometry.world, geometry.objects, geometry.instances);
+    state->rays = std::make_unique<RayWorld>(geometry.world, geometry.objects, geometry.instances);
     geometry = {};
     if (std::string failure = state->rays->failure(); !failure.empty()) {
         state_->sink.error({}, failure + "; the frame is not rendered");

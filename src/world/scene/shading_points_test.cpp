@@ -31,7 +31,7 @@ struct Grid {
     std::vector<int> ofCode(const Scene &scene, int code) const {
         std::vector<int> order;
         for (int i = 0; i < count; ++i)
-            if (hits.shape[i] != noHit && scene.codeOf(hits.shape[i]) == code)
+            if (hits.shape[i] != noHit && scene.codeOf(hits, i) == code)
                 order.push_back(i);
         return order;
     }
@@ -58,7 +58,7 @@ TEST(ShadingPoints, LieOnTheTrueSphereWhateverTheOrder) {
         ASSERT_GT(order.size(), 100u);
         scene.shadingPoints(grid.rays, grid.hits, order.data(), int(order.size()), grid.points);
         for (int k = 0; k < grid.points.count; ++k) {
-            int primitive = grid.points.primitive[k];
+            int primitive = grid.points.id[k] - 1;
             ASSERT_EQ(primitive, int(grid.hits.shape[order[k]]));
             Vec3 P = grid.vec3(ShaderInput::P, k), outward = P - centres[primitive];
             EXPECT_NEAR(length(outward), 1, 1e-5);
@@ -135,7 +135,7 @@ TEST(ShadingPoints, OffsetRaysLeaveTheSurfaceTheyStartFrom) {
         }
         scene.intersect(away, hits, Coherence::Secondary);
         for (int k = 0; k < Grid::count; ++k)
-            EXPECT_NE(hits.shape[k], std::uint32_t(grid.points.primitive[k])) << k;
+            EXPECT_NE(hits.shape[k], std::uint32_t(grid.points.id[k] - 1)) << k;
     });
 }
 

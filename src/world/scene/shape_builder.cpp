@@ -85,8 +85,7 @@ private:
     void addSinglePlacement(const Placement &placement) {
         for (const DeclaredPrimitive &primitive : declared_.objects[placement.object].primitives)
             addToWorld(primitive, primitive.outerFromPrimitive * placement.currentFromObject,
-                       placement.attributes,
-                       primitive.attributes->flipNormal != placement.turned);
+                       placement.attributes, primitive.attributes->flipNormal != placement.turned);
     }
 
     /// How finely each placement wants its object, and by that its level.
@@ -156,8 +155,8 @@ private:
             if (timesPlaced_[placement.object] <= 1)
                 continue;
             const ObjectShapes &shapes = shapesOf(i);
-            auto [place, isNew] = known.try_emplace(
-                {shapes.first, placement.attributes.get(), placement.turned}, 0);
+            auto [place, isNew] =
+                known.try_emplace({shapes.first, placement.attributes.get(), placement.turned}, 0);
             if (isNew || place->second < 0)
                 place->second = addAppearances(shapes, placement);
             if (place->second == noAppearance)
@@ -287,11 +286,11 @@ private:
     AppearanceBuilder looks_;
     DicingPlan plan_;
     std::vector<Placement> placements_;
-    std::vector<int> timesPlaced_;      ///< By object.
-    std::vector<int> levels_;           ///< By placement.
-    std::vector<float> pixels_;         ///< By placement: object units a pixel.
+    std::vector<int> timesPlaced_;           ///< By object.
+    std::vector<int> levels_;                ///< By placement.
+    std::vector<float> pixels_;              ///< By placement: object units a pixel.
     std::vector<std::uint32_t> shapeCounts_; ///< By instance.
-    std::vector<bool> turnedShapes_;    ///< By shape: its definition reverses the orientation.
+    std::vector<bool> turnedShapes_;         ///< By shape: its definition reverses the orientation.
     std::map<std::pair<int, int>, ObjectShapes> objectShapes_; ///< By object and level.
 };
 

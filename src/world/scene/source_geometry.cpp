@@ -63,8 +63,8 @@ void setTriangle(LightSource &source, const RayShape &mesh, std::uint32_t elemen
 
 std::optional<LightSource> rectangleOf(const LightSource &one, const LightSource &other) {
     const Corners a = cornersOf(one), b = cornersOf(other);
-    const float size = std::fabs(one.corner.x) + std::fabs(one.corner.y) +
-                       std::fabs(one.corner.z) + length(one.edgeA) + length(one.edgeB);
+    const float size = std::fabs(one.corner.x) + std::fabs(one.corner.y) + std::fabs(one.corner.z) +
+                       length(one.edgeA) + length(one.edgeB);
     auto same = [&](Vec3 p, Vec3 q) { return length(p - q) <= 4e-7f * size; };
     for (int k = 0; k < 3; ++k) {
         // The corner with the right angle; the other triangle must fill up the parallelogram.

@@ -47,8 +47,7 @@ struct FormBlock {
 };
 
 /// Calls body(form, block) for all lanes, a form at a time.
-template <class Body>
-void forForms(const LightTable &table, const SourceQuery &query, Body body) {
+template <class Body> void forForms(const LightTable &table, const SourceQuery &query, Body body) {
     thread_local FormBlock own;
     using Form = LightSource::Form;
     for (Form form : {Form::Triangle, Form::Rectangle, Form::Sphere}) {
@@ -82,7 +81,9 @@ void crossEdges(FormBlock &b) {
 /// Barycentric coordinates of points on triangles.
 void findBarycentrics(FormBlock &b) {
     for (int k = 0; k < b.count; ++k) {
-        auto vec3 = [&](const std::array<float *, 3> &p) { return Vec3{p[0][k], p[1][k], p[2][k]}; };
+        auto vec3 = [&](const std::array<float *, 3> &p) {
+            return Vec3{p[0][k], p[1][k], p[2][k]};
+        };
         const Vec3 a = vec3(b.edgeA), e = vec3(b.edgeB), w = vec3(b.point) - vec3(b.corner);
         const double aa = dot(a, a), ae = dot(a, e), ee = dot(e, e), wa = dot(w, a), we = dot(w, e);
         const double determinant = aa * ee - ae * ae;
@@ -132,8 +133,8 @@ void samplePoints(LightSource::Form form, bool byArea, FormBlock &b) {
                          b.u, b.v, b.point.data(), b.pdf);
         break;
     case LightSource::Form::Sphere:
-        sampleSpheres(b.count, b.from.data(), b.corner.data(), b.edgeA[0], b.u, b.v,
-                      b.point.data(), b.pdf);
+        sampleSpheres(b.count, b.from.data(), b.corner.data(), b.edgeA[0], b.u, b.v, b.point.data(),
+                      b.pdf);
     }
 }
 
@@ -168,8 +169,8 @@ void sampleSources(const LightTable &table, const SourceQuery &query, const floa
     });
 }
 
-void sourceDensities(const LightTable &table, const SourceQuery &query,
-                     const float *const point[3], float *pdf) {
+void sourceDensities(const LightTable &table, const SourceQuery &query, const float *const point[3],
+                     float *pdf) {
     std::fill_n(pdf, query.count, 0.0f);
     forForms(table, query, [&](LightSource::Form form, FormBlock &b) {
         for (int c = 0; c < 3; ++c)

@@ -86,6 +86,8 @@ void ShaderCode::bindCategories(std::vector<std::uint8_t> accepts, int lightCoun
             hearsAsIndirect_[light] &= categoryAccepts_[first + light] == categoryAccepts_[first];
     if (std::ranges::find(hearsAsIndirect_, 0) == hearsAsIndirect_.end())
         hearsAsIndirect_.clear();
+    if (std::ranges::find(categoryAccepts_, 0) == categoryAccepts_.end())
+        categoryAccepts_.clear(); // What accepts everything need not be asked.
 }
 
 void ShaderCode::bind(ShaderArgs &args) const {

@@ -52,5 +52,4 @@ float viewingDepth(const Box3 &box) {
     return std::max(length(outside), size);
 }
 
-
 } // namespace candela

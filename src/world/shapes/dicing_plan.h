@@ -33,8 +33,8 @@ public:
 
 private:
     struct Wish {
-        Box3 box;        ///< In the outer space.
-        float pixel;     ///< Outer units.
+        Box3 box;    ///< In the outer space.
+        float pixel; ///< Outer units.
         bool inWorld, isCurved;
         bool fine = false;
     };

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0
-   Says what it is told, in or out of range. */
+   Black, and as opaque as it is told to be, in or out of range. */
 surface exactly(float opacity = 1;)
 {
     Oi = opacity;
-    Ci = Cs;
+    Ci = 0;
 }
