@@ -55,9 +55,9 @@ void forScene(const std::string &options, const std::function<void(const Scene &
     DiagnosticList diagnostics;
     ErrorPolicy policy(diagnostics);
     const std::string file = CANDELA_SOURCE_DIR "/tests/determinism/everything.rib";
-    ShaderLibrary shaders(
-        {shaderFolders(file, {CANDELA_SOURCE_DIR "/tests/determinism/shaders"}, policy), {}},
-        policy);
+    ShaderFolders folders =
+        shaderFolders(file, {CANDELA_SOURCE_DIR "/tests/determinism/shaders"}, policy);
+    ShaderLibrary shaders({folders.all, folders.library, {}}, policy);
     bool seen = false;
     SceneCompiler world(shaders, policy, [&](const Scene &scene) { seen = true, look(scene); });
     GraphicsState state(world, shaders, policy, {});

@@ -33,7 +33,7 @@ TEST_F(Memory, IsEnoughForASmallScene) {
 TEST_F(Memory, MayNotSufficeForTriangles) {
     std::string spheres = "ShadingRate .0001\nTranslate 0 0 3\n";
     for (int i = 0; i < 60; ++i)
-        spheres += "Sphere 1 -1 1 360\n";
+        spheres += "Sphere 1 -1 .99 360\n"; // Whole ones are not diced.
     expectNotEnough(spheres);
 }
 

@@ -82,7 +82,10 @@ TEST_F(Archives, mayBePartOfObjects) {
     readFile(write("main.rib", "WorldBegin ObjectBegin 1 ReadArchive \"ball.rib\" ObjectEnd\n"
                                "ObjectInstance 1 ObjectInstance 1 WorldEnd"));
     EXPECT_EQ(found.text(), "");
-    EXPECT_EQ(primitives(), 2u);
+    EXPECT_EQ(primitives(), 0u);
+    ASSERT_EQ(builder.worlds.back().objects.size(), 1u);
+    EXPECT_EQ(builder.worlds.back().objects[0].primitives.size(), 1u);
+    EXPECT_EQ(builder.worlds.back().instances.size(), 2u);
 }
 
 TEST_F(Archives, thatAreMissingAreErrors) {

@@ -86,8 +86,11 @@ TEST_F(Reading, handlesAreNumbersOrStrings) {
                        "ObjectInstance 3");
     EXPECT_EQ(found.text(), "");
     EXPECT_EQ(scene.lights[1]->handle, "key light");
-    ASSERT_EQ(scene.primitives.size(), 3u);
+    ASSERT_EQ(scene.primitives.size(), 1u);
     EXPECT_EQ(scene.primitives[0].attributes->lightsOn, (std::vector{1}));
+    ASSERT_EQ(scene.instances.size(), 2u);
+    EXPECT_EQ(scene.instances[0].object, 0);
+    EXPECT_EQ(scene.instances[1].object, 1);
 }
 
 TEST_F(Reading, optionalArgumentsMayBeAbsent) {

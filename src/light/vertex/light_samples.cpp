@@ -50,7 +50,7 @@ LightQuery lightQuery(SurfaceVertices &vertices, const ConstVec3Planes &N,
                       const LightNumbers &numbers) {
     LightQuery query;
     query.count = vertices.count();
-    query.P = vertices.P();
+    query.P = vertices.litPoints();
     query.N = N;
     query.lightSet = vertices.points.lightSet;
     query.time = vertices.points.input(int(ShaderInput::time));

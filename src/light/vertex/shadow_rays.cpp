@@ -44,7 +44,7 @@ int ShadowRays::attenuate(SurfaceVertices &vertices, const LightSamples &samples
     const MutableVec3Planes origin{origin_[0], origin_[1], origin_[2]};
     const MutableVec3Planes direction{direction_[0], direction_[1], direction_[2]};
     vertices.rayOrigins(L, origin);
-    towardsLight(all, vertices.P(), {origin[0], origin[1], origin[2]}, L, samples.distance,
+    towardsLight(all, vertices.litPoints(), {origin[0], origin[1], origin[2]}, L, samples.distance,
                  direction, end_[0]);
     rays_.count = count; // tMin is 0 ever since it was made.
     for (int c = 0; c < 3; ++c) {

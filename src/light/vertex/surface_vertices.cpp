@@ -58,6 +58,7 @@ void reserve(Planes<float> &planes, int count, int lanes) {
 SurfaceVertices::SurfaceVertices(int capacity)
     : points(capacity), capacity_(paddedLanes(capacity)) {
     storage_.facing = Planes<float>(3, capacity);
+    storage_.litPoints = Planes<float>(3, capacity);
 }
 
 ConstVec3Planes SurfaceVertices::input(ShaderInput first) {
@@ -73,6 +74,8 @@ void SurfaceVertices::meet(const Scene &scene, int code, const RayBatch &rays, c
     ConstVec3Planes n = input(ShaderInput::Ng), i = input(ShaderInput::I);
     const Planes<float> &facing = storage_.facing;
     faceForward(count, n[0], n[1], n[2], i[0], i[1], i[2], facing[0], facing[1], facing[2]);
+    const Planes<float> &lit = storage_.litPoints;
+    rayOrigins(facingPlanes(), {lit[0], lit[1], lit[2]});
 }
 
 void SurfaceVertices::rayOrigins(const ConstVec3Planes &along, const MutableVec3Planes &origin) {

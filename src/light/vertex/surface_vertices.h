@@ -32,6 +32,11 @@ public:
     const ShaderCode &code() const { return scene_->code(codeIndex_); }
     int count() const { return points.count; }
     int lanes() const { return capacity_; }
+    /// From where lights are sampled: where rays to the facing side start, so that those that meet
+    /// lamps ask for densities from the very same points.
+    ConstVec3Planes litPoints() const {
+        return {storage_.litPoints[0], storage_.litPoints[1], storage_.litPoints[2]};
+    }
     ConstVec3Planes facingPlanes() const {
         return {storage_.facing[0], storage_.facing[1], storage_.facing[2]};
     }
@@ -55,7 +60,7 @@ private:
         std::array<const float *, colorSamples> Ca{};
     };
     struct Storage {
-        Planes<float> facing, frame, outputs, shadeOutputs;
+        Planes<float> facing, litPoints, frame, outputs, shadeOutputs;
         std::vector<float *> outputTable;
     };
     ShaderArgs arguments() const;

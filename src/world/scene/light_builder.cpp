@@ -270,8 +270,11 @@ void LightBuilder::bindCategories(const ShaderLibrary &library) {
 
 void LightBuilder::prepareChoices() {
     LightTable &table = state_.lights;
-    for (SceneLight &light : table.lights)
+    for (SceneLight &light : table.lights) {
         light.power = estimatePower(state_, light);
+        if (light.kind == LightKind::Point)
+            light.place = placeOf(state_, light);
+    }
     table.number();
     for (std::size_t set = 0; set < state_.lightSets.size(); ++set)
         table.choices.push_back(choiceOf(int(set)));
@@ -299,11 +302,15 @@ LightChoice LightBuilder::choiceOf(int set) const {
         for (std::int32_t k = light.firstSource; k < light.firstSource + light.sources; ++k) {
             const LightSource &source = table.sources[k];
             const double share = light.area > 0 ? areaOf(source) / light.area : 1;
-            if (light.kind == LightKind::Distant) {
+            const bool anywhere = light.kind == LightKind::Distant ||
+                                  (light.kind == LightKind::Point && light.place.empty());
+            if (anywhere) {
                 const double disc = std::numbers::pi * state_.radius * state_.radius;
                 infinite.push_back({k, float(power / disc), true, {}, 1});
             } else if (share > 0) {
                 bounds.push_back(boundOf(source, power * share));
+                if (light.kind == LightKind::Point)
+                    bounds.back().box = light.place;
                 numbers.push_back(k);
             }
         }

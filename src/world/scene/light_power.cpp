@@ -65,26 +65,35 @@ double distantPower(const SceneState &state, const SceneLight &light) {
     return sum / samples * pi * state.radius * state.radius;
 }
 
-/// Intensities over the sphere around the light; where it stands, L tells.
-double pointPower(const SceneState &state, const SceneLight &light, LightBatch &batch) {
+/// Asks from all around the scene; where the light stands then is where L comes from.
+void askFromAround(const SceneState &state, const SceneLight &light, LightBatch &batch) {
     for (int i = 0; i < samples; ++i)
         setPs(batch, i,
               state.centre + onSphere(quasiRandom(i, 0), quasiRandom(i, 1)) * state.radius);
     batch.ask(state, *light.shader.code);
+}
+
+Vec3 vec3(float *const *planes, int i) { return {planes[0][i], planes[1][i], planes[2][i]}; }
+
+Vec3 Ps(const LightBatch &batch, int i) {
+    return {batch.input(ShaderInput::Ps, 0)[i], batch.input(ShaderInput::Ps, 1)[i],
+            batch.input(ShaderInput::Ps, 2)[i]};
+}
+
+/// Intensities over the sphere around the light.
+double pointPower(const SceneState &state, const SceneLight &light, LightBatch &batch) {
+    askFromAround(state, light, batch);
     for (int i = 0; i < samples; ++i) {
-        Vec3 L{batch.L[0][i], batch.L[1][i], batch.L[2][i]};
-        Vec3 Ps{batch.input(ShaderInput::Ps, 0)[i], batch.input(ShaderInput::Ps, 1)[i],
-                batch.input(ShaderInput::Ps, 2)[i]};
-        Vec3 at = dot(L, L) > 0 ? Ps - L : transformPoint(light.currentFromShader, {0, 0, 0});
+        const Vec3 L = vec3(batch.L.data(), i);
+        const Vec3 at =
+            dot(L, L) > 0 ? Ps(batch, i) - L : transformPoint(light.currentFromShader, {0, 0, 0});
         setPs(batch, i, at + onSphere(quasiRandom(i, 0), quasiRandom(i, 1)) * state.radius);
     }
     batch.ask(state, *light.shader.code);
     double sum = 0;
     for (int i = 0; i < samples; ++i) {
-        double distance2 = double(batch.L[0][i]) * batch.L[0][i] +
-                           double(batch.L[1][i]) * batch.L[1][i] +
-                           double(batch.L[2][i]) * batch.L[2][i];
-        sum += totalCl(batch, i) * distance2;
+        const Vec3 L = vec3(batch.L.data(), i);
+        sum += totalCl(batch, i) * (double(L.x) * L.x + double(L.y) * L.y + double(L.z) * L.z);
     }
     return sum / samples * 4 * pi;
 }
@@ -167,6 +176,17 @@ void placeClassicArea(const SceneState &state, const SceneLight &light, LightBat
 }
 
 } // namespace
+
+Box3 placeOf(const SceneState &state, const SceneLight &light) {
+    LightBatch batch(samples);
+    prepare(batch, light);
+    askFromAround(state, light, batch);
+    Box3 place;
+    for (int i = 0; i < samples; ++i)
+        if (const Vec3 L = vec3(batch.L.data(), i); dot(L, L) > 0 && isFinite(Ps(batch, i) - L))
+            place.add(Ps(batch, i) - L);
+    return place;
+}
 
 double estimatePower(const SceneState &state, const SceneLight &light) {
     double power = 0;

@@ -9,5 +9,8 @@ namespace candela {
 /// Mean over 256 quasi-random points and directions, all color samples added up; in W, for
 /// classic units what would be W if Cl were E / pi. Never negative or not finite.
 double estimatePower(const SceneState &, const SceneLight &);
+/// Where a light without geometry stands, as its shader tells points all around; empty if it lights
+/// none of them.
+Box3 placeOf(const SceneState &, const SceneLight &);
 
 } // namespace candela

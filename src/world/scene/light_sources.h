@@ -46,6 +46,7 @@ struct SceneLight {
     std::vector<double> cumulative; ///< With geometry: running sum of the sources' share of area.
     double area = 0;                ///< Of all sources, m^2.
     int surfaceCode = -1;           ///< The code of all its shapes; -1 = they differ.
+    Box3 place;                     ///< Without geometry: where it stands; empty = not known.
     double power = 0;               ///< An estimate; W, or what would be W for classic units.
     int batch = 0;                  ///< Lights of one batch share kind and code.
 
