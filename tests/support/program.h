@@ -8,11 +8,11 @@
 namespace candela::test {
 
 struct RunSettings {
-    std::string program{};   ///< Another copy of candela; empty = candelaProgram().
-    std::string folder{};    ///< The current folder of the run; empty = that of the test.
-    std::string input{};     ///< Path of standard input; empty = /dev/null.
-    long fileSizeLimit = -1; ///< Largest file it may write, bytes (RLIMIT_FSIZE); -1 = any.
-    long memoryLimit = -1;   ///< Most address space it may take, bytes (RLIMIT_AS); -1 = any.
+    std::string program{};    ///< Another copy of candela; empty = candelaProgram().
+    std::string folder{};     ///< The current folder of the run; empty = that of the test.
+    std::string input{};      ///< Path of standard input; empty = /dev/null.
+    long fileSizeLimit = -1;  ///< Largest file it may write, bytes (RLIMIT_FSIZE); -1 = any.
+    long memoryLimit = -1;    ///< Most address space it may take, bytes (RLIMIT_AS); -1 = any.
     int secondsAllowed = 120; ///< Times timeScale().
 };
 

@@ -51,6 +51,7 @@ LightQuery lightQuery(SurfaceVertices &vertices, const ConstVec3Planes &N,
     LightQuery query;
     query.count = vertices.count();
     query.P = vertices.litPoints();
+    query.Ps = vertices.P();
     query.N = N;
     query.lightSet = vertices.points.lightSet;
     query.time = vertices.points.input(int(ShaderInput::time));

@@ -204,7 +204,7 @@ void sampleDelta(const Job &job, const std::int32_t *lanes, int count) {
         batch.parameterOffset[k] = light.shader.parameterOffset;
         batch.objectIndex[k] = 0;
         for (int c = 0; c < 3; ++c)
-            batch.input(ShaderInput::Ps, c)[k] = job.query.P[c][i];
+            batch.input(ShaderInput::Ps, c)[k] = job.query.Ps[c][i];
         for (int c = 0; c < 2; ++c)
             batch.input(ShaderInput::lightSample, c)[k] = job.query.position[c][i];
         batch.input(ShaderInput::time)[k] = job.query.time[i];
@@ -222,7 +222,7 @@ void sampleDelta(const Job &job, const std::int32_t *lanes, int count) {
             continue;
         }
         for (int c = 0; c < 3; ++c)
-            out.L[c][i] = L[c];
+            out.L[c][i] = L[c] + (job.query.Ps[c][i] - job.query.P[c][i]);
         const bool distant = light.kind == LightKind::Distant;
         out.distance[i] = distant ? std::numeric_limits<float>::infinity() : distance;
         out.pdfSolidAngle[i] = 0;

@@ -13,8 +13,9 @@ namespace candela {
 /// The points that ask for light.
 struct LightQuery {
     int count = 0;
-    std::array<const float *, 3> P{};
-    std::array<const float *, 3> N{}; ///< Unit, facing; 0 where light from both sides counts.
+    std::array<const float *, 3> P{};  ///< Where rays to lights start, just off the surface.
+    std::array<const float *, 3> Ps{}; ///< The point on the surface: what light shaders are told.
+    std::array<const float *, 3> N{};  ///< Unit, facing; 0 where light from both sides counts.
     const std::int32_t *lightSet = nullptr;
     const float *time = nullptr;
     /// Uniform samples: which light, and where on it.
@@ -24,8 +25,8 @@ struct LightQuery {
 
 /// One light sample for each point; planes are the caller's.
 struct LightSamples {
-    /// From P towards the light, as far as a shadow ray may go: finite lights end it a little
-    /// before their own surface (docs/ray-offset.md).
+    /// From LightQuery::P towards the light, as far as a shadow ray may go: finite lights end it a
+    /// little before their own surface (docs/ray-offset.md).
     std::array<float *, 3> L{};
     float *distance = nullptr; ///< Length of L in metres; infinity for distant lights.
     /// What a loop's Cl is worth before the shadow: for finite pdf the radiance L_i (W m^-2

@@ -16,6 +16,7 @@ struct Samples {
     explicit Samples(int n) : floats(15, n), integers(2, n), shadow(1, n) {
         query.count = n;
         query.P = {floats[0], floats[1], floats[2]};
+        query.Ps = query.P;
         query.N = {floats[14], floats[14], floats[14]}; // Light from all sides counts.
         query.lightSet = integers[0];
         query.time = floats[3];
