@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <new>
 
 namespace candela {
 
@@ -22,6 +23,8 @@ public:
     Planes(int planes, int lanes) : lanes_(paddedLanes(lanes)), planes_(planes) {
         std::size_t bytes = std::size_t(planes) * lanes_ * sizeof(T);
         data_.reset(static_cast<T *>(std::aligned_alloc(64, (bytes + 63) / 64 * 64 + 64)));
+        if (!data_)
+            throw std::bad_alloc();
         std::memset(data_.get(), 0, bytes);
     }
     T *operator[](int plane) const { return data_.get() + std::size_t(plane) * lanes_; }

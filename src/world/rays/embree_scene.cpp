@@ -30,6 +30,8 @@ void refuseFromBehind(const RTCFilterFunctionNArguments *args) {
 RTCGeometry makeTriangles(RTCDevice device, const RayShape &shape) {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     const std::size_t count = shape.triangles.size();
+    if (!geometry)
+        return nullptr;
     auto *corners = static_cast<Vec3 *>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3), 3 * count));
     auto *indices = static_cast<std::uint32_t *>(rtcSetNewGeometryBuffer(
@@ -43,6 +45,8 @@ RTCGeometry makeTriangles(RTCDevice device, const RayShape &shape) {
 
 RTCGeometry makeSphere(RTCDevice device, const RayShape &shape) {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_SPHERE_POINT);
+    if (!geometry)
+        return nullptr;
     auto *sphere = static_cast<float *>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 4 * sizeof(float), 1));
     if (sphere)
@@ -56,6 +60,8 @@ RTCGeometry makeSphere(RTCDevice device, const RayShape &shape) {
 RTCGeometry makeGeometry(RTCDevice device, const RayShape &shape) {
     RTCGeometry geometry =
         shape.radius > 0 ? makeSphere(device, shape) : makeTriangles(device, shape);
+    if (!geometry)
+        return nullptr;
     rtcSetGeometryMask(geometry, shape.opaque ? opaqueBit : transparentBit);
     rtcSetGeometryUserData(geometry, reinterpret_cast<void *>(std::intptr_t(shape.frontSign)));
     // Filters more than double the time of a ray: only one-sided surfaces have them.
@@ -80,10 +86,16 @@ static RTCDevice newDevice() {
 }
 
 EmbreeDevice::EmbreeDevice() : device_(newDevice()) {
-    rtcSetDeviceErrorFunction(device_, takeError, this);
+    if (device_)
+        rtcSetDeviceErrorFunction(device_, takeError, this);
+    else
+        takeError(this, rtcGetDeviceError(nullptr), nullptr);
 }
 
-EmbreeDevice::~EmbreeDevice() { rtcReleaseDevice(device_); }
+EmbreeDevice::~EmbreeDevice() {
+    if (device_)
+        rtcReleaseDevice(device_);
+}
 
 void EmbreeDevice::takeError(void *self, RTCError error, const char *text) {
     auto *device = static_cast<EmbreeDevice *>(self);
@@ -95,6 +107,8 @@ void EmbreeDevice::takeError(void *self, RTCError error, const char *text) {
 }
 
 int EmbreeDevice::packetWidth() const {
+    if (!device_)
+        return 4;
     if (rtcGetDeviceProperty(device_, RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED))
         return 16;
     return rtcGetDeviceProperty(device_, RTC_DEVICE_PROPERTY_NATIVE_RAY8_SUPPORTED) ? 8 : 4;
@@ -109,6 +123,8 @@ unsigned maskOf(const RayObject &object) {
 
 RTCScene makeScene(const EmbreeDevice &device, const RayObject &object) {
     RTCScene scene = rtcNewScene(device.get());
+    if (!scene) // The device has been told of it.
+        return nullptr;
     rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
     std::vector<RTCGeometry> geometries(object.size());
     parallelFor(object.size(), [&](std::size_t i) {
@@ -127,6 +143,8 @@ RTCScene makeScene(const EmbreeDevice &device, const RayObject &object) {
 void attachInstance(const EmbreeDevice &device, RTCScene world, unsigned id, RTCScene object,
                     unsigned mask, const Matrix4 &currentFromObject) {
     RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_INSTANCE);
+    if (!geometry)
+        return;
     rtcSetGeometryInstancedScene(geometry, object);
     rtcSetGeometryMask(geometry, mask);
     // Rows of ours are the columns of theirs: points are row vectors here.

@@ -172,13 +172,20 @@ RayWorld::RayWorld(const RayObject &world, std::span<const RayObject> objects,
                    std::span<const RayInstance> instances)
     : handles_(std::make_unique<Handles>()), worldShapes_(std::uint32_t(world.size())) {
     FlushDenormals guard;
+    auto failed = [&] { return !failure().empty(); };
+    if (failed())
+        return;
     unsigned mask = maskOf(world);
     for (const RayObject &object : objects) {
         RTCScene scene = makeScene(handles_->device, object);
-        rtcCommitScene(scene);
         handles_->objects.push_back(scene);
+        if (failed())
+            return;
+        rtcCommitScene(scene);
     }
     handles_->scene = makeScene(handles_->device, world);
+    if (failed())
+        return;
     firstShapeOfInstance_.reserve(instances.size());
     for (const RayInstance &instance : instances) {
         const unsigned own = maskOf(objects[instance.object]);
@@ -189,13 +196,16 @@ RayWorld::RayWorld(const RayObject &world, std::span<const RayObject> objects,
         mask |= own;
     }
     hasTransparent_ = mask & transparentBit;
-    rtcCommitScene(handles_->scene);
+    if (!failed())
+        rtcCommitScene(handles_->scene);
 }
 
 RayWorld::~RayWorld() {
-    rtcReleaseScene(handles_->scene);
+    if (handles_->scene)
+        rtcReleaseScene(handles_->scene);
     for (RTCScene object : handles_->objects)
-        rtcReleaseScene(object);
+        if (object)
+            rtcReleaseScene(object);
 }
 
 std::string RayWorld::failure() const { return handles_->device.failure(); }
