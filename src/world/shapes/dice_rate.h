@@ -7,9 +7,9 @@
 
 namespace candela {
 
-/// Edges are so long, and triangles so far from the surface, at ShadingRate 1; both grow with its
-/// square root. In pixels, where the bound comes nearest to the camera.
-inline constexpr float edgePixels = 8, chordPixels = 0.1f;
+/// Triangles are so far from the surface, in pixels where the bound comes nearest to the camera, at
+/// ShadingRate 1; it grows with its square root.
+inline constexpr float chordPixels = 0.1f;
 
 /// The box around a transformed box.
 Box3 transformBox(const Matrix4 &, const Box3 &);

@@ -89,14 +89,14 @@ DiceRate DicingPlan::rateOf(const Shape &shape, const Wish &wish, float pixel,
     const float stretch = largestStretch(shape.outerFromShape);
     if (!(stretch > 0) || !std::isfinite(pixel) || !(pixel > 0))
         return {size / 16, size / 1000};
-    // Finer than a float's rounding means nothing.
+    // Hits are named and evaluated on the true surface: edges may be as long as they like. Finer
+    // than a float's rounding means nothing.
     DiceRate rate;
-    rate.edgeLength = std::max(edgePixels * pixel / stretch, size * 1e-4f);
+    rate.edgeLength = 4 * size;
     rate.chordError = std::max(chordPixels * pixel / stretch, size * 1e-7f);
     if (wish.fine)
         rate.chordError = std::min(rate.chordError, lightChord * size);
     rate.chordError *= float(coarsening);
-    rate.edgeLength *= float(std::sqrt(coarsening));
     return rate;
 }
 
