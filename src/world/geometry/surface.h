@@ -36,13 +36,6 @@ struct DicedMesh {
     float chordError = 0; ///< No triangle is farther than this from the surface; 0 = exact.
 };
 
-/// Bytes that a mesh of so many triangles takes: near half as many vertices.
-inline double dicedBytes(double triangles) {
-    constexpr double vertex = sizeof(Vec3) + 2 * sizeof(float),
-                     triangle = 3 * sizeof(std::uint32_t);
-    return triangles * (triangle + vertex / 2);
-}
-
 /// A primitive variable that a caller may ask for besides the geometry.
 struct VariableInfo {
     std::string name;
