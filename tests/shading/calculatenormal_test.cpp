@@ -35,9 +35,12 @@ std::string rowOf(const Shape &shape, bool reversed) {
     return row;
 }
 
-/// Red: how far the calculated normal is from the given one.
+/// Red: how far the calculated normal is from the given one. Not at outlines, where the given one
+/// is mirrored at the line of sight if it is turned away from what the ray has met.
 const std::string shader = "surface t() { normal given = normalize(N); Oi = 1;\n"
-                           "Ci = color(length(normalize(calculatenormal(P)) - given), 1, 0); }\n";
+                           "float inside = step(.1, abs(normalize(I) . given));\n"
+                           "Ci = color(inside * length(normalize(calculatenormal(P)) - given),\n"
+                           "           inside, 0); }\n";
 
 TEST(Calculatenormal, IsTheGivenNormalWherePIsUnchanged) {
     ScratchFolder folder;
