@@ -199,6 +199,7 @@ void LightBuilder::finishLights() {
                                      transformPoint(light.currentFromShader, {0, 0, 0}),
                                      {},
                                      {},
+                                     0,
                                      0});
         light.sources = std::int32_t(table.sources.size()) - light.firstSource;
     }
@@ -275,7 +276,7 @@ void LightBuilder::prepareChoices() {
         if (light.kind == LightKind::Point)
             light.place = placeOf(state_, light);
     }
-    table.number();
+    table.number(state_.points);
     for (std::size_t set = 0; set < state_.lightSets.size(); ++set)
         table.choices.push_back(choiceOf(int(set)));
     table.isSingle = table.sources.size() <= 1 && std::ranges::all_of(table.isOn, [](auto &on) {

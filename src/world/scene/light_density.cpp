@@ -5,7 +5,20 @@
 #include "world/scene/light_choices.h"
 #include "world/scene/source_points.h"
 
+#include <optional>
+
 namespace candela {
+
+namespace {
+
+SourceRows &sourceRows(int count) {
+    thread_local std::optional<SourceRows> own;
+    if (!own || own->planes.lanes() < count)
+        own.emplace(count);
+    return *own;
+}
+
+} // namespace
 
 void Scene::lightDensity(const LightQuery &query, const ShadingPoints &points,
                          const std::array<const float *, 3> &elementPoint, float *pdf) const {
@@ -26,7 +39,9 @@ void Scene::lightDensity(const LightQuery &query, const ShadingPoints &points,
                     std::int32_t(ofElement.empty() ? 0 : ofElement[points.element[i]]);
     }
     sourceProbabilities(*state_, query, source, probability);
-    sourceDensities(state_->lights, {count, source, query.P}, elementPoint.data(), pdf);
+    SourceRows &rows = sourceRows(count);
+    rows.take(state_->lights, count, source);
+    sourceDensities(rows, query.P.data(), elementPoint.data(), pdf);
     lanes::multiply(count, probability, pdf);
 }
 

@@ -117,20 +117,13 @@ void placeSamples(const SceneState &state, const SceneLight &light, const Surfac
             source[i] = light.firstSource;
         u[i] = quasiRandom(i, 0), v[i] = quasiRandom(i, 1);
     }
+    SourceRows rows(samples);
     SourcePoints drawn(samples);
-    sampleSources(state.lights, {samples, source, {}}, u, v, true, drawn);
-    points.count = samples;
-    for (int i = 0; i < samples; ++i) {
-        const LightSource &from = state.lights.sources[source[i]];
-        points.instance[i] = from.instance, points.shape[i] = from.shape;
-        points.element[i] = from.element;
-        points.u[i] = drawn.u[i], points.v[i] = drawn.v[i];
-        for (int c = 0; c < 3; ++c) {
-            points.input(ShaderInput::P, c)[i] = drawn.point[c][i];
-            points.input(ShaderInput::Ng, c)[i] = drawn.normal[c][i];
-            points.input(ShaderInput::I, c)[i] = 0;
-        }
-    }
+    rows.take(state.lights, samples, source);
+    placeOnSources(rows, u, v, drawn);
+    placePoints(rows, drawn, points);
+    for (int c = 0; c < 3; ++c)
+        std::fill_n(points.input(ShaderInput::I, c), samples, 0.0f);
     evaluatePoints(state.points, state.camera, code, nullptr, points);
 }
 

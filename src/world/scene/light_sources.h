@@ -30,7 +30,25 @@ struct alignas(64) LightSource {
     std::uint32_t instance = noHit, shape = 0, element = 0; ///< The place of a triangle's points.
     /// Current space. Spheres: the centre, and the radius as edgeA.x.
     Vec3 corner, edgeA, edgeB;
-    float offset = 0; ///< Rays towards it end so far before it: see ShadingPoints::offset.
+    float offset = 0;     ///< Rays towards it end so far before it: see ShadingPoints::offset.
+    std::int32_t bin = 0; ///< Index into LightTable::bins.
+};
+
+/// What sources that are asked together have in common.
+struct SourceBin {
+    enum class Asked : std::int32_t {
+        Surface,     ///< Shading points of surfaces that shine, by `surfaceCode`.
+        PlainShader, ///< Light shaders that look at positions and normals alone.
+        PointShader, ///< Light shaders without shapes.
+        ClassicArea, ///< Light shaders in classic units, at points of shapes.
+    };
+    Asked asked = Asked::PointShader;
+    int surfaceCode = -1;
+    const ShaderCode *shader = nullptr; ///< Of the light.
+    bool castsShadow = true, si = true, distant = false;
+    float elementSign = 1; ///< Appearance::elementSign.
+
+    bool operator==(const SourceBin &) const = default;
 };
 
 struct SceneLight {
@@ -48,7 +66,6 @@ struct SceneLight {
     int surfaceCode = -1;           ///< The code of all its shapes; -1 = they differ.
     Box3 place;                     ///< Without geometry: where it stands; empty = not known.
     double power = 0;               ///< An estimate; W, or what would be W for classic units.
-    int batch = 0;                  ///< Lights of one batch share kind and code.
 
     bool finite() const { return kind == LightKind::Area || kind == LightKind::Emitter; }
     bool hasGeometry() const { return finite() || kind == LightKind::ClassicArea; }
@@ -62,15 +79,15 @@ int chooseByCumulative(std::span<const double> cumulative, double &sample);
 struct LightTable {
     std::vector<SceneLight> lights; ///< LightRecords in order, then emitting surfaces.
     std::vector<LightSource> sources;
+    std::vector<SourceBin> bins;
     std::vector<LightChoice> choices;            ///< By light set.
     std::vector<int> ambient;                    ///< Indices of the ambient lights.
     std::vector<std::vector<std::uint8_t>> isOn; ///< [lightSet][index + 1].
-    int batches = 0;
     bool isSingle = false; ///< There is one source at most, on for all: none has to be chosen.
 
     bool on(std::int32_t lightSet, std::int32_t light) const { return isOn[lightSet][light] != 0; }
-    /// Numbers the batches, lists the ambient lights.
-    void number();
+    /// Sorts the sources into bins, lists the ambient lights.
+    void number(const PointTables &);
 };
 
 } // namespace candela

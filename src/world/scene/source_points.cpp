@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/scene/source_points.h"
 
+#include "foundation/base/hot.h"
 #include "foundation/base/lanes.h"
 #include "world/lights/shape_sampling.h"
 
@@ -13,98 +14,138 @@ namespace candela {
 
 namespace {
 
-constexpr int block = 256;
+using Form = LightSource::Form;
+
 constexpr int rowWords = sizeof(LightSource) / sizeof(float);
 static_assert(rowWords == 16);
+/// Mixed forms are sorted within blocks of so many lanes.
+constexpr int block = 256;
 
-/// Up to a block of lanes whose sources have one form, and what was gathered of these.
-struct FormBlock {
-    Planes<float> rows{10, block}, query{8, block}, answer{8, block};
-    Planes<int> integers{2, block};
-    int *lane = integers[0], *row = integers[1];
-    std::array<float *, 3> corner{rows[0], rows[1], rows[2]}, edgeA{rows[3], rows[4], rows[5]},
-        edgeB{rows[6], rows[7], rows[8]}, from{query[0], query[1], query[2]},
-        given{query[5], query[6], query[7]}, point{answer[0], answer[1], answer[2]},
-        normal{answer[3], answer[4], answer[5]};
-    float *offset = rows[9], *u = query[3], *v = query[4], *pdf = answer[6];
+CANDELA_HOT void findRows(int count, const std::int32_t *__restrict source, int *__restrict row) {
+    for (int i = 0; i < count; ++i)
+        row[i] = source[i] > 0 ? source[i] * rowWords : 0;
+}
+
+CANDELA_HOT void leaveOutMissing(int count, const std::int32_t *__restrict source,
+                                 std::int32_t *__restrict form) {
+    for (int i = 0; i < count; ++i)
+        form[i] = source[i] < 0 ? std::int32_t(Form::NoShape) : form[i];
+}
+
+/// Lanes of one form, in planes that lie anywhere: who looks and what, numbers, and the answers.
+struct Lanes {
     int count = 0;
+    std::array<const float *, 3> from{}, corner{}, edgeA{}, edgeB{}, given{};
+    const float *u = nullptr, *v = nullptr;
+    std::array<float *, 3> point{}, normal{};
+    float *pdf = nullptr, *uOut = nullptr, *vOut = nullptr;
 
-    void takeRows(const LightTable &table, const std::int32_t *source) {
-        for (int k = 0; k < count; ++k)
-            row[k] = source[lane[k]] * rowWords;
-        constexpr int first = offsetof(LightSource, corner) / sizeof(float);
-        float *planes[rowWords] = {};
-        for (int c = 0; c < 10; ++c)
-            planes[first + c] = rows[c];
-        lanes::gatherRows(count, reinterpret_cast<const float *>(table.sources.data()), row,
-                          first + 10, planes);
+    /// Every pointer that is read, for those who move lanes about.
+    template <class Body> void forInputs(Body body) {
+        for (auto *planes : {&from, &corner, &edgeA, &edgeB, &given})
+            for (const float *&plane : *planes)
+                body(plane);
+        body(u), body(v);
     }
-    void take(const float *from, float *to) { lanes::gather(count, lane, from, to); }
-    void put(const float *from, float *to) const {
-        for (int k = 0; k < count; ++k)
-            to[lane[k]] = from[k];
+    template <class Body> void forOutputs(Body body) {
+        for (auto *planes : {&point, &normal})
+            for (float *&plane : *planes)
+                body(plane);
+        body(pdf), body(uOut), body(vOut);
     }
 };
 
-/// Calls body(form, block) for all lanes, a form at a time.
-template <class Body> void forForms(const LightTable &table, const SourceQuery &query, Body body) {
-    thread_local FormBlock own;
-    using Form = LightSource::Form;
-    for (Form form : {Form::Triangle, Form::Rectangle, Form::Sphere}) {
-        own.count = 0;
-        auto flush = [&] {
-            if (own.count == 0)
-                return;
-            own.takeRows(table, query.source);
-            body(form, own);
-            own.count = 0;
-        };
-        for (int i = 0; i < query.count; ++i) {
-            if (query.source[i] < 0 || table.sources[query.source[i]].form != form)
+/// Calls body(form, lanes) for all lanes of one form at a time: where they are alike as they lie,
+/// else gathered from blocks and put back.
+template <class Body> void forForms(const SourceRows &rows, Lanes all, Body body) {
+    all.count = rows.count;
+    all.corner = {rows.corner[0], rows.corner[1], rows.corner[2]};
+    all.edgeA = {rows.edgeA[0], rows.edgeA[1], rows.edgeA[2]};
+    all.edgeB = {rows.edgeB[0], rows.edgeB[1], rows.edgeB[2]};
+    if (rows.count > 0 && lanes::allEqual(rows.count, rows.form, rows.form[0]))
+        return body(Form(rows.form[0]), all);
+    thread_local Planes<float> own(26, block);
+    int lane[block + laneBlock];
+    for (int first = 0; first < rows.count; first += block)
+        for (Form form : {Form::Triangle, Form::Rectangle, Form::Sphere}) {
+            Lanes part = all;
+            part.count = lanes::compactEqual(std::min(block, rows.count - first), rows.form + first,
+                                             int(form), lane);
+            if (part.count == 0)
                 continue;
-            own.lane[own.count++] = i;
-            if (own.count == block)
-                flush();
+            int plane = 0;
+            part.forInputs([&](const float *&input) {
+                float *to = own[plane++];
+                if (input)
+                    lanes::take(part.count, lane, input + first, to), input = to;
+            });
+            part.forOutputs([&](float *&output) {
+                float *to = own[plane++];
+                if (output)
+                    output = to;
+            });
+            body(form, part);
+            float *to[9];
+            int k = 0;
+            all.forOutputs([&](float *output) { to[k++] = output; });
+            k = 0;
+            part.forOutputs([&](float *output) {
+                for (int i = 0; output && i < part.count; ++i)
+                    to[k][first + lane[i]] = output[i];
+                ++k;
+            });
         }
-        flush();
+}
+
+CANDELA_HOT void crossEdges(int count, const float *const a[3], const float *const b[3],
+                            float *const to[3]) {
+    const float *ax = a[0], *ay = a[1], *az = a[2], *bx = b[0], *by = b[1], *bz = b[2];
+    float *x = to[0], *y = to[1], *z = to[2];
+#pragma GCC ivdep
+    for (int k = 0; k < count; ++k) {
+        x[k] = ay[k] * bz[k] - az[k] * by[k];
+        y[k] = az[k] * bx[k] - ax[k] * bz[k];
+        z[k] = ax[k] * by[k] - ay[k] * bx[k];
     }
 }
 
-void crossEdges(FormBlock &b) {
-    for (int k = 0; k < b.count; ++k)
-        for (int c = 0; c < 3; ++c) {
-            const int d = (c + 1) % 3, e = (c + 2) % 3;
-            b.normal[c][k] = b.edgeA[d][k] * b.edgeB[e][k] - b.edgeA[e][k] * b.edgeB[d][k];
-        }
-}
-
 /// Barycentric coordinates of points on triangles.
-void findBarycentrics(FormBlock &b) {
+void findBarycentrics(const Lanes &b) {
     for (int k = 0; k < b.count; ++k) {
-        auto vec3 = [&](const std::array<float *, 3> &p) {
-            return Vec3{p[0][k], p[1][k], p[2][k]};
-        };
+        auto vec3 = [&](const auto &p) { return Vec3{p[0][k], p[1][k], p[2][k]}; };
         const Vec3 a = vec3(b.edgeA), e = vec3(b.edgeB), w = vec3(b.point) - vec3(b.corner);
         const double aa = dot(a, a), ae = dot(a, e), ee = dot(e, e), wa = dot(w, a), we = dot(w, e);
         const double determinant = aa * ee - ae * ae;
         const double s = determinant > 0 ? (wa * ee - we * ae) / determinant : 0;
         const double t = determinant > 0 ? (we * aa - wa * ae) / determinant : 0;
-        b.u[k] = float(std::clamp(s, 0.0, 1.0));
-        b.v[k] = float(std::clamp(t, 0.0, 1.0 - double(b.u[k])));
+        b.uOut[k] = float(std::clamp(s, 0.0, 1.0));
+        b.vOut[k] = float(std::clamp(t, 0.0, 1.0 - double(b.uOut[k])));
     }
 }
 
-/// Uniform by area: no one looks.
-void placeByArea(LightSource::Form form, FormBlock &b) {
+/// What else is to be known of the points that were drawn.
+void finishPoints(Form form, const Lanes &b) {
+    if (form == Form::Sphere)
+        for (int c = 0; c < 3; ++c)
+            for (int k = 0; k < b.count; ++k)
+                b.normal[c][k] = b.point[c][k] - b.corner[c][k];
+    else
+        crossEdges(b.count, b.edgeA.data(), b.edgeB.data(), b.normal.data());
+    if (form == Form::Triangle)
+        findBarycentrics(b);
+}
+
+/// Uniform by area.
+void placeByArea(Form form, const Lanes &b) {
     constexpr float pi = std::numbers::pi_v<float>;
     for (int k = 0; k < b.count; ++k) {
         float u = b.u[k], v = b.v[k];
-        if (form == LightSource::Form::Triangle) {
+        if (form == Form::Triangle) {
             const bool lower = u > v;
             const float s = lower ? u - v / 2 : u / 2, t = lower ? v / 2 : v - u / 2;
             u = s, v = t;
         }
-        if (form != LightSource::Form::Sphere) {
+        if (form != Form::Sphere) {
             for (int c = 0; c < 3; ++c)
                 b.point[c][k] = b.corner[c][k] + u * b.edgeA[c][k] + v * b.edgeB[c][k];
             continue;
@@ -116,79 +157,111 @@ void placeByArea(LightSource::Form form, FormBlock &b) {
     }
 }
 
-void samplePoints(LightSource::Form form, bool byArea, FormBlock &b) {
-    if (byArea) {
-        placeByArea(form, b);
-        std::fill_n(b.pdf, b.count, 1.0f);
-        return;
-    }
-    switch (form) {
-    case LightSource::Form::NoShape: break;
-    case LightSource::Form::Triangle:
-        sampleTriangles(b.count, b.from.data(), b.corner.data(), b.edgeA.data(), b.edgeB.data(),
-                        b.u, b.v, b.point.data(), b.pdf);
-        break;
-    case LightSource::Form::Rectangle:
-        sampleRectangles(b.count, b.from.data(), b.corner.data(), b.edgeA.data(), b.edgeB.data(),
-                         b.u, b.v, b.point.data(), b.pdf);
-        break;
-    case LightSource::Form::Sphere:
-        sampleSpheres(b.count, b.from.data(), b.corner.data(), b.edgeA[0], b.u, b.v, b.point.data(),
-                      b.pdf);
-    }
+Lanes drawnLanes(const float *u, const float *v, SourcePoints &out) {
+    Lanes lanes;
+    lanes.u = u, lanes.v = v;
+    lanes.point = out.point, lanes.normal = out.normal;
+    lanes.pdf = out.pdf, lanes.uOut = out.u, lanes.vOut = out.v;
+    return lanes;
 }
 
 } // namespace
 
-SourcePoints::SourcePoints(int capacity) : floats(10, capacity) {
+SourceRows::SourceRows(int capacity) : planes(rowWords, capacity), row(1, capacity) {
+    auto signedPlane = [&](int plane) { return reinterpret_cast<std::int32_t *>(planes[plane]); };
+    auto unsignedPlane = [&](int plane) {
+        return reinterpret_cast<std::uint32_t *>(planes[plane]);
+    };
+    light = signedPlane(0), form = signedPlane(1);
+    instance = unsignedPlane(2), shape = unsignedPlane(3), element = unsignedPlane(4);
+    constexpr int first = offsetof(LightSource, corner) / sizeof(float);
     for (int c = 0; c < 3; ++c)
-        point[c] = floats[c], normal[c] = floats[3 + c];
-    pdf = floats[6], offset = floats[7], u = floats[8], v = floats[9];
+        corner[c] = planes[first + c], edgeA[c] = planes[first + 3 + c],
+        edgeB[c] = planes[first + 6 + c];
+    offset = planes[offsetof(LightSource, offset) / sizeof(float)];
 }
 
-void sampleSources(const LightTable &table, const SourceQuery &query, const float *u,
-                   const float *v, bool byArea, SourcePoints &out) {
-    std::fill_n(out.pdf, query.count, 0.0f);
-    forForms(table, query, [&](LightSource::Form form, FormBlock &b) {
-        for (int c = 0; c < 3 && !byArea; ++c)
-            b.take(query.from[c], b.from[c]);
-        b.take(u, b.u), b.take(v, b.v);
-        samplePoints(form, byArea, b);
-        if (form == LightSource::Form::Sphere)
-            for (int c = 0; c < 3; ++c)
-                for (int k = 0; k < b.count; ++k)
-                    b.normal[c][k] = b.point[c][k] - b.corner[c][k];
-        else
-            crossEdges(b);
-        if (form == LightSource::Form::Triangle)
-            findBarycentrics(b);
-        for (int c = 0; c < 3; ++c)
-            b.put(b.point[c], out.point[c]), b.put(b.normal[c], out.normal[c]);
-        b.put(b.pdf, out.pdf), b.put(b.offset, out.offset);
-        b.put(b.u, out.u), b.put(b.v, out.v);
+void SourceRows::take(const LightTable &table, int lanes, const std::int32_t *source) {
+    count = lanes;
+    float *columns[rowWords];
+    for (int c = 0; c < rowWords; ++c)
+        columns[c] = planes[c];
+    findRows(count, source, row[0]);
+    lanes::gatherRows(count, reinterpret_cast<const float *>(table.sources.data()), row[0],
+                      rowWords - 1, columns);
+    leaveOutMissing(count, source, form);
+}
+
+SourcePoints::SourcePoints(int capacity) : floats(9, capacity) {
+    for (int c = 0; c < 3; ++c)
+        point[c] = floats[c], normal[c] = floats[3 + c];
+    pdf = floats[6], u = floats[7], v = floats[8];
+}
+
+void sampleSources(const SourceRows &rows, const float *const from[3], const float *u,
+                   const float *v, SourcePoints &out) {
+    std::fill_n(out.pdf, rows.count, 0.0f);
+    Lanes all = drawnLanes(u, v, out);
+    all.from = {from[0], from[1], from[2]};
+    forForms(rows, all, [](Form form, const Lanes &b) {
+        switch (form) {
+        case Form::NoShape: return;
+        case Form::Triangle:
+            sampleTriangles(b.count, b.from.data(), b.corner.data(), b.edgeA.data(), b.edgeB.data(),
+                            b.u, b.v, b.point.data(), b.pdf);
+            break;
+        case Form::Rectangle:
+            sampleRectangles(b.count, b.from.data(), b.corner.data(), b.edgeA.data(),
+                             b.edgeB.data(), b.u, b.v, b.point.data(), b.pdf);
+            break;
+        case Form::Sphere:
+            sampleSpheres(b.count, b.from.data(), b.corner.data(), b.edgeA[0], b.u, b.v,
+                          b.point.data(), b.pdf);
+        }
+        finishPoints(form, b);
     });
 }
 
-void sourceDensities(const LightTable &table, const SourceQuery &query, const float *const point[3],
-                     float *pdf) {
-    std::fill_n(pdf, query.count, 0.0f);
-    forForms(table, query, [&](LightSource::Form form, FormBlock &b) {
-        for (int c = 0; c < 3; ++c)
-            b.take(query.from[c], b.from[c]), b.take(point[c], b.given[c]);
+void placeOnSources(const SourceRows &rows, const float *u, const float *v, SourcePoints &out) {
+    forForms(rows, drawnLanes(u, v, out), [](Form form, const Lanes &b) {
+        if (form == Form::NoShape)
+            return;
+        placeByArea(form, b);
+        finishPoints(form, b);
+    });
+}
+
+void placePoints(const SourceRows &rows, const SourcePoints &drawn, ShadingPoints &points) {
+    const int count = points.count = rows.count;
+    std::copy_n(rows.instance, count, points.instance);
+    std::copy_n(rows.shape, count, points.shape);
+    std::copy_n(rows.element, count, points.element);
+    std::copy_n(drawn.u, count, points.u);
+    std::copy_n(drawn.v, count, points.v);
+    for (int c = 0; c < 3; ++c) {
+        std::copy_n(drawn.point[c], count, points.input(ShaderInput::P, c));
+        std::copy_n(drawn.normal[c], count, points.input(ShaderInput::Ng, c));
+    }
+}
+
+void sourceDensities(const SourceRows &rows, const float *const from[3],
+                     const float *const point[3], float *pdf) {
+    std::fill_n(pdf, rows.count, 0.0f);
+    Lanes all;
+    all.from = {from[0], from[1], from[2]}, all.given = {point[0], point[1], point[2]};
+    all.pdf = pdf;
+    forForms(rows, all, [](Form form, const Lanes &b) {
         switch (form) {
-        case LightSource::Form::NoShape: break;
-        case LightSource::Form::Triangle:
-            triangleDensities(b.count, b.from.data(), b.corner.data(), b.edgeA.data(),
-                              b.edgeB.data(), b.given.data(), b.pdf);
-            break;
-        case LightSource::Form::Rectangle:
-            rectangleDensities(b.count, b.from.data(), b.corner.data(), b.edgeA.data(),
-                               b.edgeB.data(), b.given.data(), b.pdf);
-            break;
-        case LightSource::Form::Sphere:
-            sphereDensities(b.count, b.from.data(), b.corner.data(), b.edgeA[0], b.pdf);
+        case Form::NoShape: return;
+        case Form::Triangle:
+            return triangleDensities(b.count, b.from.data(), b.corner.data(), b.edgeA.data(),
+                                     b.edgeB.data(), b.given.data(), b.pdf);
+        case Form::Rectangle:
+            return rectangleDensities(b.count, b.from.data(), b.corner.data(), b.edgeA.data(),
+                                      b.edgeB.data(), b.given.data(), b.pdf);
+        case Form::Sphere:
+            return sphereDensities(b.count, b.from.data(), b.corner.data(), b.edgeA[0], b.pdf);
         }
-        b.put(b.pdf, pdf);
     });
 }
 

@@ -3,17 +3,26 @@
 #pragma once
 
 #include "foundation/base/planes.h"
+#include "world/points/shading_points.h"
 #include "world/scene/light_sources.h"
 
 #include <array>
 
 namespace candela {
 
-/// Sources with geometry, one a lane, as seen from points.
-struct SourceQuery {
+/// LightTable::sources, one a lane.
+struct SourceRows {
+    explicit SourceRows(int capacity);
+    /// Takes source[0..count); -1 gives a lane of no form.
+    void take(const LightTable &, int count, const std::int32_t *source);
+
     int count = 0;
-    const std::int32_t *source = nullptr; ///< Index into LightTable::sources.
-    std::array<const float *, 3> from{};  ///< The points that look.
+    Planes<float> planes;
+    Planes<int> row;
+    std::int32_t *light, *form;
+    std::uint32_t *instance, *shape, *element;
+    std::array<float *, 3> corner, edgeA, edgeB;
+    float *offset;
 };
 
 /// A point a lane, current space.
@@ -21,18 +30,22 @@ struct SourcePoints {
     explicit SourcePoints(int capacity);
     Planes<float> floats;
     std::array<float *, 3> point, normal; ///< The element's normal, of any length, not yet turned.
-    float *pdf;                           ///< Per steradian at `from`, without the choice.
-    float *offset;                        ///< LightSource::offset.
+    float *pdf;                           ///< Per steradian from where one looks.
     float *u, *v;                         ///< Barycentric, on triangles.
 };
 
-/// Samples the sources by solid angle (by area if `byArea`: then pdf is per unit area, and `from`
-/// is not read) at uniform (u,v).
-void sampleSources(const LightTable &, const SourceQuery &, const float *u, const float *v,
-                   bool byArea, SourcePoints &);
+/// Samples the sources by solid angle as seen `from` points, at uniform (u,v). Lanes without a form
+/// get a density of 0.
+void sampleSources(const SourceRows &, const float *const from[3], const float *u, const float *v,
+                   SourcePoints &);
+/// The same by area: no one looks, densities are left alone.
+void placeOnSources(const SourceRows &, const float *u, const float *v, SourcePoints &);
 
-/// The densities with which sampleSources finds these points on them; `point` planes are given.
-void sourceDensities(const LightTable &, const SourceQuery &, const float *const point[3],
+/// Fills what evaluatePoints wants to know of points on sources, but I.
+void placePoints(const SourceRows &, const SourcePoints &, ShadingPoints &);
+
+/// The densities with which sampleSources finds these points on the sources.
+void sourceDensities(const SourceRows &, const float *const from[3], const float *const point[3],
                      float *pdf);
 
 } // namespace candela
