@@ -117,12 +117,11 @@ LightChoice::LightChoice(std::span<const EmitterBound> bounds,
 
 void LightChoice::choose(int count, const float *const P[3], const float *const N[3], double *u,
                          std::int32_t *source, float *probability, const float *scattered) const {
-    if (isSingle()) {
-        std::fill_n(source, count, single());
-        std::fill_n(probability, count, 1.0f);
-        return;
-    }
     for (int i = 0; i < count; ++i) {
+        if (isSingle(scattered, i)) {
+            source[i] = single(), probability[i] = 1;
+            continue;
+        }
         const float *const p[3] = {P[0] + i, P[1] + i, P[2] + i};
         const float *const n[3] = {N[0] + i, N[1] + i, N[2] + i};
         Normal normal = normalAt(N, i);
@@ -160,14 +159,11 @@ void LightChoice::choose(int count, const float *const P[3], const float *const 
 void LightChoice::probability(int count, const float *const P[3], const float *const N[3],
                               const std::int32_t *source, float *probability,
                               const float *scattered) const {
-    if (isSingle()) {
-        for (int i = 0; i < count; ++i)
-            probability[i] = source[i] == single() ? 1.0f : 0.0f;
-        return;
-    }
     const int others = tree_.size() + int(infinite_.size());
     for (int i = 0; i < count; ++i) {
-        probability[i] = 0;
+        probability[i] = isSingle(scattered, i) && source[i] == single() ? 1.0f : 0.0f;
+        if (isSingle(scattered, i))
+            continue;
         bool known = source[i] >= 0 && source[i] < std::int32_t(places_.size());
         std::int32_t place = known ? places_[source[i]] : -1;
         if (place < 0)

@@ -42,7 +42,11 @@ public:
                      const float *scattered = nullptr) const;
 
 private:
-    bool isSingle() const { return tree_.size() == 1 && infinite_.empty() && surrounding_.empty(); }
+    /// True if one finite source is all that point i may pick.
+    bool isSingle(const float *scattered, int i) const {
+        return tree_.size() == 1 && infinite_.empty() &&
+               (surrounding_.empty() || (scattered && scattered[i] > 0));
+    }
     std::int32_t single() const { return finiteSources_.front(); }
 
     LightTree tree_;

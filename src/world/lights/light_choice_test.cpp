@@ -87,7 +87,7 @@ TEST(LightChoice, WhatSurroundsIsLeftToScatteredRays) {
     for (const Case &test : {Case{both, up, 1, 0, 1},
                              {both, up, 0, .5f, .5f},
                              {both, down, 0, 1, 0},
-                             {both, down, 1, 0, 0},
+                             {both, down, 1, 0, 1},
                              {alone, up, 0, 1, 0},
                              {alone, up, 1, 0, 0}}) {
         const float *N[3] = {&test.N.x, &test.N.y, &test.N.z};
