@@ -2,7 +2,7 @@
 #include "world/scene/light_power.h"
 
 #include "world/scene/light_question.h"
-#include "world/scene/source_points.h"
+#include "world/scene/source_shading.h"
 
 #include <algorithm>
 #include <cmath>
@@ -99,8 +99,10 @@ double pointPower(const SceneState &state, const SceneLight &light, LightBatch &
 }
 
 std::int32_t codeOf(const SceneState &state, std::int32_t source) {
-    const LightSource &from = state.lights.sources[source];
-    return state.points.appearances[state.points.appearanceOf(from.instance, from.shape)].code;
+    const LightTable &table = state.lights;
+    const LightElement &element = table.elements[table.members[table.sources[source].firstMember]];
+    return state.points.appearances[state.points.appearanceOf(element.instance, element.shape)]
+        .code;
 }
 
 /// Points on the light, uniform by area, as shading points of `code`. Where the shapes' codes
@@ -119,19 +121,9 @@ void placeSamples(const SceneState &state, const SceneLight &light, const Surfac
     }
     SourcePoints drawn(samples);
     sampleSources(state.lights, {samples, source, {}}, u, v, true, drawn);
-    points.count = samples;
-    for (int i = 0; i < samples; ++i) {
-        const LightSource &from = state.lights.sources[source[i]];
-        points.instance[i] = from.instance, points.shape[i] = from.shape;
-        points.element[i] = from.element;
-        points.u[i] = drawn.u[i], points.v[i] = drawn.v[i];
-        for (int c = 0; c < 3; ++c) {
-            points.input(ShaderInput::P, c)[i] = drawn.point[c][i];
-            points.input(ShaderInput::Ng, c)[i] = drawn.normal[c][i];
-            points.input(ShaderInput::I, c)[i] = 0;
-        }
-    }
-    evaluatePoints(state.points, state.camera, code, nullptr, points);
+    for (int c = 0; c < 3; ++c)
+        std::fill_n(points.input(ShaderInput::I, c), samples, 0.0f);
+    meetDrawn(state, code, drawn, samples, nullptr, points);
 }
 
 /// Points and cosine-distributed directions on both sides; I is set.

@@ -6,6 +6,7 @@
 #include "world/scene/light_question.h"
 #include "world/scene/scene_state.h"
 #include "world/scene/source_points.h"
+#include "world/scene/source_shading.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,6 +63,10 @@ struct Job {
     const SceneLight &lightOf(int i) const {
         return state.lights.lights[state.lights.sources[source[i]].light];
     }
+    /// That the sample lies on, of lights with geometry.
+    const LightElement &elementOf(int i) const {
+        return state.lights.elements[own.drawn->element[i]];
+    }
 };
 
 void setBlack(LightSamples &samples, int i) {
@@ -101,24 +106,27 @@ bool aim(const Job &job, int i) {
 /// The sampled points as shading points of one code; I leads to them from who asks.
 void meetSources(const Job &job, const SurfaceCode &code, const std::int32_t *lanes, int count) {
     ShadingPoints &points = job.own.points;
-    const SourcePoints &drawn = *job.own.drawn;
-    points.count = count;
-    for (int k = 0; k < count; ++k) {
-        const int i = lanes[k];
-        const LightSource &source = job.state.lights.sources[job.source[i]];
-        points.instance[k] = source.instance, points.shape[k] = source.shape;
-        points.element[k] = source.element;
-        points.u[k] = drawn.u[i], points.v[k] = drawn.v[i];
-        for (int c = 0; c < 3; ++c) {
-            points.input(ShaderInput::P, c)[k] = drawn.point[c][i];
-            points.input(ShaderInput::Ng, c)[k] = drawn.normal[c][i];
-            points.input(ShaderInput::I, c)[k] = drawn.point[c][i] - job.query.P[c][i];
-            points.input(ShaderInput::E, c)[k] = 0;
-        }
-    }
-    evaluatePoints(job.state.points, job.state.camera, code, nullptr, points);
+    for (int c = 0; c < 3; ++c)
+        for (int k = 0; k < count; ++k)
+            points.input(ShaderInput::I, c)[k] =
+                job.own.drawn->point[c][lanes[k]] - job.query.P[c][lanes[k]];
+    meetDrawn(job.state, code, *job.own.drawn, count, lanes, points);
     for (int k = 0; k < count; ++k)
         points.input(ShaderInput::time, 0)[k] = job.query.time[lanes[k]];
+}
+
+/// Lanes of lights that shine, whose radiance planes have: the answer, or black.
+void deliverFinite(const Job &job, const std::int32_t *lanes, int count,
+                   const float *const *radiance) {
+    for (int k = 0; k < count; ++k) {
+        const int i = lanes[k];
+        if (!aim(job, i)) {
+            setBlack(job.out, i);
+            continue;
+        }
+        for (int c = 0; c < colorSamples; ++c)
+            job.out.value[c][i] = radiance[c][k];
+    }
 }
 
 /// Samples on surfaces of one code that shine: radiance, with a density.
@@ -129,15 +137,7 @@ void sampleFinite(const Job &job, int code, const std::int32_t *lanes, int count
     for (int c = 0; c < colorSamples; ++c)
         std::fill_n(radiance[c] = own.radiance[c], count, 0.0f);
     job.state.emission(code, own.points, radiance);
-    for (int k = 0; k < count; ++k) {
-        const int i = lanes[k];
-        if (!aim(job, i)) {
-            setBlack(job.out, i);
-            continue;
-        }
-        for (int c = 0; c < colorSamples; ++c)
-            job.out.value[c][i] = radiance[c][k];
-    }
+    deliverFinite(job, lanes, count, radiance);
 }
 
 /// Flat lamps and spheres whose light shader looks at position and normal alone: asked at once,
@@ -151,9 +151,9 @@ void samplePlain(const Job &job, const std::int32_t *lanes, int count) {
     batch.readFrom(ShaderInput::P, int(ShaderInput::Count), nullptr);
     for (int k = 0; k < count; ++k) {
         const int i = lanes[k];
-        const LightSource &source = job.state.lights.sources[job.source[i]];
+        const LightElement &element = job.elementOf(i);
         const Appearance &appearance =
-            tables.appearances[tables.appearanceOf(source.instance, source.shape)];
+            tables.appearances[tables.appearanceOf(element.instance, element.shape)];
         const Vec3 normal{drawn.normal[0][i], drawn.normal[1][i], drawn.normal[2][i]};
         const float scale = appearance.elementSign / length(normal);
         for (int c = 0; c < 3; ++c) {
@@ -167,15 +167,7 @@ void samplePlain(const Job &job, const std::int32_t *lanes, int count) {
         batch.objectIndex[k] = 0;
     }
     batch.ask(job.state, *job.lightOf(lanes[0]).shader.code);
-    for (int k = 0; k < count; ++k) {
-        const int i = lanes[k];
-        if (!aim(job, i)) {
-            setBlack(job.out, i);
-            continue;
-        }
-        for (int c = 0; c < colorSamples; ++c)
-            job.out.value[c][i] = batch.Cl[c][k];
-    }
+    deliverFinite(job, lanes, count, batch.Cl.data());
 }
 
 /// Lights without extent (or taken so), all of one shader code.
@@ -241,8 +233,8 @@ int binOf(const Job &job, int i) {
         return int(tables.codes.size()) + light.batch;
     if (light.surfaceCode >= 0)
         return light.surfaceCode;
-    const LightSource &source = job.state.lights.sources[job.source[i]];
-    return tables.appearances[tables.appearanceOf(source.instance, source.shape)].code;
+    const LightElement &element = job.elementOf(i);
+    return tables.appearances[tables.appearanceOf(element.instance, element.shape)].code;
 }
 
 void runBin(const Job &job, int bin, const std::int32_t *lanes, int count) {

@@ -22,6 +22,16 @@ int chooseByCumulative(std::span<const double> cumulative, double &sample) {
     return int(place - cumulative.begin());
 }
 
+std::int32_t LightTable::drawElement(const LightSource &source, float &sample) const {
+    if (source.members == 1)
+        return members[source.firstMember];
+    double rest = sample;
+    const int member = chooseByCumulative(
+        {memberShares.data() + source.firstMember, std::size_t(source.members)}, rest);
+    sample = std::min(float(rest), 0x1.fffffep-1f);
+    return members[source.firstMember + member];
+}
+
 void LightTable::number() {
     std::map<std::pair<LightKind, const ShaderCode *>, int> batchOf;
     ambient.clear();

@@ -41,10 +41,6 @@ struct Shape {
     std::vector<std::uint32_t> pieces;
     std::uint32_t elements = 0;
 
-    /// Lights only: the number of the source, counted from the shape's first, that each element
-    /// belongs to; empty = the first for all.
-    std::vector<std::uint32_t> sourceOfElement;
-
     /// Index into Surface::variables(), -1 = none.
     int s = -1, t = -1, Cs = -1, Os = -1;
 };
