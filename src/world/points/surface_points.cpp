@@ -57,6 +57,15 @@ CANDELA_HOT void unitPlanes(int count, const float *__restrict sign, float *__re
     }
 }
 
+CANDELA_HOT void limitPlanes(int count, const float *__restrict x, const float *__restrict y,
+                             const float *__restrict z, const float *__restrict share,
+                             float *__restrict offset) {
+    for (int i = 0; i < count; ++i) {
+        float limit = share[i] * std::sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
+        offset[i] = limit < offset[i] ? limit : offset[i]; // In this form NaN limits nothing.
+    }
+}
+
 CANDELA_HOT void roundingPlanes(int count, const float *__restrict x, const float *__restrict y,
                                 const float *__restrict z, float share, float *__restrict offset) {
     for (int i = 0; i < count; ++i) {
@@ -132,6 +141,10 @@ void subtract(int count, const float *a, const float *b, float *to) {
 
 void makeUnit(int count, const float *sign, Vec3Planes v) {
     unitPlanes(count, sign, v.x, v.y, v.z);
+}
+
+void limitOffsets(int count, Vec3Planes P, const float *share, float *offset) {
+    limitPlanes(count, P.x, P.y, P.z, share, offset);
 }
 
 void addRounding(int count, Vec3Planes P, float share, float *offset) {
