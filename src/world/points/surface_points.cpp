@@ -14,8 +14,9 @@ void interpolateUv(int count, const std::uint32_t *element, const float *baryU, 
     for (int i = 0; i < count; ++i) {
         const auto &corners = triangles[element[i]];
         const auto &a = vertexUv[corners[0]], &b = vertexUv[corners[1]], &c = vertexUv[corners[2]];
-        u[i] = a[0] + baryU[i] * (b[0] - a[0]) + baryV[i] * (c[0] - a[0]);
-        v[i] = a[1] + baryU[i] * (b[1] - a[1]) + baryV[i] * (c[1] - a[1]);
+        const float toB = baryU[i], toC = baryV[i]; // The answer may take their place.
+        u[i] = a[0] + toB * (b[0] - a[0]) + toC * (c[0] - a[0]);
+        v[i] = a[1] + toB * (b[1] - a[1]) + toC * (c[1] - a[1]);
     }
 }
 

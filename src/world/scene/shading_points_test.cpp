@@ -105,6 +105,24 @@ TEST(ShadingPoints, VariablesOverrideAttributesAndParameters) {
     });
 }
 
+/// What rays meet of a diced surface names the point that they have met.
+TEST(ShadingPoints, OfDicedSurfacesLieWhereRaysMeetThem) {
+    TestWorld world;
+    world.attributes.shadingRate = 1e-3f;
+    world.transform = translation(0.1f, 0, 2);
+    world.add(DiskRecord{0, 3, 360});
+    world.render([](const Scene &scene) {
+        Grid grid(scene);
+        auto order = grid.ofCode(scene, 0);
+        ASSERT_GT(order.size(), 100u);
+        scene.shadingPoints(grid.rays, grid.hits, order.data(), int(order.size()), grid.points);
+        for (int k = 0; k < grid.points.count; ++k) {
+            Vec3 P = grid.vec3(ShaderInput::P, k), I = grid.vec3(ShaderInput::I, k);
+            EXPECT_LT(length(P - I), grid.points.offset[k]) << k; // From the eye in the origin.
+        }
+    });
+}
+
 /// Rays back towards the viewer, rather flat over the surface, miss the surface they start from.
 void expectOffsetRaysLeave(const Scene &scene, Grid &grid) {
     const int count = grid.points.count;
