@@ -105,6 +105,11 @@ LightChoice::LightChoice(std::span<const EmitterBound> bounds,
 
 void LightChoice::choose(int count, const float *const P[3], const float *const N[3], double *u,
                          std::int32_t *source, float *probability) const {
+    if (isSingle()) {
+        std::fill_n(source, count, single());
+        std::fill_n(probability, count, 1.0f);
+        return;
+    }
     for (int i = 0; i < count; ++i) {
         const float *const p[3] = {P[0] + i, P[1] + i, P[2] + i};
         const float *const n[3] = {N[0] + i, N[1] + i, N[2] + i};
@@ -131,6 +136,11 @@ void LightChoice::choose(int count, const float *const P[3], const float *const 
 
 void LightChoice::probability(int count, const float *const P[3], const float *const N[3],
                               const std::int32_t *source, float *probability) const {
+    if (isSingle()) {
+        for (int i = 0; i < count; ++i)
+            probability[i] = source[i] == single() ? 1.0f : 0.0f;
+        return;
+    }
     for (int i = 0; i < count; ++i) {
         probability[i] = 0;
         bool known = source[i] >= 0 && source[i] < std::int32_t(places_.size());

@@ -24,7 +24,8 @@ public:
     LightChoice(std::span<const EmitterBound> bounds, std::span<const std::int32_t> finiteSources,
                 std::span<const InfiniteLight> infinite, int sourceCount);
 
-    /// Picks a source for each point P. N is the unit normal of the side that receives, or zero
+    /// Picks a source for each point P. Where there is but one, and that finite, it is picked,
+    /// whether it shines there or not. N is the unit normal of the side that receives, or zero
     /// where light from all sides counts. `u` is uniform in [0,1) before and after. Source -1,
     /// probability 0: nothing that might have been picked shines here (see LightTree::choose).
     void choose(int count, const float *const P[3], const float *const N[3], double *u,
@@ -36,6 +37,9 @@ public:
                      const std::int32_t *source, float *probability) const;
 
 private:
+    bool isSingle() const { return tree_.size() == 1 && infinite_.empty(); }
+    std::int32_t single() const { return finiteSources_.front(); }
+
     LightTree tree_;
     std::vector<std::int32_t> finiteSources_; ///< By the tree's emitter.
     std::vector<InfiniteLight> infinite_;

@@ -106,8 +106,18 @@ struct SeenSphere {
 struct SeenRectangle {
     double lengthA, lengthB, height; ///< Height of P above the plane; 0 = there's nothing to see.
     double x0, x1, y0, y1;
-    double solidAngle, k; ///< Solid angle 0 where that would lose digits.
+    double solidAngle;     ///< 0 where that would lose digits.
+    double cosineK, sineK; ///< Of the paper's k.
 };
+
+/// An angle in [0, 2 pi) as a number of its direction; products add angles.
+struct Turn {
+    double x, y;
+};
+
+inline double smaller(double a, double b) { return a < b ? a : b; }
+
+inline Turn operator*(Turn a, Turn b) { return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x}; }
 
 /// Below this many steradians by area: the density hardly varies there, and angles lose digits.
 constexpr double leastSolidAngle = 1e-4;
@@ -130,12 +140,18 @@ constexpr double leastSolidAngle = 1e-4;
     double x1 = x0 + r.lengthA, y1 = y0 + r.lengthB;
     r.x0 = x0, r.x1 = x1, r.y0 = y0, r.y1 = y1;
     double xx0 = x0 * x0 + h2, xx1 = x1 * x1 + h2, yy0 = y0 * y0, yy1 = y1 * y1;
-    double g0 = angleOf(h * std::sqrt(xx1 + yy0), x1 * y0);
-    double g1 = angleOf(h * std::sqrt(xx1 + yy1), -(x1 * y1));
-    double g2 = angleOf(h * std::sqrt(xx0 + yy1), x0 * y1);
-    double g3 = angleOf(h * std::sqrt(xx0 + yy0), -(x0 * y0));
-    r.k = 2 * pi - g2 - g3;
-    double solidAngle = h > 0 ? g0 + g1 - r.k : 0.0;
+    // The corners' angles g0 to g3; k = 2 pi - g2 - g3, the solid angle is their sum - 2 pi.
+    Turn g0{x1 * y0, h * std::sqrt(xx1 + yy0)}, g1{-(x1 * y1), h * std::sqrt(xx1 + yy1)};
+    Turn g2{x0 * y1, h * std::sqrt(xx0 + yy1)}, g3{-(x0 * y0), h * std::sqrt(xx0 + yy0)};
+    Turn last = g2 * g3, sum = g0 * g1 * last;
+    double perLength = 1 / std::sqrt(last.x * last.x + last.y * last.y);
+    r.cosineK = last.x * perLength, r.sineK = -last.y * perLength;
+    double angle = angleOf(std::fabs(sum.y), sum.x);
+    // More than 3/2 pi only close above the middle; elsewhere it is 0, rounded.
+    double nearest = smaller(smaller(-x0, x1), smaller(-y0, y1));
+    double full = h < nearest ? 2 * pi : sum.x > 0 ? angle : 2 * pi;
+    double solidAngle = sum.y < 0 ? full - angle : angle;
+    solidAngle = h > 0 ? solidAngle : 0.0;
     r.solidAngle = solidAngle >= leastSolidAngle ? solidAngle : 0.0;
     return r;
 }
@@ -156,8 +172,9 @@ constexpr double leastSolidAngle = 1e-4;
 [[gnu::always_inline]] inline void spread(const SeenRectangle &r, double &u, double &v) {
     double h2 = r.height * r.height;
     double b0 = -r.y0 / std::sqrt(r.y0 * r.y0 + h2), b1 = r.y1 / std::sqrt(r.y1 * r.y1 + h2);
-    double sine, cosine, angle = u * r.solidAngle + r.k;
-    sinCosOf(angle, sine, cosine);
+    double s, c;
+    sinCosOf(u * r.solidAngle, s, c);
+    double cosine = c * r.cosineK - s * r.sineK, sine = s * r.cosineK + c * r.sineK;
     double f = (cosine * b0 - b1) / sine;
     // 1/cu^2 - 1 of the paper; b0^2 - 1 is written so that it keeps its digits at low heights.
     double slope2 = f * f - h2 / (r.y0 * r.y0 + h2);

@@ -229,6 +229,20 @@ void LightBuilder::addSource(int index, std::span<const std::int32_t> members) {
     sources_[index].push_back(source);
 }
 
+/// A light without geometry has one source, of an element without a form.
+void LightBuilder::addPoint(int light) {
+    LightTable &table = state_.lights;
+    LightSource source;
+    source.light = light;
+    source.firstMember = std::int32_t(table.members.size()), source.members = 1;
+    LightElement element;
+    element.source = std::int32_t(table.sources.size());
+    table.members.push_back(std::int32_t(table.elements.size()));
+    table.memberShares.push_back(1);
+    table.elements.push_back(element);
+    table.sources.push_back(source);
+}
+
 /// Puts the sources into one table, light by light.
 void LightBuilder::finishLights() {
     LightTable &table = state_.lights;
@@ -238,10 +252,10 @@ void LightBuilder::finishLights() {
         if (light.hasGeometry())
             finishGeometry(int(i));
         else if (light.isSampled())
-            table.sources.push_back({std::int32_t(i), 0, 0, 0});
+            addPoint(int(i));
         light.sources = std::int32_t(table.sources.size()) - light.firstSource;
     }
-    for (std::size_t k = 0; k < table.elements.size(); ++k)
+    for (std::size_t k = 0; k < lightOfElement_.size(); ++k)
         table.elements[k].source += table.lights[lightOfElement_[k]].firstSource;
 }
 
@@ -314,7 +328,7 @@ void LightBuilder::prepareChoices() {
         if (light.kind == LightKind::Point)
             light.place = placeOf(state_, light);
     }
-    table.number();
+    table.number(state_.points);
     const std::vector<EmitterBound> bounds = boundsOfSources();
     for (std::size_t set = 0; set < state_.lightSets.size(); ++set)
         table.choices.push_back(choiceOf(int(set), bounds));

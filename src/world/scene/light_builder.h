@@ -32,6 +32,7 @@ private:
     /// Makes sources of the elements from `first` on.
     void addSources(int light, const PlacedShape &, std::int32_t first);
     bool addSingly(int light, std::int32_t first, bool pair);
+    void addPoint(int light);
     void addSource(int light, std::span<const std::int32_t> members);
     void finishLights();
     void finishGeometry(int light);

@@ -5,7 +5,20 @@
 #include "world/scene/light_choices.h"
 #include "world/scene/source_points.h"
 
+#include <optional>
+
 namespace candela {
+
+namespace {
+
+ElementRows &elementRows(int count) {
+    thread_local std::optional<ElementRows> own;
+    if (!own || own->planes.lanes() < count)
+        own.emplace(count);
+    return *own;
+}
+
+} // namespace
 
 void Scene::lightDensity(const LightQuery &query, const ShadingPoints &points,
                          const std::array<const float *, 3> &elementPoint, float *pdf) const {
@@ -21,12 +34,16 @@ void Scene::lightDensity(const LightQuery &query, const ShadingPoints &points,
             continue;
         const Appearance &appearance =
             tables.appearances[tables.appearanceOf(points.instance[i], points.shape[i])];
+        if (appearance.firstElement < 0)
+            continue;
         const bool isSphere = tables.shapes[points.shape[i]].naming == Naming::Sphere;
         element[i] = appearance.firstElement + (isSphere ? 0 : std::int32_t(points.element[i]));
         source[i] = state_->lights.elements[element[i]].source;
     }
     sourceProbabilities(*state_, query, source, probability);
-    elementDensities(state_->lights, {count, element, query.P}, elementPoint.data(), pdf);
+    ElementRows &rows = elementRows(count);
+    rows.take(state_->lights, count, element);
+    elementDensities(rows, query.P.data(), elementPoint.data(), pdf);
     lanes::multiply(count, probability, pdf);
 }
 

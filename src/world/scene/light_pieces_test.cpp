@@ -250,6 +250,7 @@ TEST(LightPieces, SamplesAndHitsTellOneDensity) {
 
 LightElement triangle(Vec3 corner, Vec3 edgeA, Vec3 edgeB) {
     LightElement element;
+    element.form = LightElement::Form::Triangle;
     element.corner = corner, element.edgeA = edgeA, element.edgeB = edgeB;
     return element;
 }

@@ -2,7 +2,7 @@
 #include "world/scene/light_power.h"
 
 #include "world/scene/light_question.h"
-#include "world/scene/source_shading.h"
+#include "world/scene/source_points.h"
 
 #include <algorithm>
 #include <cmath>
@@ -99,8 +99,7 @@ double pointPower(const SceneState &state, const SceneLight &light, LightBatch &
 }
 
 std::int32_t codeOf(const SceneState &state, std::int32_t source) {
-    const LightTable &table = state.lights;
-    const LightElement &element = table.elements[table.members[table.sources[source].firstMember]];
+    const LightElement &element = state.lights.firstElementOf(state.lights.sources[source]);
     return state.points.appearances[state.points.appearanceOf(element.instance, element.shape)]
         .code;
 }
@@ -119,11 +118,14 @@ void placeSamples(const SceneState &state, const SceneLight &light, const Surfac
             source[i] = light.firstSource;
         u[i] = quasiRandom(i, 0), v[i] = quasiRandom(i, 1);
     }
+    ElementRows rows(samples);
     SourcePoints drawn(samples);
-    sampleSources(state.lights, {samples, source, {}}, u, v, true, drawn);
+    rows.draw(state.lights, samples, source, u);
+    placeOnElements(rows, rows.u, v, drawn);
+    placePoints(rows, drawn, points);
     for (int c = 0; c < 3; ++c)
         std::fill_n(points.input(ShaderInput::I, c), samples, 0.0f);
-    meetDrawn(state, code, drawn, samples, nullptr, points);
+    evaluatePoints(state.points, state.camera, code, nullptr, points);
 }
 
 /// Points and cosine-distributed directions on both sides; I is set.

@@ -17,7 +17,7 @@ LightBatch::LightBatch(int capacity)
         Cl[c] = answers[3 + c];
 }
 
-void LightBatch::readFrom(ShaderInput which, int components, float *const *planes) {
+void LightBatch::readFrom(ShaderInput which, int components, const float *const *planes) {
     for (int c = 0; c < components; ++c)
         inputTable[int(which) + c] = planes ? planes[c] : inputs[int(which) + c];
 }

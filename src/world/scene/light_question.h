@@ -26,7 +26,7 @@ struct LightBatch {
         return inputs[int(which) + component];
     }
     /// Lets inputs be read from elsewhere, or (null) from the batch's own planes again.
-    void readFrom(ShaderInput which, int components, float *const *planes);
+    void readFrom(ShaderInput which, int components, const float *const *planes);
     /// Asks; `active` as in ShaderArgs.
     void ask(const SceneState &, const ShaderCode &, const std::uint16_t *active = nullptr);
 };

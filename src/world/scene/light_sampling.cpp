@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// Light samples in batches: every point chooses a source, sources with geometry are sampled as the
-// point sees them, and then the points are binned by what has to be asked.
+// Light samples in batches: every point chooses a source, points are binned by what has to be asked
+// of their sources, and each bin is sampled densely: as it lies where it is all there is.
+#include "foundation/base/hot.h"
+#include "foundation/base/lanes.h"
 #include "foundation/base/scratch.h"
+#include "world/points/surface_points.h"
 #include "world/scene/light_choices.h"
 #include "world/scene/light_question.h"
 #include "world/scene/scene_state.h"
 #include "world/scene/source_points.h"
-#include "world/scene/source_shading.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <numbers>
-#include <optional>
 
 namespace candela {
 
@@ -21,22 +23,34 @@ namespace {
 constexpr float pi = std::numbers::pi_v<float>;
 constexpr double largestBelow1 = 0x1.fffffffffffffp-1;
 
+/// Up to lightBatchSize points whose sources share a bin: who asks, and where the answers go.
+struct Block {
+    int count = 0;
+    const std::int32_t *source = nullptr;
+    const float *probability = nullptr; ///< Of the source, as far as it counts.
+    std::array<const float *, 3> P{}, Ps{};
+    const float *time = nullptr, *u = nullptr, *v = nullptr;
+    LightSamples out;
+};
+
+/// Planes for a block that had to be gathered.
+struct BlockStorage {
+    Planes<float> asked{10, lightBatchSize}, answered{5 + colorSamples, lightBatchSize};
+    Planes<std::int32_t> integers{2, lightBatchSize};
+    Planes<std::uint8_t> bytes{1, lightBatchSize};
+};
+
 /// What a batch of points has drawn, and room to ask about it.
 struct SamplingScratch {
     Scratch<std::int32_t> source, order;
     AlignedScratch probability, across;
     std::vector<std::int32_t> binStart;
-    std::optional<SourcePoints> drawn;
-    int capacity = 0;
+    BlockStorage block;
+    ElementRows rows{lightBatchSize};
+    SourcePoints drawn{lightBatchSize};
     LightBatch batch{lightBatchSize};
     ShadingPoints points{lightBatchSize};
     Planes<float> radiance{colorSamples, lightBatchSize};
-
-    void reserve(int count) {
-        if (count <= capacity)
-            return;
-        drawn.emplace(capacity = paddedLanes(count + count / 2));
-    }
 };
 
 SamplingScratch &scratch() {
@@ -44,30 +58,16 @@ SamplingScratch &scratch() {
     return own;
 }
 
-/// Samples are floats of 24 bits, too few to tell thousands of sources apart. The other samples'
-/// low bits fill in the rest.
-double widened(const LightQuery &query, int i) {
-    double low = double(query.position[0][i]) * 4096;
-    return std::min(query.choice[i] + (low - std::floor(low)) * 0x1p-24, largestBelow1);
+/// Samples are floats of 24 bits, too few to tell thousands of sources apart. Another sample's low
+/// bits fill in the rest.
+CANDELA_HOT void widen(int count, const float *__restrict choice, const float *__restrict position,
+                       double *__restrict wide) {
+    for (int i = 0; i < count; ++i) {
+        const double low = double(position[i]) * 4096;
+        const double sum = choice[i] + (low - std::floor(low)) * 0x1p-24;
+        wide[i] = sum < largestBelow1 ? sum : largestBelow1;
+    }
 }
-
-/// The points of one call, what they drew, and where the answers go.
-struct Job {
-    const SceneState &state;
-    const LightQuery &query;
-    LightSamples &out;
-    SamplingScratch &own;
-    const std::int32_t *source;
-    const float *probability; ///< Of the source, as far as it counts.
-
-    const SceneLight &lightOf(int i) const {
-        return state.lights.lights[state.lights.sources[source[i]].light];
-    }
-    /// That the sample lies on, of lights with geometry.
-    const LightElement &elementOf(int i) const {
-        return state.lights.elements[own.drawn->element[i]];
-    }
-};
 
 void setBlack(LightSamples &samples, int i) {
     samples.L[0][i] = samples.L[1][i] = 0, samples.L[2][i] = 1;
@@ -77,233 +77,354 @@ void setBlack(LightSamples &samples, int i) {
         value[i] = 0;
 }
 
-/// Direction, distance and density of lane i, whose sample lies on a surface. L ends before the
-/// zone in which the light's own elements might stand in the way. False: it isn't to be had.
-bool aim(const Job &job, int i) {
-    const SourcePoints &drawn = *job.own.drawn;
-    const float pdf = drawn.pdf[i] * job.probability[i];
-    Vec3 L, normal;
-    float largest = 0;
-    for (int c = 0; c < 3; ++c) {
-        L[c] = drawn.point[c][i] - job.query.P[c][i], normal[c] = drawn.normal[c][i];
-        largest = std::max({largest, std::fabs(drawn.point[c][i]), std::fabs(job.query.P[c][i])});
-    }
-    const float distance = length(L), height = std::fabs(dot(L, normal)) / length(normal);
-    if (!(pdf > 0) || !std::isfinite(pdf) || !(distance > 0) || !(height > 0))
-        return false;
+// ---- Answers, all lanes of a block at once ----
+
+using Planes3 = const float *const *;
+
+/// Direction, distance and density of samples that lie on surfaces; light 0 where they aren't to
+/// be had. L ends before the zone in which the light's own elements might stand in the way.
+CANDELA_HOT void aim(int count, Planes3 point, Planes3 normal, const float *__restrict offset,
+                     Planes3 P, const float *__restrict drawnPdf,
+                     const float *__restrict probability, const std::int32_t *__restrict index,
+                     float *const L[3], float *__restrict distance, float *__restrict pdf,
+                     std::int32_t *__restrict light) {
+    const float *x = point[0], *y = point[1], *z = point[2];
+    const float *nx = normal[0], *ny = normal[1], *nz = normal[2];
+    const float *px = P[0], *py = P[1], *pz = P[2];
+    float *lx = L[0], *ly = L[1], *lz = L[2];
     constexpr float rounding = 8 * 0x1p-24f;
-    const float zone = drawn.offset[i] + rounding * largest;
-    const float before = std::max(1 - zone / height, 0.5f);
-    LightSamples &out = job.out;
-    for (int c = 0; c < 3; ++c)
-        out.L[c][i] = L[c] * before;
-    out.distance[i] = distance * before;
-    out.pdfSolidAngle[i] = pdf;
-    out.castsShadow[i] = job.lightOf(i).castsShadow;
-    return true;
+    constexpr float most = std::numeric_limits<float>::max();
+    auto larger = [](float a, float b) { return a > b ? a : b; };
+#pragma GCC ivdep
+    for (int i = 0; i < count; ++i) {
+        const float dx = x[i] - px[i], dy = y[i] - py[i], dz = z[i] - pz[i];
+        const float seen = std::sqrt(dx * dx + dy * dy + dz * dz);
+        const float size = std::sqrt(nx[i] * nx[i] + ny[i] * ny[i] + nz[i] * nz[i]);
+        const float height = std::fabs(dx * nx[i] + dy * ny[i] + dz * nz[i]) / size;
+        const float ofLamp = larger(std::fabs(x[i]), larger(std::fabs(y[i]), std::fabs(z[i])));
+        const float ofP = larger(std::fabs(px[i]), larger(std::fabs(py[i]), std::fabs(pz[i])));
+        const float zone = offset[i] + rounding * larger(ofLamp, ofP);
+        const float density = drawnPdf[i] * probability[i];
+        const bool sound = (density > 0) & (density <= most) & (seen > 0) & (height > 0);
+        const float before = sound ? larger(1 - zone / height, 0.5f) : 0.0f;
+        lx[i] = sound ? dx * before : 0.0f;
+        ly[i] = sound ? dy * before : 0.0f;
+        lz[i] = sound ? dz * before : 1.0f;
+        distance[i] = sound ? seen * before : 0.0f;
+        pdf[i] = sound ? density : 0.0f;
+        light[i] = sound ? index[i] + 1 : 0;
+    }
 }
+
+/// The same for lights without extent, whose shaders have said L, from the light to Ps.
+CANDELA_HOT void aimAtDelta(int count, Planes3 given, Planes3 Ps, Planes3 P, bool distant,
+                            const std::int32_t *__restrict index, float *const L[3],
+                            float *__restrict distance, float *__restrict pdf,
+                            std::int32_t *__restrict light) {
+    const float *x = given[0], *y = given[1], *z = given[2];
+    const float *sx = Ps[0], *sy = Ps[1], *sz = Ps[2];
+    const float *px = P[0], *py = P[1], *pz = P[2];
+    float *lx = L[0], *ly = L[1], *lz = L[2];
+    constexpr float most = std::numeric_limits<float>::max();
+#pragma GCC ivdep
+    for (int i = 0; i < count; ++i) {
+        const float length = std::sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
+        const bool sound = (length > 0) & (length <= most);
+        const float far = distant ? std::numeric_limits<float>::infinity() : length;
+        lx[i] = sound ? (sx[i] - px[i]) - x[i] : 0.0f;
+        ly[i] = sound ? (sy[i] - py[i]) - y[i] : 0.0f;
+        lz[i] = sound ? (sz[i] - pz[i]) - z[i] : 1.0f;
+        distance[i] = sound ? far : 0.0f;
+        pdf[i] = 0;
+        light[i] = sound ? index[i] + 1 : 0;
+    }
+}
+
+CANDELA_HOT void keepSound(int count, const std::int32_t *__restrict light,
+                           const float *__restrict from, float *__restrict value) {
+    for (int i = 0; i < count; ++i)
+        value[i] = light[i] != 0 ? from[i] : 0.0f;
+}
+
+CANDELA_HOT void shareOut(int count, const float *__restrict probability, float scale,
+                          float *__restrict value) {
+    for (int i = 0; i < count; ++i)
+        value[i] *= scale / probability[i];
+}
+
+CANDELA_HOT void turnUnit(int count, Planes3 from, float sign, float *const to[3]) {
+    const float *x = from[0], *y = from[1], *z = from[2];
+    float *nx = to[0], *ny = to[1], *nz = to[2];
+#pragma GCC ivdep
+    for (int i = 0; i < count; ++i) {
+        const float scale = sign / std::sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
+        nx[i] = x[i] * scale, ny[i] = y[i] * scale, nz[i] = z[i] * scale;
+    }
+}
+
+/// Values and shadows of those that are to be had.
+void take(const Block &block, const SourceBin &bin, float *const *value) {
+    const LightSamples &out = block.out;
+    for (int c = 0; c < colorSamples; ++c)
+        keepSound(block.count, out.light, value[c], out.value[c]);
+    for (int i = 0; i < block.count; ++i)
+        out.castsShadow[i] = bin.castsShadow & (out.light[i] != 0);
+}
+
+void aimAtSources(const Block &block, const SamplingScratch &own) {
+    const LightSamples &out = block.out;
+    aim(block.count, own.drawn.point.data(), own.drawn.normal.data(), own.rows.offset,
+        block.P.data(), own.drawn.pdf, block.probability, own.rows.light, out.L.data(),
+        out.distance, out.pdfSolidAngle, out.light);
+}
+
+// ---- Questions ----
 
 /// The sampled points as shading points of one code; I leads to them from who asks.
-void meetSources(const Job &job, const SurfaceCode &code, const std::int32_t *lanes, int count) {
-    ShadingPoints &points = job.own.points;
-    for (int c = 0; c < 3; ++c)
-        for (int k = 0; k < count; ++k)
-            points.input(ShaderInput::I, c)[k] =
-                job.own.drawn->point[c][lanes[k]] - job.query.P[c][lanes[k]];
-    meetDrawn(job.state, code, *job.own.drawn, count, lanes, points);
-    for (int k = 0; k < count; ++k)
-        points.input(ShaderInput::time, 0)[k] = job.query.time[lanes[k]];
-}
-
-/// Lanes of lights that shine, whose radiance planes have: the answer, or black.
-void deliverFinite(const Job &job, const std::int32_t *lanes, int count,
-                   const float *const *radiance) {
-    for (int k = 0; k < count; ++k) {
-        const int i = lanes[k];
-        if (!aim(job, i)) {
-            setBlack(job.out, i);
-            continue;
-        }
-        for (int c = 0; c < colorSamples; ++c)
-            job.out.value[c][i] = radiance[c][k];
+void meetSources(const SceneState &state, const Block &block, const SurfaceCode &code,
+                 SamplingScratch &own) {
+    ShadingPoints &points = own.points;
+    placePoints(own.rows, own.drawn, points);
+    for (int c = 0; c < 3; ++c) {
+        subtract(block.count, own.drawn.point[c], block.P[c], points.input(ShaderInput::I, c));
+        std::fill_n(points.input(ShaderInput::E, c), block.count, 0.0f);
     }
+    evaluatePoints(state.points, state.camera, code, nullptr, points);
+    std::copy_n(block.time, block.count, points.input(ShaderInput::time, 0));
 }
 
 /// Samples on surfaces of one code that shine: radiance, with a density.
-void sampleFinite(const Job &job, int code, const std::int32_t *lanes, int count) {
-    SamplingScratch &own = job.own;
-    meetSources(job, job.state.points.codes[code], lanes, count);
+void sampleSurfaces(const SceneState &state, const SourceBin &bin, const Block &block,
+                    SamplingScratch &own) {
+    meetSources(state, block, state.points.codes[bin.surfaceCode], own);
     float *radiance[colorSamples];
     for (int c = 0; c < colorSamples; ++c)
-        std::fill_n(radiance[c] = own.radiance[c], count, 0.0f);
-    job.state.emission(code, own.points, radiance);
-    deliverFinite(job, lanes, count, radiance);
+        std::fill_n(radiance[c] = own.radiance[c], block.count, 0.0f);
+    state.emission(bin.surfaceCode, own.points, radiance);
+    aimAtSources(block, own);
+    take(block, bin, radiance);
 }
 
-/// Flat lamps and spheres whose light shader looks at position and normal alone: asked at once,
-/// all of one shader.
-void samplePlain(const Job &job, const std::int32_t *lanes, int count) {
-    SamplingScratch &own = job.own;
+/// Which lights a batch asks.
+void takeLights(const SceneState &state, const ElementRows &rows, LightBatch &batch) {
+    const std::int32_t *light = rows.light;
+    batch.count = rows.count;
+    std::fill_n(batch.objectIndex, rows.count, 0);
+    if (lanes::allEqual(rows.count, light, light[0]))
+        std::fill_n(batch.parameterOffset, rows.count,
+                    state.lights.lights[light[0]].shader.parameterOffset);
+    else
+        for (int k = 0; k < rows.count; ++k)
+            batch.parameterOffset[k] = state.lights.lights[light[k]].shader.parameterOffset;
+}
+
+/// Flat lamps and spheres whose light shader looks at position and normal alone.
+void samplePlain(const SceneState &state, const SourceBin &bin, const Block &block,
+                 SamplingScratch &own) {
     LightBatch &batch = own.batch;
-    const SourcePoints &drawn = *own.drawn;
-    const PointTables &tables = job.state.points;
-    batch.count = count;
+    const int count = block.count;
     batch.readFrom(ShaderInput::P, int(ShaderInput::Count), nullptr);
-    for (int k = 0; k < count; ++k) {
-        const int i = lanes[k];
-        const LightElement &element = job.elementOf(i);
-        const Appearance &appearance =
-            tables.appearances[tables.appearanceOf(element.instance, element.shape)];
-        const Vec3 normal{drawn.normal[0][i], drawn.normal[1][i], drawn.normal[2][i]};
-        const float scale = appearance.elementSign / length(normal);
-        for (int c = 0; c < 3; ++c) {
-            batch.input(ShaderInput::P, c)[k] = drawn.point[c][i];
-            batch.input(ShaderInput::N, c)[k] = batch.input(ShaderInput::Ng, c)[k] =
-                normal[c] * scale;
-            batch.input(ShaderInput::Ps, c)[k] = job.query.P[c][i];
-        }
-        batch.input(ShaderInput::time)[k] = job.query.time[i];
-        batch.parameterOffset[k] = job.lightOf(i).shader.parameterOffset;
-        batch.objectIndex[k] = 0;
+    batch.readFrom(ShaderInput::P, 3, own.drawn.point.data());
+    float *N[3];
+    for (int c = 0; c < 3; ++c) {
+        N[c] = batch.input(ShaderInput::N, c);
+        std::copy_n(block.P[c], count, batch.input(ShaderInput::Ps, c));
     }
-    batch.ask(job.state, *job.lightOf(lanes[0]).shader.code);
-    deliverFinite(job, lanes, count, batch.Cl.data());
+    turnUnit(count, own.drawn.normal.data(), bin.elementSign, N);
+    batch.readFrom(ShaderInput::Ng, 3, N);
+    std::copy_n(block.time, count, batch.input(ShaderInput::time));
+    takeLights(state, own.rows, batch);
+    batch.ask(state, *bin.shader);
+    aimAtSources(block, own);
+    take(block, bin, batch.Cl.data());
 }
 
-/// Lights without extent (or taken so), all of one shader code.
-void sampleDelta(const Job &job, const std::int32_t *lanes, int count) {
-    SamplingScratch &own = job.own;
+/// Lights without extent, or taken so.
+void sampleDelta(const SceneState &state, const SourceBin &bin, const Block &block,
+                 SamplingScratch &own) {
     LightBatch &batch = own.batch;
-    const ShaderCode &code = *job.lightOf(lanes[0]).shader.code;
-    batch.count = count;
+    const int count = block.count;
     batch.readFrom(ShaderInput::P, int(ShaderInput::Count), nullptr);
-    const bool area = job.lightOf(lanes[0]).kind == LightKind::ClassicArea;
-    if (area) {
+    if (bin.asked == SourceBin::Asked::ClassicArea) {
         // The geometry alone matters; the shapes may have any surface shaders.
         SurfaceCode geometryOnly;
-        geometryOnly.wanted.add(code);
-        meetSources(job, geometryOnly, lanes, count);
+        geometryOnly.wanted.add(*bin.shader);
+        meetSources(state, block, geometryOnly, own);
         batch.readFrom(ShaderInput::P, int(ShaderInput::Count), own.points.inputTable.data());
         for (auto [input, components] :
              {std::pair{ShaderInput::Ps, 3}, {ShaderInput::lightSample, 2}, {ShaderInput::time, 1}})
             batch.readFrom(input, components, nullptr);
+    } else {
+        for (int k = 0; k < count; ++k)
+            placePointLight(batch, k, state.lights.lights[own.rows.light[k]]);
     }
-    for (int k = 0; k < count; ++k) {
-        const int i = lanes[k];
-        const SceneLight &light = job.lightOf(i);
-        if (!area)
-            placePointLight(batch, k, light);
-        batch.parameterOffset[k] = light.shader.parameterOffset;
-        batch.objectIndex[k] = 0;
-        for (int c = 0; c < 3; ++c)
-            batch.input(ShaderInput::Ps, c)[k] = job.query.Ps[c][i];
-        for (int c = 0; c < 2; ++c)
-            batch.input(ShaderInput::lightSample, c)[k] = job.query.position[c][i];
-        batch.input(ShaderInput::time)[k] = job.query.time[i];
-    }
-    batch.ask(job.state, code);
+    for (int c = 0; c < 3; ++c)
+        std::copy_n(block.Ps[c], count, batch.input(ShaderInput::Ps, c));
+    std::copy_n(block.u, count, batch.input(ShaderInput::lightSample, 0));
+    std::copy_n(block.v, count, batch.input(ShaderInput::lightSample, 1));
+    std::copy_n(block.time, count, batch.input(ShaderInput::time));
+    takeLights(state, own.rows, batch);
+    batch.ask(state, *bin.shader);
+    const LightSamples &out = block.out;
+    aimAtDelta(count, batch.L.data(), block.Ps.data(), block.P.data(), bin.distant, own.rows.light,
+               out.L.data(), out.distance, out.pdfSolidAngle, out.light);
+    take(block, bin, batch.Cl.data());
+    for (float *value : out.value)
+        shareOut(count, block.probability, bin.si ? 1 / pi : 1, value);
+}
 
-    LightSamples &out = job.out;
-    for (int k = 0; k < count; ++k) {
-        const int i = lanes[k];
-        const SceneLight &light = job.lightOf(i);
-        const Vec3 L{-batch.L[0][k], -batch.L[1][k], -batch.L[2][k]};
-        const float distance = length(L);
-        if (!(distance > 0) || !std::isfinite(distance)) {
-            setBlack(out, i);
-            continue;
-        }
-        for (int c = 0; c < 3; ++c)
-            out.L[c][i] = L[c] + (job.query.Ps[c][i] - job.query.P[c][i]);
-        const bool distant = light.kind == LightKind::Distant;
-        out.distance[i] = distant ? std::numeric_limits<float>::infinity() : distance;
-        out.pdfSolidAngle[i] = 0;
-        out.castsShadow[i] = light.castsShadow;
-        const float scale = (light.si ? 1 / pi : 1) / job.probability[i];
-        for (int c = 0; c < colorSamples; ++c)
-            out.value[c][i] = batch.Cl[c][k] * scale;
+void sampleBlock(const SceneState &state, const SourceBin &bin, const Block &block,
+                 SamplingScratch &own) {
+    own.rows.draw(state.lights, block.count, block.source, block.u);
+    if (bin.asked != SourceBin::Asked::PointShader)
+        sampleElements(own.rows, block.P.data(), own.rows.u, block.v, own.drawn);
+    switch (bin.asked) {
+    case SourceBin::Asked::Surface: return sampleSurfaces(state, bin, block, own);
+    case SourceBin::Asked::PlainShader: return samplePlain(state, bin, block, own);
+    case SourceBin::Asked::PointShader:
+    case SourceBin::Asked::ClassicArea: return sampleDelta(state, bin, block, own);
     }
 }
 
-/// Bins: surface codes for finite lights, then the light table's batches for all others.
-int binOf(const Job &job, int i) {
-    const PointTables &tables = job.state.points;
-    const SceneLight &light = job.lightOf(i);
-    if (!light.finite() || (light.plain && light.kind == LightKind::Area))
-        return int(tables.codes.size()) + light.batch;
-    if (light.surfaceCode >= 0)
-        return light.surfaceCode;
-    const LightElement &element = job.elementOf(i);
-    return tables.appearances[tables.appearanceOf(element.instance, element.shape)].code;
+// ---- From the lanes of a call to blocks, and back ----
+
+/// The lanes [first, first + count), where they lie.
+Block part(const Block &all, int first, int count) {
+    Block block = all;
+    block.count = count;
+    for (auto *planes : {&block.P, &block.Ps})
+        for (const float *&plane : *planes)
+            plane += first;
+    for (const float **plane : {&block.probability, &block.time, &block.u, &block.v})
+        *plane += first;
+    block.source += first;
+    LightSamples &out = block.out;
+    for (float *&plane : out.L)
+        plane += first;
+    for (float *&plane : out.value)
+        plane += first;
+    out.distance += first, out.pdfSolidAngle += first;
+    out.light += first, out.castsShadow += first;
+    return block;
 }
 
-void runBin(const Job &job, int bin, const std::int32_t *lanes, int count) {
-    if (bin < int(job.state.points.codes.size()))
-        sampleFinite(job, bin, lanes, count);
-    else if (job.lightOf(lanes[0]).finite())
-        samplePlain(job, lanes, count);
-    else
-        sampleDelta(job, lanes, count);
+/// The lanes lane[0..count), gathered.
+Block gathered(const Block &all, const std::int32_t *lane, int count, BlockStorage &storage) {
+    Block block;
+    block.count = count;
+    int plane = 0;
+    auto take = [&](const float *from) {
+        float *to = storage.asked[plane++];
+        lanes::gather(count, lane, from, to);
+        return to;
+    };
+    for (int c = 0; c < 3; ++c)
+        block.P[c] = take(all.P[c]), block.Ps[c] = take(all.Ps[c]);
+    block.probability = take(all.probability), block.time = take(all.time);
+    block.u = take(all.u), block.v = take(all.v);
+    lanes::gather(count, lane, all.source, storage.integers[0]);
+    block.source = storage.integers[0];
+    const Planes<float> &answered = storage.answered;
+    block.out.L = {answered[0], answered[1], answered[2]};
+    block.out.distance = answered[3], block.out.pdfSolidAngle = answered[4];
+    for (int c = 0; c < colorSamples; ++c)
+        block.out.value[c] = answered[5 + c];
+    block.out.light = storage.integers[1], block.out.castsShadow = storage.bytes[0];
+    return block;
 }
 
-/// Sorts the lanes by bin and runs each, in blocks.
-void runBins(const Job &job) {
-    SamplingScratch &own = job.own;
-    const int count = job.query.count;
-    const int bins = int(job.state.points.codes.size()) + job.state.lights.batches;
-    std::int32_t *bin = own.order.get(2 * std::size_t(count)), *order = bin + count;
+void putBack(const LightSamples &from, const std::int32_t *lane, int count, LightSamples &to) {
+    auto put = [&](const auto *answers, auto *plane) {
+        for (int k = 0; k < count; ++k)
+            plane[lane[k]] = answers[k];
+    };
+    for (int c = 0; c < 3; ++c)
+        put(from.L[c], to.L[c]);
+    for (int c = 0; c < colorSamples; ++c)
+        put(from.value[c], to.value[c]);
+    put(from.distance, to.distance), put(from.pdfSolidAngle, to.pdfSolidAngle);
+    put(from.light, to.light), put(from.castsShadow, to.castsShadow);
+}
+
+/// bin[i] of the lanes' sources, -1 where there is none.
+CANDELA_HOT void lookUpBins(int count, const std::int32_t *__restrict source,
+                            const std::int32_t *__restrict table, int stride,
+                            std::int32_t *__restrict bin) {
+    for (int i = 0; i < count; ++i)
+        bin[i] = source[i] < 0 ? -1 : table[stride * (source[i] < 0 ? 0 : source[i])];
+}
+
+/// The lanes that have a source, by bin; own.binStart[b] becomes the end of bin b.
+const std::int32_t *sortByBin(int count, const std::int32_t *bin, int bins, SamplingScratch &own,
+                              std::int32_t *order) {
     own.binStart.assign(bins + 1, 0);
-    for (int i = 0; i < count; ++i) {
-        bin[i] = job.source[i] < 0 ? -1 : binOf(job, i);
+    for (int i = 0; i < count; ++i)
         if (bin[i] >= 0)
             ++own.binStart[bin[i] + 1];
-    }
     for (int b = 0; b < bins; ++b)
         own.binStart[b + 1] += own.binStart[b];
     for (int i = 0; i < count; ++i)
         if (bin[i] >= 0)
             order[own.binStart[bin[i]]++] = i;
-    // Filling has moved each start to its bin's end.
-    for (int b = 0, first = 0; b < bins; ++b)
+    return order;
+}
+
+/// Samples the sources that were chosen; lanes without one are black.
+void answer(const SceneState &state, Block all, SamplingScratch &own) {
+    const LightTable &table = state.lights;
+    if (table.sources.empty()) {
+        for (int i = 0; i < all.count; ++i)
+            setBlack(all.out, i);
+        return;
+    }
+    std::int32_t *bin = own.order.get(2 * std::size_t(all.count)), *order = bin + all.count;
+    constexpr int words = sizeof(LightSource) / sizeof(std::int32_t);
+    lookUpBins(all.count, all.source, &table.sources[0].bin, words, bin);
+    if (bin[0] >= 0 && lanes::allEqual(all.count, bin, bin[0])) {
+        for (int first = 0; first < all.count; first += lightBatchSize)
+            sampleBlock(state, table.bins[bin[0]],
+                        part(all, first, std::min(lightBatchSize, all.count - first)), own);
+        return;
+    }
+    for (int i = 0; i < all.count; ++i)
+        if (bin[i] < 0)
+            setBlack(all.out, i);
+    sortByBin(all.count, bin, int(table.bins.size()), own, order);
+    for (int b = 0, first = 0; b < int(table.bins.size()); ++b)
         for (int last = own.binStart[b]; first < last;) {
             const int n = std::min(lightBatchSize, last - first);
-            runBin(job, b, order + first, n);
+            const Block block = gathered(all, order + first, n, own.block);
+            sampleBlock(state, table.bins[b], block, own);
+            putBack(block.out, order + first, n, all.out);
             first += n;
         }
 }
 
-/// Samples the sources that were chosen; lanes without one are black.
-void answer(const Job &job, const float *u, const float *v) {
-    const LightTable &lights = job.state.lights;
-    for (int i = 0; i < job.query.count; ++i) {
-        if (job.source[i] < 0)
-            setBlack(job.out, i);
-        else
-            job.out.light[i] = lights.sources[job.source[i]].light + 1;
-    }
-    sampleSources(lights, {job.query.count, job.source, job.query.P}, u, v, false, *job.own.drawn);
-    runBins(job);
+Block blockOf(const LightQuery &query, const std::int32_t *source, const float *probability,
+              const float *across, const LightSamples &samples) {
+    return {query.count, source, probability,       query.P, query.Ps,
+            query.time,  across, query.position[1], samples};
 }
 
 } // namespace
 
 void Scene::sampleLights(const LightQuery &query, LightSamples &samples) const {
+    if (query.count == 0)
+        return;
     SamplingScratch &own = scratch();
-    own.reserve(query.count);
     std::int32_t *source = own.source.get(query.count);
     float *probability = own.probability.get(query.count);
     thread_local Scratch<double> choices;
     double *choice = choices.get(query.count);
-    for (int i = 0; i < query.count; ++i)
-        choice[i] = widened(query, i);
+    widen(query.count, query.choice, query.position[0], choice);
     chooseSources(*state_, query, choice, source, probability);
-    answer({*state_, query, samples, own, source, probability}, query.position[0],
-           query.position[1]);
+    answer(*state_, blockOf(query, source, probability, query.position[0], samples), own);
 }
 
 void Scene::sampleLight(int index, const LightQuery &query, LightSamples &samples) const {
+    if (query.count == 0)
+        return;
     SamplingScratch &own = scratch();
-    own.reserve(query.count);
     const SceneLight &light = state_->lights.lights[index];
     std::int32_t *source = own.source.get(query.count);
     float *probability = own.probability.get(query.count), *across = own.across.get(query.count);
@@ -323,7 +444,7 @@ void Scene::sampleLight(int index, const LightQuery &query, LightSamples &sample
             probability[i] =
                 float(light.cumulative[piece] - (piece > 0 ? light.cumulative[piece - 1] : 0));
     }
-    answer({*state_, query, samples, own, source, probability}, across, query.position[1]);
+    answer(*state_, blockOf(query, source, probability, across, samples), own);
 }
 
 } // namespace candela

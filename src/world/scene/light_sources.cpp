@@ -2,9 +2,32 @@
 #include "world/scene/light_sources.h"
 
 #include <algorithm>
-#include <map>
 
 namespace candela {
+
+namespace {
+
+SourceBin binOf(const SceneLight &light, const LightElement &element, const PointTables &points) {
+    using Asked = SourceBin::Asked;
+    SourceBin bin;
+    bin.castsShadow = light.castsShadow, bin.si = light.si;
+    bin.distant = light.kind == LightKind::Distant;
+    if (light.finite() && !(light.plain && light.kind == LightKind::Area)) {
+        bin.asked = Asked::Surface;
+        bin.surfaceCode =
+            points.appearances[points.appearanceOf(element.instance, element.shape)].code;
+        return bin;
+    }
+    bin.shader = light.shader.code.get();
+    if (light.hasGeometry()) {
+        bin.asked = light.finite() ? Asked::PlainShader : Asked::ClassicArea;
+        bin.elementSign =
+            points.appearances[points.appearanceOf(element.instance, element.shape)].elementSign;
+    }
+    return bin;
+}
+
+} // namespace
 
 int chooseByCumulative(std::span<const double> cumulative, double &sample) {
     if (cumulative.size() == 1)
@@ -32,19 +55,21 @@ std::int32_t LightTable::drawElement(const LightSource &source, float &sample) c
     return members[source.firstMember + member];
 }
 
-void LightTable::number() {
-    std::map<std::pair<LightKind, const ShaderCode *>, int> batchOf;
-    ambient.clear();
-    for (std::size_t i = 0; i < lights.size(); ++i) {
-        SceneLight &light = lights[i];
-        if (light.kind == LightKind::Ambient)
+void LightTable::number(const PointTables &points) {
+    ambient.clear(), bins.clear();
+    for (std::size_t i = 0; i < lights.size(); ++i)
+        if (lights[i].kind == LightKind::Ambient)
             ambient.push_back(int(i));
-        if (light.isSampled()) // Numbered in the order of first use, never by address.
-            light.batch =
-                batchOf.try_emplace({light.kind, light.shader.code.get()}, int(batchOf.size()))
-                    .first->second;
+    int last = -1;
+    for (LightSource &source : sources) {
+        const SourceBin bin = binOf(lights[source.light], firstElementOf(source), points);
+        if (last < 0 || !(bins[last] == bin)) { // Neighbours mostly share one.
+            last = int(std::ranges::find(bins, bin) - bins.begin());
+            if (last == int(bins.size()))
+                bins.push_back(bin);
+        }
+        source.bin = last;
     }
-    batches = int(batchOf.size());
 }
 
 } // namespace candela

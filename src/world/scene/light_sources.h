@@ -22,12 +22,12 @@ enum class LightKind : std::uint8_t {
     Emitter,     ///< A shape whose surface shader emits.
 };
 
-/// What rays meet of a light, a triangle or a sphere, or the rectangle that a triangle is half of.
-/// A cache line, read as a row.
+/// What rays meet of a light, a triangle or a sphere, or the rectangle that a triangle is half of;
+/// of a light without geometry, nothing. A cache line, read as a row.
 struct alignas(64) LightElement {
-    enum class Form : std::int32_t { Triangle, Rectangle, Sphere };
+    enum class Form : std::int32_t { NoShape, Triangle, Rectangle, Sphere };
     std::int32_t source = 0; ///< The one that it belongs to.
-    Form form = Form::Triangle;
+    Form form = Form::NoShape;
     std::uint32_t instance = noHit, shape = 0, element = 0; ///< The place of a triangle's points.
     /// Current space. Spheres: the centre, and the radius as edgeA.x.
     Vec3 corner, edgeA, edgeB;
@@ -39,8 +39,26 @@ struct alignas(64) LightElement {
 /// several, which are drawn by area.
 struct LightSource {
     std::int32_t light = 0;                    ///< Index.
-    std::int32_t firstMember = 0, members = 0; ///< LightTable::members; none without geometry.
-    double area = 0;                           ///< m^2.
+    std::int32_t firstMember = 0, members = 0; ///< In LightTable::members; at least one.
+    std::int32_t bin = 0;                      ///< Index into LightTable::bins.
+    double area = 0;                           ///< m^2; 0 without geometry.
+};
+
+/// What sources that are asked together have in common.
+struct SourceBin {
+    enum class Asked : std::int32_t {
+        Surface,     ///< Shading points of surfaces that shine, by `surfaceCode`.
+        PlainShader, ///< Light shaders that look at positions and normals alone.
+        PointShader, ///< Light shaders without shapes.
+        ClassicArea, ///< Light shaders in classic units, at points of shapes.
+    };
+    Asked asked = Asked::PointShader;
+    int surfaceCode = -1;
+    const ShaderCode *shader = nullptr; ///< Of the light.
+    bool castsShadow = true, si = true, distant = false;
+    float elementSign = 1; ///< Appearance::elementSign.
+
+    bool operator==(const SourceBin &) const = default;
 };
 
 struct SceneLight {
@@ -58,7 +76,6 @@ struct SceneLight {
     int surfaceCode = -1;           ///< The code of all its shapes; -1 = they differ.
     Box3 place;                     ///< Without geometry: where it stands; empty = not known.
     double power = 0;               ///< An estimate; W, or what would be W for classic units.
-    int batch = 0;                  ///< Lights of one batch share kind and code.
 
     bool finite() const { return kind == LightKind::Area || kind == LightKind::Emitter; }
     bool hasGeometry() const { return finite() || kind == LightKind::ClassicArea; }
@@ -77,17 +94,20 @@ struct LightTable {
     /// The sources' elements, and for each the share of the source's area up to and with it.
     std::vector<std::int32_t> members;
     std::vector<double> memberShares;
+    std::vector<SourceBin> bins;
     std::vector<LightChoice> choices;            ///< By light set.
     std::vector<int> ambient;                    ///< Indices of the ambient lights.
     std::vector<std::vector<std::uint8_t>> isOn; ///< [lightSet][index + 1].
-    int batches = 0;
     bool isSingle = false; ///< There is one source at most, on for all: none has to be chosen.
 
     bool on(std::int32_t lightSet, std::int32_t light) const { return isOn[lightSet][light] != 0; }
-    /// One of the elements of a source with geometry, by area.
+    /// One of the source's elements, by area.
     std::int32_t drawElement(const LightSource &, float &sample) const;
-    /// Numbers the batches, lists the ambient lights.
-    void number();
+    const LightElement &firstElementOf(const LightSource &source) const {
+        return elements[members[source.firstMember]];
+    }
+    /// Sorts the sources into bins, lists the ambient lights.
+    void number(const PointTables &);
 };
 
 } // namespace candela

@@ -23,6 +23,7 @@ Corners cornersOf(const LightElement &e) {
 
 double areaOf(const LightElement &e) {
     switch (e.form) {
+    case LightElement::Form::NoShape: return 0;
     case LightElement::Form::Triangle: return double(length(cross(e.edgeA, e.edgeB))) / 2;
     case LightElement::Form::Rectangle: return double(length(cross(e.edgeA, e.edgeB)));
     case LightElement::Form::Sphere: return 4 * std::numbers::pi * double(e.edgeA.x) * e.edgeA.x;
@@ -72,7 +73,7 @@ void setTriangle(LightElement &element, const RayShape &mesh, std::uint32_t numb
     element.edgeB = transformPoint(currentFromOuter, mesh.positions[c]) - corner;
 }
 
-std::optional<LightElement> sphereOf(LightElement element, const RayShape &shape,
+std::optional<LightElement> sphereOf(const LightElement &like, const RayShape &shape,
                                      const Matrix4 &currentFromOuter) {
     if (!(shape.radius > 0))
         return std::nullopt;
@@ -87,6 +88,7 @@ std::optional<LightElement> sphereOf(LightElement element, const RayShape &shape
         if (!(std::fabs(dot(axes[k], axes[k]) - squared) <= 2e-6f * squared) ||
             !(std::fabs(dot(axes[k], axes[(k + 1) % 3])) <= 2e-6f * squared))
             return std::nullopt;
+    LightElement element = like;
     element.form = LightElement::Form::Sphere;
     element.corner = transformPoint(currentFromOuter, shape.centre);
     element.edgeA = {std::sqrt(squared), 0, 0};

@@ -17,8 +17,9 @@ EmitterBound boundOf(const LightTable &, const LightSource &);
 /// Corner and edges of element `number` in current space.
 void setTriangle(LightElement &, const RayShape &, std::uint32_t number,
                  const Matrix4 &currentFromOuter);
-/// The sphere in current space that the shape is, if it is one and stays one.
-std::optional<LightElement> sphereOf(LightElement, const RayShape &,
+/// The sphere in current space that the shape is, if it is one and stays one; the rest
+/// is as in `like`.
+std::optional<LightElement> sphereOf(const LightElement &like, const RayShape &,
                                      const Matrix4 &currentFromOuter);
 /// The rectangle that both triangles make up, its edges turned as the first one's are; nothing if
 /// they don't.

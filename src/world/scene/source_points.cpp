@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/scene/source_points.h"
 
+#include "foundation/base/hot.h"
 #include "foundation/base/lanes.h"
+#include "foundation/base/scratch.h"
 #include "world/lights/shape_sampling.h"
 
 #include <algorithm>
@@ -13,91 +15,130 @@ namespace candela {
 
 namespace {
 
-constexpr int block = 256;
+using Form = LightElement::Form;
+
 constexpr int rowWords = sizeof(LightElement) / sizeof(float);
 static_assert(rowWords == 16);
+/// Mixed forms are sorted within blocks of so many lanes.
+constexpr int block = 256;
 
-using Form = LightElement::Form;
-constexpr int forms = 3;
-
-/// Up to a block of lanes whose elements have one form, and what was gathered of these.
-struct FormBlock {
-    Planes<float> rows{11, block}, query{8, block}, answer{7, block};
-    Planes<int> integers{2, block};
-    int *lane = integers[0], *row = integers[1];
-    std::array<float *, 3> corner{rows[0], rows[1], rows[2]}, edgeA{rows[3], rows[4], rows[5]},
-        edgeB{rows[6], rows[7], rows[8]}, from{query[0], query[1], query[2]},
-        given{query[5], query[6], query[7]}, point{answer[0], answer[1], answer[2]},
-        normal{answer[3], answer[4], answer[5]};
-    float *offset = rows[9], *area = rows[10], *u = query[3], *v = query[4], *pdf = answer[6];
-    int count = 0;
-
-    void takeRows(const LightTable &table, const std::int32_t *element) {
-        for (int k = 0; k < count; ++k)
-            row[k] = element[lane[k]] * rowWords;
-        constexpr int first = offsetof(LightElement, corner) / sizeof(float);
-        float *planes[rowWords] = {};
-        for (int c = 0; c < rows.planes(); ++c)
-            planes[first + c] = rows[c];
-        lanes::gatherRows(count, reinterpret_cast<const float *>(table.elements.data()), row,
-                          rowWords, planes);
-    }
-    void take(const float *from, float *to) { lanes::gather(count, lane, from, to); }
-    void put(const float *from, float *to) const {
-        for (int k = 0; k < count; ++k)
-            to[lane[k]] = from[k];
-    }
-};
-static_assert(offsetof(LightElement, area) == offsetof(LightElement, corner) + 10 * sizeof(float));
-
-/// Calls body(form, block) until all lanes that have an element were in a block.
-template <class Body>
-void forForms(const LightTable &table, int count, const std::int32_t *element, Body body) {
-    thread_local std::array<FormBlock, forms> blocks;
-    auto flush = [&](FormBlock &own) {
-        own.takeRows(table, element);
-        body(Form(&own - blocks.data()), own);
-        own.count = 0;
-    };
-    for (int i = 0; i < count; ++i) {
-        if (element[i] < 0)
-            continue;
-        FormBlock &own = blocks[int(table.elements[element[i]].form)];
-        own.lane[own.count++] = i;
-        if (own.count == block)
-            flush(own);
-    }
-    for (FormBlock &own : blocks)
-        if (own.count > 0)
-            flush(own);
+CANDELA_HOT void findRows(int count, const std::int32_t *__restrict element, int *__restrict row) {
+    for (int i = 0; i < count; ++i)
+        row[i] = element[i] > 0 ? element[i] * rowWords : 0;
 }
 
-void crossEdges(FormBlock &b) {
-    for (int k = 0; k < b.count; ++k)
-        for (int c = 0; c < 3; ++c) {
-            const int d = (c + 1) % 3, e = (c + 2) % 3;
-            b.normal[c][k] = b.edgeA[d][k] * b.edgeB[e][k] - b.edgeA[e][k] * b.edgeB[d][k];
+CANDELA_HOT void leaveOutMissing(int count, const std::int32_t *__restrict element,
+                                 std::int32_t *__restrict form) {
+    for (int i = 0; i < count; ++i)
+        form[i] = element[i] < 0 ? std::int32_t(Form::NoShape) : form[i];
+}
+
+/// Lanes of one form, in planes that lie anywhere: who looks and what, numbers, and the answers.
+struct Lanes {
+    int count = 0;
+    std::array<const float *, 3> from{}, corner{}, edgeA{}, edgeB{}, given{};
+    const float *area = nullptr, *u = nullptr, *v = nullptr;
+    std::array<float *, 3> point{}, normal{};
+    float *pdf = nullptr, *uOut = nullptr, *vOut = nullptr;
+
+    /// Every pointer that is read, for those who move lanes about.
+    template <class Body> void forInputs(Body body) {
+        for (auto *planes : {&from, &corner, &edgeA, &edgeB, &given})
+            for (const float *&plane : *planes)
+                body(plane);
+        body(area), body(u), body(v);
+    }
+    template <class Body> void forOutputs(Body body) {
+        for (auto *planes : {&point, &normal})
+            for (float *&plane : *planes)
+                body(plane);
+        body(pdf), body(uOut), body(vOut);
+    }
+};
+
+/// Calls body(form, lanes) for all lanes of one form at a time: where they are alike as they lie,
+/// else gathered from blocks and put back.
+template <class Body> void forForms(const ElementRows &rows, Lanes all, Body body) {
+    all.count = rows.count;
+    all.corner = {rows.corner[0], rows.corner[1], rows.corner[2]};
+    all.edgeA = {rows.edgeA[0], rows.edgeA[1], rows.edgeA[2]};
+    all.edgeB = {rows.edgeB[0], rows.edgeB[1], rows.edgeB[2]};
+    all.area = rows.area;
+    if (rows.count > 0 && lanes::allEqual(rows.count, rows.form, rows.form[0]))
+        return body(Form(rows.form[0]), all);
+    thread_local Planes<float> own(27, block);
+    int lane[block + laneBlock];
+    for (int first = 0; first < rows.count; first += block)
+        for (Form form : {Form::Triangle, Form::Rectangle, Form::Sphere}) {
+            Lanes part = all;
+            part.count = lanes::compactEqual(std::min(block, rows.count - first), rows.form + first,
+                                             int(form), lane);
+            if (part.count == 0)
+                continue;
+            int plane = 0;
+            part.forInputs([&](const float *&input) {
+                float *to = own[plane++];
+                if (input)
+                    lanes::take(part.count, lane, input + first, to), input = to;
+            });
+            part.forOutputs([&](float *&output) {
+                float *to = own[plane++];
+                if (output)
+                    output = to;
+            });
+            body(form, part);
+            float *to[9];
+            int k = 0;
+            all.forOutputs([&](float *output) { to[k++] = output; });
+            k = 0;
+            part.forOutputs([&](float *output) {
+                for (int i = 0; output && i < part.count; ++i)
+                    to[k][first + lane[i]] = output[i];
+                ++k;
+            });
         }
 }
 
+CANDELA_HOT void crossEdges(int count, const float *const a[3], const float *const b[3],
+                            float *const to[3]) {
+    const float *ax = a[0], *ay = a[1], *az = a[2], *bx = b[0], *by = b[1], *bz = b[2];
+    float *x = to[0], *y = to[1], *z = to[2];
+#pragma GCC ivdep
+    for (int k = 0; k < count; ++k) {
+        x[k] = ay[k] * bz[k] - az[k] * by[k];
+        y[k] = az[k] * bx[k] - ax[k] * bz[k];
+        z[k] = ax[k] * by[k] - ay[k] * bx[k];
+    }
+}
+
 /// Barycentric coordinates of points on triangles.
-void findBarycentrics(FormBlock &b) {
+void findBarycentrics(const Lanes &b) {
     for (int k = 0; k < b.count; ++k) {
-        auto vec3 = [&](const std::array<float *, 3> &p) {
-            return Vec3{p[0][k], p[1][k], p[2][k]};
-        };
+        auto vec3 = [&](const auto &p) { return Vec3{p[0][k], p[1][k], p[2][k]}; };
         const Vec3 a = vec3(b.edgeA), e = vec3(b.edgeB), w = vec3(b.point) - vec3(b.corner);
         const double aa = dot(a, a), ae = dot(a, e), ee = dot(e, e), wa = dot(w, a), we = dot(w, e);
         const double determinant = aa * ee - ae * ae;
         const double s = determinant > 0 ? (wa * ee - we * ae) / determinant : 0;
         const double t = determinant > 0 ? (we * aa - wa * ae) / determinant : 0;
-        b.u[k] = float(std::clamp(s, 0.0, 1.0));
-        b.v[k] = float(std::clamp(t, 0.0, 1.0 - double(b.u[k])));
+        b.uOut[k] = float(std::clamp(s, 0.0, 1.0));
+        b.vOut[k] = float(std::clamp(t, 0.0, 1.0 - double(b.uOut[k])));
     }
 }
 
-/// Uniform by area: no one looks.
-void placeByArea(Form form, FormBlock &b) {
+/// What else is to be known of the points that were drawn.
+void finishPoints(Form form, const Lanes &b) {
+    if (form == Form::Sphere)
+        for (int c = 0; c < 3; ++c)
+            for (int k = 0; k < b.count; ++k)
+                b.normal[c][k] = b.point[c][k] - b.corner[c][k];
+    else
+        crossEdges(b.count, b.edgeA.data(), b.edgeB.data(), b.normal.data());
+    if (form == Form::Triangle)
+        findBarycentrics(b);
+}
+
+/// Uniform by area.
+void placeByArea(Form form, const Lanes &b) {
     constexpr float pi = std::numbers::pi_v<float>;
     for (int k = 0; k < b.count; ++k) {
         float u = b.u[k], v = b.v[k];
@@ -118,85 +159,126 @@ void placeByArea(Form form, FormBlock &b) {
     }
 }
 
-void placeAsSeen(Form form, FormBlock &b) {
-    switch (form) {
-    case Form::Triangle:
-        return sampleTriangles(b.count, b.from.data(), b.corner.data(), b.edgeA.data(),
-                               b.edgeB.data(), b.area, b.u, b.v, b.point.data(), b.pdf);
-    case Form::Rectangle:
-        return sampleRectangles(b.count, b.from.data(), b.corner.data(), b.edgeA.data(),
-                                b.edgeB.data(), b.u, b.v, b.point.data(), b.pdf);
-    case Form::Sphere:
-        return sampleSpheres(b.count, b.from.data(), b.corner.data(), b.edgeA[0], b.u, b.v,
-                             b.point.data(), b.pdf);
-    }
-}
-
-void findNormals(Form form, FormBlock &b) {
-    if (form != Form::Sphere)
-        return crossEdges(b);
-    for (int c = 0; c < 3; ++c)
-        for (int k = 0; k < b.count; ++k)
-            b.normal[c][k] = b.point[c][k] - b.corner[c][k];
+Lanes drawnLanes(const float *u, const float *v, SourcePoints &out) {
+    Lanes lanes;
+    lanes.u = u, lanes.v = v;
+    lanes.point = out.point, lanes.normal = out.normal;
+    lanes.pdf = out.pdf, lanes.uOut = out.u, lanes.vOut = out.v;
+    return lanes;
 }
 
 } // namespace
 
-SourcePoints::SourcePoints(int capacity) : floats(10, capacity), integers(1, capacity) {
-    element = integers[0];
+ElementRows::ElementRows(int capacity) : planes(rowWords + 2, capacity), row(1, capacity) {
+    auto signedPlane = [&](int plane) { return reinterpret_cast<std::int32_t *>(planes[plane]); };
+    auto unsignedPlane = [&](int plane) {
+        return reinterpret_cast<std::uint32_t *>(planes[plane]);
+    };
+    source = signedPlane(0), form = signedPlane(1);
+    instance = unsignedPlane(2), shape = unsignedPlane(3), element = unsignedPlane(4);
+    constexpr int first = offsetof(LightElement, corner) / sizeof(float);
     for (int c = 0; c < 3; ++c)
-        point[c] = floats[c], normal[c] = floats[3 + c];
-    pdf = floats[6], offset = floats[7], u = floats[8], v = floats[9];
+        corner[c] = planes[first + c], edgeA[c] = planes[first + 3 + c],
+        edgeB[c] = planes[first + 6 + c];
+    offset = planes[offsetof(LightElement, offset) / sizeof(float)];
+    area = planes[offsetof(LightElement, area) / sizeof(float)];
+    light = signedPlane(rowWords), u = planes[rowWords + 1];
 }
 
-void sampleSources(const LightTable &table, const SourceQuery &query, const float *u,
-                   const float *v, bool byArea, SourcePoints &out) {
-    std::fill_n(out.pdf, query.count, 0.0f);
-    for (int i = 0; i < query.count; ++i) {
-        const std::int32_t source = query.index[i];
-        const bool extended = source >= 0 && table.sources[source].members > 0;
-        out.u[i] = u[i];
-        out.element[i] = extended ? table.drawElement(table.sources[source], out.u[i]) : -1;
+void ElementRows::take(const LightTable &table, int lanes, const std::int32_t *elements) {
+    count = lanes;
+    float *columns[rowWords];
+    for (int c = 0; c < rowWords; ++c)
+        columns[c] = planes[c];
+    findRows(count, elements, row[0]);
+    lanes::gatherRows(count, reinterpret_cast<const float *>(table.elements.data()), row[0],
+                      rowWords, columns);
+    leaveOutMissing(count, elements, form);
+    for (int i = 0; i < count; ++i)
+        light[i] = table.sources[source[i]].light;
+}
+
+void ElementRows::draw(const LightTable &table, int lanes, const std::int32_t *sources,
+                       const float *given) {
+    thread_local Scratch<std::int32_t> own;
+    std::int32_t *drawn = own.get(lanes);
+    for (int i = 0; i < lanes; ++i) {
+        u[i] = given[i];
+        drawn[i] = sources[i] < 0 ? -1 : table.drawElement(table.sources[sources[i]], u[i]);
     }
-    forForms(table, query.count, out.element, [&](Form form, FormBlock &b) {
-        b.take(out.u, b.u), b.take(v, b.v);
-        if (byArea) {
-            placeByArea(form, b);
-        } else {
-            for (int c = 0; c < 3; ++c)
-                b.take(query.from[c], b.from[c]);
-            placeAsSeen(form, b);
-            b.put(b.pdf, out.pdf);
+    take(table, lanes, drawn);
+}
+
+SourcePoints::SourcePoints(int capacity) : floats(9, capacity) {
+    for (int c = 0; c < 3; ++c)
+        point[c] = floats[c], normal[c] = floats[3 + c];
+    pdf = floats[6], u = floats[7], v = floats[8];
+}
+
+void sampleElements(const ElementRows &rows, const float *const from[3], const float *u,
+                    const float *v, SourcePoints &out) {
+    std::fill_n(out.pdf, rows.count, 0.0f);
+    Lanes all = drawnLanes(u, v, out);
+    all.from = {from[0], from[1], from[2]};
+    forForms(rows, all, [](Form form, const Lanes &b) {
+        switch (form) {
+        case Form::NoShape: return;
+        case Form::Triangle:
+            sampleTriangles(b.count, b.from.data(), b.corner.data(), b.edgeA.data(), b.edgeB.data(),
+                            b.area, b.u, b.v, b.point.data(), b.pdf);
+            break;
+        case Form::Rectangle:
+            sampleRectangles(b.count, b.from.data(), b.corner.data(), b.edgeA.data(),
+                             b.edgeB.data(), b.u, b.v, b.point.data(), b.pdf);
+            break;
+        case Form::Sphere:
+            sampleSpheres(b.count, b.from.data(), b.corner.data(), b.edgeA[0], b.u, b.v,
+                          b.point.data(), b.pdf);
         }
-        findNormals(form, b);
-        if (form == Form::Triangle)
-            findBarycentrics(b);
-        for (int c = 0; c < 3; ++c)
-            b.put(b.point[c], out.point[c]), b.put(b.normal[c], out.normal[c]);
-        b.put(b.offset, out.offset);
-        b.put(b.u, out.u), b.put(b.v, out.v);
+        finishPoints(form, b);
     });
 }
 
-void elementDensities(const LightTable &table, const SourceQuery &elements,
+void placeOnElements(const ElementRows &rows, const float *u, const float *v, SourcePoints &out) {
+    forForms(rows, drawnLanes(u, v, out), [](Form form, const Lanes &b) {
+        if (form == Form::NoShape)
+            return;
+        placeByArea(form, b);
+        finishPoints(form, b);
+    });
+}
+
+void placePoints(const ElementRows &rows, const SourcePoints &drawn, ShadingPoints &points) {
+    const int count = points.count = rows.count;
+    std::copy_n(rows.instance, count, points.instance);
+    std::copy_n(rows.shape, count, points.shape);
+    std::copy_n(rows.element, count, points.element);
+    std::copy_n(drawn.u, count, points.u);
+    std::copy_n(drawn.v, count, points.v);
+    for (int c = 0; c < 3; ++c) {
+        std::copy_n(drawn.point[c], count, points.input(ShaderInput::P, c));
+        std::copy_n(drawn.normal[c], count, points.input(ShaderInput::Ng, c));
+    }
+}
+
+void elementDensities(const ElementRows &rows, const float *const from[3],
                       const float *const point[3], float *pdf) {
-    std::fill_n(pdf, elements.count, 0.0f);
-    forForms(table, elements.count, elements.index, [&](Form form, FormBlock &b) {
-        for (int c = 0; c < 3; ++c)
-            b.take(elements.from[c], b.from[c]), b.take(point[c], b.given[c]);
+    std::fill_n(pdf, rows.count, 0.0f);
+    Lanes all;
+    all.from = {from[0], from[1], from[2]}, all.given = {point[0], point[1], point[2]};
+    all.pdf = pdf;
+    forForms(rows, all, [](Form form, const Lanes &b) {
         switch (form) {
+        case Form::NoShape: return;
         case Form::Triangle:
-            triangleDensities(b.count, b.from.data(), b.corner.data(), b.edgeA.data(),
-                              b.edgeB.data(), b.area, b.given.data(), b.pdf);
-            break;
+            return triangleDensities(b.count, b.from.data(), b.corner.data(), b.edgeA.data(),
+                                     b.edgeB.data(), b.area, b.given.data(), b.pdf);
         case Form::Rectangle:
-            rectangleDensities(b.count, b.from.data(), b.corner.data(), b.edgeA.data(),
-                               b.edgeB.data(), b.given.data(), b.pdf);
-            break;
+            return rectangleDensities(b.count, b.from.data(), b.corner.data(), b.edgeA.data(),
+                                      b.edgeB.data(), b.given.data(), b.pdf);
         case Form::Sphere:
-            sphereDensities(b.count, b.from.data(), b.corner.data(), b.edgeA[0], b.pdf);
+            return sphereDensities(b.count, b.from.data(), b.corner.data(), b.edgeA[0], b.pdf);
         }
-        b.put(b.pdf, pdf);
     });
 }
 

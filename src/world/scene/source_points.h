@@ -3,40 +3,55 @@
 #pragma once
 
 #include "foundation/base/planes.h"
+#include "world/points/shading_points.h"
 #include "world/scene/light_sources.h"
 
 #include <array>
 
 namespace candela {
 
-/// Sources or elements, one a lane, as seen from points. -1 = none.
-struct SourceQuery {
+/// LightTable::elements, one a lane.
+struct ElementRows {
+    explicit ElementRows(int capacity);
+    /// Takes element[0..count); -1 gives a lane of no form, of source 0.
+    void take(const LightTable &, int count, const std::int32_t *element);
+    /// Takes an element of each of source[0..count), by area; `u` is uniform in [0,1), and so is
+    /// what is left of it.
+    void draw(const LightTable &, int count, const std::int32_t *source, const float *u);
+
     int count = 0;
-    const std::int32_t *index = nullptr; ///< Into LightTable::sources, or ::elements.
-    std::array<const float *, 3> from{}; ///< The points that look.
+    Planes<float> planes;
+    Planes<int> row;
+    std::int32_t *source, *form;
+    std::uint32_t *instance, *shape, *element;
+    std::array<float *, 3> corner, edgeA, edgeB;
+    float *offset, *area;
+    std::int32_t *light; ///< The source's.
+    float *u;            ///< See draw().
 };
 
 /// A point a lane, current space.
 struct SourcePoints {
     explicit SourcePoints(int capacity);
     Planes<float> floats;
-    Planes<std::int32_t> integers;
-    std::int32_t *element;                ///< That it lies on: index into LightTable::elements.
     std::array<float *, 3> point, normal; ///< The element's normal, of any length, not yet turned.
-    float *pdf;                           ///< Per steradian at `from`, without the choice.
-    float *offset;                        ///< LightElement::offset.
+    float *pdf;                           ///< Per steradian from where one looks.
     float *u, *v;                         ///< Barycentric, on triangles.
 };
 
-/// Draws an element of each source, and a point on it at uniform (u,v): elements that are alone by
-/// solid angle, those of pieces by area (all by area if `byArea`: then pdf is not told, and `from`
-/// is not read). Sources without geometry get element -1.
-void sampleSources(const LightTable &, const SourceQuery &, const float *u, const float *v,
-                   bool byArea, SourcePoints &);
+/// Samples elements as seen `from` points at uniform (u,v): those that are all of their source by
+/// solid angle, of triangles and of pieces by area. Lanes without a form get a density of 0.
+void sampleElements(const ElementRows &, const float *const from[3], const float *u, const float *v,
+                    SourcePoints &);
+/// The same by area: no one looks, densities are left alone.
+void placeOnElements(const ElementRows &, const float *u, const float *v, SourcePoints &);
 
-/// The densities with which sampleSources, asked for the elements' sources, finds these points on
-/// them; `point` planes are given.
-void elementDensities(const LightTable &, const SourceQuery &elements, const float *const point[3],
+/// Fills what evaluatePoints wants to know of points on elements, but I.
+void placePoints(const ElementRows &, const SourcePoints &, ShadingPoints &);
+
+/// The densities with which draw() and sampleElements(), asked for the elements' sources, find
+/// these points on the elements.
+void elementDensities(const ElementRows &, const float *const from[3], const float *const point[3],
                       float *pdf);
 
 } // namespace candela
