@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/lights/light_choice.h"
 
+#include "foundation/base/scratch.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -110,6 +112,12 @@ void LightChoice::choose(int count, const float *const P[3], const float *const 
         std::fill_n(probability, count, 1.0f);
         return;
     }
+    if (infinite_.empty()) {
+        tree_.choose(count, P, N, u, source, probability);
+        for (int i = 0; i < count; ++i)
+            source[i] = source[i] < 0 ? -1 : finiteSources_[source[i]];
+        return;
+    }
     for (int i = 0; i < count; ++i) {
         const float *const p[3] = {P[0] + i, P[1] + i, P[2] + i};
         const float *const n[3] = {N[0] + i, N[1] + i, N[2] + i};
@@ -141,10 +149,16 @@ void LightChoice::probability(int count, const float *const P[3], const float *c
             probability[i] = source[i] == single() ? 1.0f : 0.0f;
         return;
     }
+    if (infinite_.empty()) {
+        thread_local Scratch<std::int32_t> own;
+        std::int32_t *emitter = own.get(count);
+        for (int i = 0; i < count; ++i)
+            emitter[i] = placeOf(source[i]);
+        return tree_.probability(count, P, N, emitter, probability);
+    }
     for (int i = 0; i < count; ++i) {
         probability[i] = 0;
-        bool known = source[i] >= 0 && source[i] < std::int32_t(places_.size());
-        std::int32_t place = known ? places_[source[i]] : -1;
+        const std::int32_t place = placeOf(source[i]);
         if (place < 0)
             continue;
         const float *const p[3] = {P[0] + i, P[1] + i, P[2] + i};

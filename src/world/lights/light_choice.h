@@ -38,6 +38,10 @@ public:
 
 private:
     bool isSingle() const { return tree_.size() == 1 && infinite_.empty(); }
+    std::int32_t placeOf(std::int32_t source) const {
+        const bool known = source >= 0 && source < std::int32_t(places_.size());
+        return known ? places_[source] : -1;
+    }
     std::int32_t single() const { return finiteSources_.front(); }
 
     LightTree tree_;
