@@ -192,11 +192,11 @@ constexpr double leastSolidAngle = 1e-4;
 }
 
 [[gnu::always_inline]] inline float triangleDensity(Double3 P, Double3 corner, Double3 edgeA,
-                                                    Double3 edgeB, Double3 point) {
+                                                    Double3 edgeB, double area, Double3 point) {
     Double3 normal = cross(edgeA, edgeB);
     double twice = std::sqrt(dot(normal, normal));
     double height = heightOver(corner - P, normal * (1 / twice));
-    float density = rounded(areaDensity(point - P, height, twice / 2));
+    float density = rounded(areaDensity(point - P, height, area));
     return height > 0 ? density : 0.0f;
 }
 
@@ -267,8 +267,8 @@ CANDELA_HOT void rectangleDensities(int count, const float *const P[3],
 
 CANDELA_HOT void sampleTriangles(int count, const float *const P[3], const float *const corner[3],
                                  const float *const edgeA[3], const float *const edgeB[3],
-                                 const float *u, const float *v, float *const point[3],
-                                 float *pdf) {
+                                 const float *area, const float *u, const float *v,
+                                 float *const point[3], float *pdf) {
     const Columns ps(P), corners(corner), as(edgeA), bs(edgeB);
 #pragma GCC ivdep
     for (int i = 0; i < count; ++i) {
@@ -279,17 +279,17 @@ CANDELA_HOT void sampleTriangles(int count, const float *const P[3], const float
         double s = lower ? x - y / 2 : x / 2, t = lower ? y / 2 : y - x / 2;
         Double3 at = asFloats(o + a * s + b * t);
         store(point, i, at);
-        pdf[i] = triangleDensity(p, o, a, b, at);
+        pdf[i] = triangleDensity(p, o, a, b, area[i], at);
     }
 }
 
 CANDELA_HOT void triangleDensities(int count, const float *const P[3], const float *const corner[3],
                                    const float *const edgeA[3], const float *const edgeB[3],
-                                   const float *const point[3], float *pdf) {
+                                   const float *area, const float *const point[3], float *pdf) {
     const Columns ps(P), corners(corner), as(edgeA), bs(edgeB), points(point);
 #pragma GCC ivdep
     for (int i = 0; i < count; ++i)
-        pdf[i] = triangleDensity(ps[i], corners[i], as[i], bs[i], points[i]);
+        pdf[i] = triangleDensity(ps[i], corners[i], as[i], bs[i], area[i], points[i]);
 }
 
 } // namespace candela
