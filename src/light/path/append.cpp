@@ -45,7 +45,11 @@ ActivePaths &roomFor(PathWave &wave, int count) {
     if (wave.next.count + count > PathWave::capacity) {
         wave.next.rays.count = wave.next.count;
         wave.waiting.push_back({wave.vertex + 1, std::move(wave.next)});
-        wave.next = ActivePaths(PathWave::capacity);
+        if (wave.spare.empty())
+            wave.spare.emplace_back(PathWave::capacity);
+        wave.next = std::move(wave.spare.back());
+        wave.spare.pop_back();
+        wave.next.count = wave.next.rays.count = 0;
     }
     return wave.next;
 }
@@ -134,6 +138,7 @@ void append(PathWave &wave, int count) {
         lanes::take(count, lane, way.throughput[c], next.throughput[c] + first);
     }
     lanes::take(count, lane, chunk.paths.slot, next.slot + first);
+    lanes::take(count, lane, chunk.paths.sampleIndex, next.sampleIndex + first);
     takeDepths(count, lane, chunk.paths.depth, next.depth + first);
     std::fill_n(next.seen + first, count, 0);
     if (chunk.events.needsChoice())

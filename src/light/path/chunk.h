@@ -45,7 +45,8 @@ struct EmissionPlanes {
 struct ScatterPlanes {
     explicit ScatterPlanes(int capacity)
         : sampled(3, capacity), origin(3, capacity), response(colorSamples, capacity),
-          throughput(colorSamples, capacity), floats(5, capacity), integers(2, capacity) {
+          throughput(colorSamples, capacity), floats(5, capacity), integers(2, capacity),
+          sample(1, capacity) {
         mixturePdf = floats[0], scale = floats[1], pdf = floats[2], brightest = floats[3];
         gain = floats[4];
         survives = integers[0], lane = integers[1];
@@ -53,7 +54,8 @@ struct ScatterPlanes {
     Planes<float> sampled, origin, response, throughput, floats;
     float *mixturePdf, *scale, *pdf, *brightest, *gain;
     Planes<int> integers;
-    int *survives, *lane; ///< Of those that go on.
+    int *survives, *lane;         ///< Of those that go on.
+    Planes<std::uint32_t> sample; ///< Numbers before the path splits.
 };
 
 /// The cosine lobe that stands for all cones under --sampling hemisphere.

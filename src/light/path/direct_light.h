@@ -14,7 +14,7 @@ struct DirectLight {
     Planes<float> unit; ///< Directions of the samples.
     Planes<float> response, contribution;
     Planes<float> floats;
-    float *directionPdf, *wanted, *factor;
+    float *directionPdf, *wanted, *factor, *scattered;
     Planes<std::int32_t> integers;
     std::int32_t *answered;         ///< finiteRequests in all lanes.
     std::int32_t *inShadow, *lanes; ///< Those in need of shadow rays.

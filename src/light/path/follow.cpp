@@ -39,7 +39,8 @@ void advance(PathWave &wave) {
     ++wave.vertex;
     if (wave.active.count == 0 && !wave.waiting.empty()) {
         wave.vertex = wave.waiting.back().vertex;
-        wave.active = std::move(wave.waiting.back().paths);
+        std::swap(wave.active, wave.waiting.back().paths);
+        wave.spare.push_back(std::move(wave.waiting.back().paths));
         wave.waiting.pop_back();
     }
     wave.next.count = wave.next.rays.count = 0;

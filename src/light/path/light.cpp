@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "foundation/base/hot.h"
+#include "light/path/split.h"
 #include "light/path/stages.h"
 #include "light/sampling/mis.h"
 
@@ -16,12 +17,20 @@ CANDELA_HOT void weighSamples(int count, const float *__restrict g, const float 
         result[i] = (factor[i] > 0) & (light[i] != 0) ? g[i] * value[i] * factor[i] : 0.0f;
 }
 
-/// 1 where rays may be scattered along finite lobes.
-CANDELA_HOT void markScattering(int count, const int *__restrict depth, int maxDepth,
-                                const float *__restrict finiteProbability,
-                                float *__restrict wanted) {
+/// Where light is wanted, and where rays are scattered along finite lobes, too.
+CANDELA_HOT void markShallow(int count, const int *__restrict depth, int maxDepth,
+                             const float *__restrict finiteProbability, float *__restrict wanted,
+                             float *__restrict scattered) {
+    for (int i = 0; i < count; ++i) {
+        const bool shallow = depth[i] < maxDepth;
+        wanted[i] = shallow ? 1.0f : 0.0f;
+        scattered[i] = shallow & (finiteProbability[i] > 0) ? 1.0f : 0.0f;
+    }
+}
+
+CANDELA_HOT void scale(int count, float factor, float *__restrict values) {
     for (int i = 0; i < count; ++i)
-        wanted[i] = (depth[i] < maxDepth) & (finiteProbability[i] > 0) ? 1.0f : 0.0f;
+        values[i] *= factor;
 }
 
 /// The samples, and what they are worth beside directions of the mixture.
@@ -31,16 +40,18 @@ void sampleLights(PathWave &wave) {
     LightSamples &samples = direct.sample.samples;
     const int count = chunk.count();
     const VertexNumbers &numbers = chunk.numbers;
-    markScattering(count, chunk.paths.depth, wave.frame.settings.maxDepth,
-                   chunk.events.finiteProbability(), direct.wanted);
+    markShallow(count, chunk.paths.depth, wave.frame.settings.maxDepth,
+                chunk.events.finiteProbability(), direct.wanted, direct.scattered);
     wave.frame.scene.sampleLights(
-        lightQuery(chunk.vertices, chunk.N, direct.wanted,
+        lightQuery(chunk.vertices, chunk.N, direct.scattered,
                    {numbers.x(lightChoicePair), numbers.x(lightPositionPair),
                     numbers.y(lightPositionPair)}),
         samples);
     unitDirections(count, samples.L[0], samples.L[1], samples.L[2], direct.unit[0], direct.unit[1],
                    direct.unit[2]);
     chunk.mixture.pdf({direct.unit[0], direct.unit[1], direct.unit[2]}, direct.directionPdf);
+    if (const int directions = directionsAt(wave); directions > 1)
+        scale(count, float(directions), direct.directionPdf);
     leaveToLightSampling(chunk.vertices.code(), count, samples.light, direct.directionPdf);
     lightSampleFactors(count, samples.pdfSolidAngle, direct.directionPdf,
                        chunk.events.finiteProbability(), direct.wanted, direct.factor);
@@ -50,8 +61,9 @@ void sampleLights(PathWave &wave) {
 
 DirectLight::DirectLight(int capacity)
     : sample(capacity), shadow(capacity), unit(3, capacity), response(colorSamples, capacity),
-      contribution(colorSamples, capacity), floats(3, capacity), integers(3, capacity) {
+      contribution(colorSamples, capacity), floats(4, capacity), integers(3, capacity) {
     directionPdf = floats[0], wanted = floats[1], factor = floats[2];
+    scattered = floats[3];
     answered = integers[0], inShadow = integers[1], lanes = integers[2];
     std::fill_n(answered, integers.lanes(), finiteRequests);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "foundation/base/lanes.h"
 #include "light/path/roulette.h"
+#include "light/path/split.h"
 #include "light/path/stages.h"
 #include "light/path/steps.h"
 #include "light/sampling/sobol.h"
@@ -22,8 +23,7 @@ void takePaths(const PathWave &wave, PathsAtVertices &paths) {
     lanes::take(count, ray, active.depth, paths.depth);
     lanes::take(count, ray, active.seen, paths.seen);
     lanes::gather(count, paths.slot, wave.results.keys[0], paths.pixelKey);
-    lanes::gather(count, paths.slot, wave.results.sampleIndex,
-                  reinterpret_cast<int *>(paths.sampleIndex));
+    lanes::take(count, ray, active.sampleIndex, paths.sampleIndex);
 }
 
 } // namespace
@@ -40,7 +40,8 @@ void meet(PathWave &wave) {
                    reinterpret_cast<std::uint32_t *>(seed));
     }
     drawNumbers(wave, lightPositionPair);
-    drawNumbers(wave, directionPair);
+    if (directionsAt(wave) == 1)
+        drawNumbers(wave, directionPair);
     // No camera path is deeper than the wave.
     if (wave.frame.scene.readsLightChoice() || wave.vertex + 1 >= rouletteDepth ||
         wave.purpose != Purpose::Camera)

@@ -48,9 +48,10 @@ struct RayOrigins {
 /// The paths that are still under way, packed: entry i moves as others end.
 struct ActivePaths {
     explicit ActivePaths(int capacity)
-        : rays(capacity), left(capacity), throughput(colorSamples, capacity),
-          integers(3, capacity) {
+        : rays(capacity), left(capacity), throughput(colorSamples, capacity), integers(3, capacity),
+          keys(1, capacity) {
         slot = integers[0], depth = integers[1], seen = integers[2];
+        sampleIndex = keys[0];
     }
 
     int count = 0;
@@ -61,6 +62,8 @@ struct ActivePaths {
     int *slot;
     int *depth; ///< Scatterings so far.
     int *seen;  ///< 1 as long as the camera sees along this ray: it adds to opacity.
+    Planes<std::uint32_t> keys;
+    std::uint32_t *sampleIndex; ///< The path's number within its pixel: see path/split.h.
 };
 
 } // namespace candela

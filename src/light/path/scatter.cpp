@@ -2,6 +2,7 @@
 #include "foundation/base/hot.h"
 #include "foundation/base/lanes.h"
 #include "light/path/roulette.h"
+#include "light/path/split.h"
 #include "light/path/stages.h"
 #include "light/path/steps.h"
 
@@ -15,15 +16,17 @@ namespace {
 constexpr float pi = float(M_PI);
 
 /// What the chosen event makes of a unit of light: 1/(pi pdf) for finite lobes, 1/q else; and
-/// the density that the direction carries, 0 for events without a choice of direction.
+/// the density that the direction carries, 0 for events without a choice of direction. Several
+/// `directions` are as many times as dense.
 CANDELA_HOT void eventScales(int count, const std::int32_t *__restrict event,
                              const float *__restrict probability,
-                             const float *__restrict mixturePdf, const int *__restrict depth,
-                             int maxDepth, float *__restrict scale, float *__restrict pdf) {
+                             const float *__restrict mixturePdf, float directions,
+                             const int *__restrict depth, int maxDepth, float *__restrict scale,
+                             float *__restrict pdf) {
     for (int i = 0; i < count; ++i) {
         bool finite = event[i] == finiteRequests, through = event[i] == straightThrough;
         bool goesOn = (event[i] != pathEnds) & (through | (depth[i] < maxDepth));
-        float density = finite ? mixturePdf[i] * probability[i] : 0.0f;
+        float density = finite ? mixturePdf[i] * probability[i] * directions : 0.0f;
         float divisor = finite ? pi * density : probability[i];
         pdf[i] = density;
         scale[i] = goesOn & (divisor > 0) ? 1 / (divisor > 0 ? divisor : 1.0f) : 0.0f;
@@ -90,7 +93,8 @@ void respond(PathWave &wave) {
         g[c] = way.response[c];
     vertices.scatter({direction[0], direction[1], direction[2]}, chunk.events.event(), nullptr, g);
     eventScales(count, chunk.events.event(), chunk.events.probability(), way.mixturePdf,
-                chunk.paths.depth, wave.frame.settings.maxDepth, way.scale, way.pdf);
+                float(directionsAt(wave)), chunk.paths.depth, wave.frame.settings.maxDepth,
+                way.scale, way.pdf);
     const Planes<float> &before = chunk.paths.throughput, &after = way.throughput;
     nextThroughput(count, {before[0], before[1], before[2]}, {g[0], g[1], g[2]},
                    {vertices.Oi(0), vertices.Oi(1), vertices.Oi(2)}, chunk.events.event(),
@@ -128,9 +132,37 @@ void goOn(PathWave &wave, float rouletteThreshold) {
     append(wave, count);
 }
 
+namespace {
+
+/// Branch k of the vertices' paths. Events without a choice of direction belong to the first.
+void takeBranch(VertexChunk &chunk, int k) {
+    const std::int32_t *event = chunk.events.event();
+    const std::uint32_t *sample = chunk.way.sample[0];
+    for (int i = 0; i < chunk.count(); ++i)
+        chunk.paths.sampleIndex[i] =
+            event[i] == finiteRequests ? branchNumber(sample[i], k) : unbranchedNumber(sample[i]);
+    if (k == 1)
+        chunk.events.endAllBut(finiteRequests, chunk.count());
+}
+
+} // namespace
+
 void scatter(PathWave &wave) {
-    sampleDirections(wave.chunk);
-    goOn(wave, rouletteBelow);
+    VertexChunk &chunk = wave.chunk;
+    const int directions = directionsAt(wave);
+    // Branches carry a share of their path; it is the path whose weight counts.
+    const float below =
+        wave.purpose == Purpose::Camera ? rouletteBelow / cameraDirections : rouletteBelow;
+    if (directions > 1)
+        std::copy_n(chunk.paths.sampleIndex, chunk.count(), chunk.way.sample[0]);
+    for (int k = 0; k < directions; ++k) {
+        if (k > 0 && !chunk.events.any(finiteRequests, chunk.count()))
+            return;
+        if (directions > 1)
+            takeBranch(chunk, k), drawNumbers(wave, directionPair);
+        sampleDirections(chunk);
+        goOn(wave, below);
+    }
 }
 
 } // namespace candela

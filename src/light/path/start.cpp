@@ -48,6 +48,7 @@ void takePaths(PathWave &wave) {
     std::iota(active.slot, active.slot + wave.slots, 0);
     std::fill_n(active.depth, wave.slots, 0);
     std::fill_n(active.seen, wave.slots, 1);
+    std::copy_n(wave.results.sampleIndex, wave.slots, reinterpret_cast<int *>(active.sampleIndex));
 }
 
 } // namespace
@@ -84,13 +85,13 @@ void startCamera(PathWave &wave, int pixels, const int *x, const int *y, int fir
 
 void startGathering(PathWave &wave, int count, const int *lane, const GatheringRays &from) {
     wave.slots = count;
-    takePaths(wave);
     auto take = [&](const auto *plane, auto *to) { lanes::take(count, lane, plane, to); };
     PathResults &results = wave.results;
     for (int c = 0; c < colorSamples; ++c)
         std::fill_n(results.radiance[c], count, 0.0f);
     take(from.x, results.x), take(from.y, results.y);
     take(reinterpret_cast<const int *>(from.sampleIndex), results.sampleIndex);
+    takePaths(wave);
     take(from.pixelKey, results.keys[0]);
 
     ActivePaths &active = wave.active;

@@ -55,6 +55,7 @@ struct PathWave {
     int vertex = 0; ///< Number of the vertex that the rays of `active` lead to, from 0.
     ActivePaths active, next;
     std::vector<WaitingPaths> waiting;
+    std::vector<ActivePaths> spare; ///< Room for those that will have to wait.
     HitBatch hits;
     HitBins bins;
     Planes<float> cameraNumbers; ///< Camera pairs of the wave's samples.

@@ -133,6 +133,11 @@ void ScatteringEvents::end(int count, const int *marked) {
         events_[0][i] = marked[i] != 0 ? pathEnds : events_[0][i];
 }
 
+void ScatteringEvents::endAllBut(std::int32_t event, int count) {
+    for (int i = 0; i < count; ++i)
+        events_[0][i] = events_[0][i] == event ? event : pathEnds;
+}
+
 bool ScatteringEvents::any(std::int32_t event, int count) const {
     return std::find(events_[0], events_[0] + count, event) != events_[0] + count;
 }

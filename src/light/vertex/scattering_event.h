@@ -33,6 +33,8 @@ public:
     bool takeAll(SurfaceVertices &, int kind, const int *wanted);
     /// The event becomes pathEnds where `marked` is not 0.
     void end(int count, const int *marked);
+    /// Every other event becomes pathEnds.
+    void endAllBut(std::int32_t event, int count);
 
     const std::int32_t *event() const { return events_[0]; }
     const float *probability() const { return probability_[0]; } ///< Of the event chosen.
