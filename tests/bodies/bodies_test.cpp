@@ -123,7 +123,7 @@ void expectFurnaces(const Body &body, const std::vector<Placement> &placements) 
     ASSERT_EQ(pictures.size(), frames.size());
     for (std::size_t i = 0; i < frames.size(); ++i) {
         SCOPED_TRACE(body.name + " " + frames[i].name);
-        const auto &[red, alpha] = pictures[i];
+        const auto &[red, alpha, green] = pictures[i];
         const double expected = placements[i].bright() ? 1 : 0;
         for (auto [end, what] : {std::pair{*std::min_element(red.begin(), red.end()), "darkest"},
                                  {*std::max_element(red.begin(), red.end()), "brightest"}})

@@ -41,7 +41,8 @@ std::vector<FramePixels> render(const std::vector<Frame> &frames, int samples, i
         EXPECT_TRUE(picture) << frames[i].name << problem;
         if (!picture)
             return {};
-        all.push_back({picture->find("R")->values, picture->find("A")->values});
+        all.push_back(
+            {picture->find("R")->values, picture->find("A")->values, picture->find("G")->values});
     }
     return all;
 }

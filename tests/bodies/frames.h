@@ -14,7 +14,7 @@ struct Frame {
 };
 
 struct FramePixels {
-    std::vector<float> red, alpha;
+    std::vector<float> red, alpha, green;
 };
 
 /// Renders all frames in one run, in si units with a box filter of one pixel; 8 x 8 pixels, unless
