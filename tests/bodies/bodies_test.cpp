@@ -2,7 +2,7 @@
 // Inside a closed body that shines, everything is as bright as its walls, wherever mirrors, objects
 // and orientations put it; what is dark on that side leaves all dark. One sample a pixel, no noise.
 #include "tests/bodies/bodies.h"
-#include "tests/bodies/frames.h"
+#include "tests/support/frames.h"
 #include "tests/support/student.h"
 
 #include <algorithm>
@@ -119,7 +119,7 @@ void expectFurnaces(const Body &body, const std::vector<Placement> &placements) 
     std::vector<Frame> frames;
     for (const Placement &p : placements)
         frames.push_back(frameOf(p, body, p.visible() && !p.bright() ? "matte" : "scattered"));
-    const std::vector<FramePixels> pictures = render(frames, 1);
+    const std::vector<FramePixels> pictures = render(frames, {1, 1, "bodies/shaders"});
     ASSERT_EQ(pictures.size(), frames.size());
     for (std::size_t i = 0; i < frames.size(); ++i) {
         SCOPED_TRACE(body.name + " " + frames[i].name);
@@ -219,7 +219,7 @@ TEST_P(ClosedBodies, LightWhatIsWithin) {
         frames.back().world =
             "Attribute \"light\" \"string shadows\" [\"on\"]\n" + frames.back().world;
     }
-    const std::vector<FramePixels> pictures = render(frames, 512);
+    const std::vector<FramePixels> pictures = render(frames, {512, 1, "bodies/shaders"});
     ASSERT_EQ(pictures.size(), frames.size());
     for (std::size_t i = 0; i < frames.size(); ++i) {
         const MeanAndError light = meanAndError({pictures[i].red.begin(), pictures[i].red.end()});

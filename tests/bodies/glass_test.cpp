@@ -3,7 +3,7 @@
 // that are set down anew beside their surface, or whose direction is taken from rounded points,
 // show what is behind at another place.
 #include "tests/bodies/bodies.h"
-#include "tests/bodies/frames.h"
+#include "tests/support/frames.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ void expectSights(const std::vector<Sight> &sights, int samples) {
     std::vector<Frame> frames;
     for (const Sight &sight : sights)
         frames.push_back(sight.frame);
-    const std::vector<FramePixels> pictures = render(frames, samples);
+    const std::vector<FramePixels> pictures = render(frames, {samples, 1, "bodies/shaders"});
     ASSERT_EQ(pictures.size(), frames.size());
     for (std::size_t i = 0; i < frames.size(); ++i) {
         // Whatever share of the light comes through has seen the same place.

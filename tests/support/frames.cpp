@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/bodies/frames.h"
+#include "tests/support/frames.h"
 
 #include "image/picture_file.h"
 #include "tests/support/program.h"
@@ -25,13 +25,13 @@ std::string ribOf(const std::vector<Frame> &frames) {
 
 } // namespace
 
-std::vector<FramePixels> render(const std::vector<Frame> &frames, int samples, int seed) {
+std::vector<FramePixels> render(const std::vector<Frame> &frames, const FrameSettings &settings) {
     ScratchFolder folder;
     const std::string rib = folder.write("scene.rib", ribOf(frames));
     const Outcome run =
-        runCandela({rib, "--quiet", "--threads", "1", "--spp", std::to_string(samples), "--seed",
-                    std::to_string(seed), "--output-dir", folder.path(), "--shader-path",
-                    CANDELA_SOURCE_DIR "/tests/bodies/shaders"});
+        runCandela({rib, "--quiet", "--threads", "1", "--spp", std::to_string(settings.samples),
+                    "--seed", std::to_string(settings.seed), "--output-dir", folder.path(),
+                    "--shader-path", CANDELA_SOURCE_DIR "/tests/" + settings.shaders});
     EXPECT_EQ(run.status, 0) << run.text();
     EXPECT_EQ(run.err, "");
     std::vector<FramePixels> all;

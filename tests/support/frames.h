@@ -17,8 +17,14 @@ struct FramePixels {
     std::vector<float> red, alpha, green;
 };
 
+struct FrameSettings {
+    int samples = 1; ///< A pixel.
+    int seed = 1;
+    std::string shaders; ///< A folder of tests/ with shaders.
+};
+
 /// Renders all frames in one run, in si units with a box filter of one pixel; 8 x 8 pixels, unless
 /// options have another Format. A run that fails gives nothing.
-std::vector<FramePixels> render(const std::vector<Frame> &frames, int samples, int seed = 1);
+std::vector<FramePixels> render(const std::vector<Frame> &frames, const FrameSettings &);
 
 } // namespace candela::test
