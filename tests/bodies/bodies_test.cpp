@@ -61,6 +61,12 @@ std::string scaling(const Placement &p) {
     return text + "\n";
 }
 
+/// What stands in one place alone is no instance to rays. This one is dark and out of sight.
+std::string anotherInstance(double x) {
+    return "AttributeBegin\nSurface \"matte\" \"float Kd\" [0]\nTranslate " + std::to_string(x) +
+           " 0 0\nObjectInstance 1\nAttributeEnd\n";
+}
+
 /// The body, its origin in the eye.
 std::string placed(const Placement &p, const std::string &primitives) {
     const std::string turn = std::string(turns[p.turn]) + "\n";
@@ -72,11 +78,11 @@ std::string placed(const Placement &p, const std::string &primitives) {
     case Where::Camera: return away + look + turn + primitives;
     case Where::World: return away + scaling(p) + look + turn + primitives;
     case Where::Object: // It takes all but its orientation from its instances.
-        return away + "ObjectBegin 1\n" + scaling(p) + turn + primitives + "ObjectEnd\n" + look +
-               "ObjectInstance 1\n";
+        return away + "ObjectBegin 1\n" + scaling(p) + turn + primitives + "ObjectEnd\n" +
+               anotherInstance(20 * p.size) + look + "ObjectInstance 1\n";
     case Where::Instance:
-        return away + "ObjectBegin 1\n" + primitives + "ObjectEnd\n" + scaling(p) + look + turn +
-               "ObjectInstance 1\n";
+        return away + "ObjectBegin 1\n" + primitives + "ObjectEnd\n" + scaling(p) +
+               anotherInstance(20) + look + turn + "ObjectInstance 1\n";
     }
     return "";
 }
