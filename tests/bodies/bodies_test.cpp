@@ -52,6 +52,10 @@ struct Placement {
     }
     bool visible() const { return sides == 2 || inward(); }
     bool bright() const { return visible() && (emitter != oneSided || inward()); }
+    /// A dark body is asked for light samples too, which must be dark.
+    bool hasLightSamples() const {
+        return visible() && !bright() && !(where == Where::Instance && mirrors());
+    }
 };
 
 std::string scaling(const Placement &p) {
@@ -124,7 +128,7 @@ Frame frameOf(const Placement &p, const Body &body, const std::string &shader) {
 void expectFurnaces(const Body &body, const std::vector<Placement> &placements) {
     std::vector<Frame> frames;
     for (const Placement &p : placements)
-        frames.push_back(frameOf(p, body, p.visible() && !p.bright() ? "matte" : "scattered"));
+        frames.push_back(frameOf(p, body, p.hasLightSamples() ? "matte" : "scattered"));
     const std::vector<FramePixels> pictures = render(frames, {1, 1, "bodies/shaders"});
     ASSERT_EQ(pictures.size(), frames.size());
     for (std::size_t i = 0; i < frames.size(); ++i) {
