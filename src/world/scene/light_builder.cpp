@@ -62,6 +62,29 @@ bool readsOnlyPlace(const ShaderCode &code) {
     return code.variables().empty();
 }
 
+/// The sphere within which the eye and all other sources are; -1 = none.
+std::int32_t surroundingSource(const LightTable &table) {
+    using Form = LightSource::Form;
+    std::int32_t dome = -1;
+    float largest = 0;
+    for (std::size_t k = 0; k < table.sources.size(); ++k)
+        if (table.sources[k].form == Form::Sphere && table.sources[k].edgeA.x > largest)
+            dome = std::int32_t(k), largest = table.sources[k].edgeA.x;
+    if (dome < 0)
+        return -1;
+    Box3 others;
+    others.add(Vec3{0, 0, 0});
+    for (std::size_t k = 0; k < table.sources.size(); ++k)
+        if (std::int32_t(k) != dome &&
+            table.lights[table.sources[k].light].kind != LightKind::Distant)
+            others.add(boundOf(table.sources[k], 0).box);
+    const Vec3 centre = table.sources[dome].corner;
+    Vec3 farthest;
+    for (int c = 0; c < 3; ++c)
+        farthest[c] = std::max(others.high[c] - centre[c], centre[c] - others.low[c]);
+    return length(farthest) < largest ? dome : -1;
+}
+
 } // namespace
 
 LightBuilder::LightBuilder(SceneState &state, ShaderLibrary &library)
@@ -277,19 +300,21 @@ void LightBuilder::prepareChoices() {
             light.place = placeOf(state_, light);
     }
     table.number(state_.points);
+    const std::int32_t dome = surroundingSource(table);
     for (std::size_t set = 0; set < state_.lightSets.size(); ++set)
-        table.choices.push_back(choiceOf(int(set)));
+        table.choices.push_back(choiceOf(int(set), dome));
     table.isSingle = table.sources.size() <= 1 && std::ranges::all_of(table.isOn, [](auto &on) {
                          return std::ranges::find(on, 0) == on.end();
                      });
 }
 
-/// The choice among the sources that are on for a light set.
-LightChoice LightBuilder::choiceOf(int set) const {
+/// The choice among the sources that are on for a light set; `dome` surrounds them.
+LightChoice LightBuilder::choiceOf(int set, std::int32_t dome) const {
     const LightTable &table = state_.lights;
     std::vector<EmitterBound> bounds;
     std::vector<std::int32_t> numbers;
     std::vector<InfiniteLight> infinite;
+    std::vector<std::int32_t> surrounding;
     // Estimates may miss a narrow beam: no light counts for nothing.
     double strongest = 0;
     for (const SceneLight &light : table.lights)
@@ -308,6 +333,8 @@ LightChoice LightBuilder::choiceOf(int set) const {
             if (anywhere) {
                 const double disc = std::numbers::pi * state_.radius * state_.radius;
                 infinite.push_back({k, float(power / disc), true, {}, 1});
+            } else if (k == dome) {
+                surrounding.push_back(k);
             } else if (share > 0) {
                 bounds.push_back(boundOf(source, power * share));
                 if (light.kind == LightKind::Point)
@@ -316,7 +343,7 @@ LightChoice LightBuilder::choiceOf(int set) const {
             }
         }
     }
-    return LightChoice(bounds, numbers, infinite, int(table.sources.size()));
+    return LightChoice(bounds, numbers, infinite, int(table.sources.size()), surrounding);
 }
 
 } // namespace candela

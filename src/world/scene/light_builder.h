@@ -32,7 +32,7 @@ private:
     void addElements(LightSource, const PlacedShape &, const Matrix4 &currentFromOuter, bool pair);
     void finishLights();
     void finishGeometry(int light);
-    LightChoice choiceOf(int lightSet) const;
+    LightChoice choiceOf(int lightSet, std::int32_t surrounding) const;
     void fillSwitches();
     bool isPlain(const SceneLight &, int surfaceCode) const;
 
