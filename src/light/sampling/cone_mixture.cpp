@@ -374,6 +374,8 @@ void ConeMixture::lobesPdf(const ConstVec3Planes &w, float *pdf) {
                 const double across = double(cone.axis(c)[i]) - w[c][i];
                 chord2 += across * across;
             }
+            if (cone.exponent()[i] * chord2 > 80 && cone.angle()[i] == 180)
+                continue; // mu^exponent is below 1e-17.
             const double mu = 1 - chord2 / 2;
             pdf[i] +=
                 cone.share()[i] * float(ConeLobe(cone.angle()[i], cone.exponent()[i]).pdf(mu));
