@@ -22,9 +22,6 @@ constexpr double familyWiseLevel = 1e-3;
 constexpr double largestStandardError = 0.75e-3; ///< Of the mean, relative.
 /// Arithmetic in floats, on both sides of the ray's offset: no interval can be narrower.
 constexpr double rounding = 2e-5;
-/// Curved lamps shine from their dicing, whose outline is true to 1/5000 of their size: a disc's
-/// area is that of its polygon (world/shapes/README.md).
-constexpr double outline = 1e-4;
 
 double tolerance(Accuracy accuracy) {
     switch (accuracy) {
@@ -114,8 +111,7 @@ void judge(const Probe &probe, Accuracy accuracy, const std::vector<double> &val
                 100 * (result.mean - probe.expected) / unit, 100 * error);
     EXPECT_LE(error, accuracy == Accuracy::Exact ? rounding : largestStandardError);
     EXPECT_LE(difference, tolerance(accuracy));
-    EXPECT_LE(difference, interval + (accuracy == Accuracy::Exact ? rounding : outline))
-        << "outside its confidence interval";
+    EXPECT_LE(difference, interval + rounding) << "outside its confidence interval";
 }
 
 class Validation : public testing::TestWithParam<Case> {};

@@ -102,12 +102,13 @@ TEST_P(Quadrics, AreaIsThatOfFineDicing) {
 
 TEST_P(Quadrics, BoundIsTight) {
     Box3 bound = surface_->bound(), seen;
-    for (Vec3 p : surface_->dice({0.01f, 1}).positions)
+    DicedMesh mesh = surface_->dice({0.01f, 1});
+    for (Vec3 p : mesh.positions)
         seen.add(p);
     float scale = length(bound.extent());
     for (int axis = 0; axis < 3; ++axis) {
-        EXPECT_LE(bound.low[axis], seen.low[axis]);
-        EXPECT_GE(bound.high[axis], seen.high[axis]);
+        EXPECT_LE(bound.low[axis], seen.low[axis] + mesh.chordError);
+        EXPECT_GE(bound.high[axis], seen.high[axis] - mesh.chordError);
         EXPECT_NEAR(bound.low[axis], seen.low[axis], 1e-4f * scale);
         EXPECT_NEAR(bound.high[axis], seen.high[axis], 1e-4f * scale);
     }
@@ -180,6 +181,25 @@ TEST(QuadricsAsWholes, HaveTheirClosedAreas) {
     EXPECT_NEAR(area(HyperboloidRecord{{1, 0, 0}, {3, 0, 0}, 360}), 8 * pi, 1e-4);
     EXPECT_NEAR(area(HyperboloidRecord{{1, -1, 0}, {1, 1, 0}, 360}), 2 * pi, 1e-5);
     EXPECT_NEAR(area(ParaboloidRecord{1, 0, 1, 360}), pi / 6 * (std::pow(5, 1.5) - 1), 1e-5);
+}
+
+/// Lamps shine from their triangles: flat ones have the true area however coarse they are. The last
+/// cell of a part of a turn may be narrower than the others.
+TEST(QuadricsAsWholes, DisksAndRingsKeepTheirAreaWhenDiced) {
+    for (float chord : {1.0f, 0.1f, 0.01f, 1e-3f, 1e-4f})
+        for (float sweep : {360.0f, 180.0f, 100.0f, -30.0f}) {
+            auto disk = surfaceOf(DiskRecord{1, 1.5f, sweep});
+            auto ring = surfaceOf(HyperboloidRecord{{0.5f, 0, 1}, {1.5f, 0, 1}, sweep});
+            for (const auto &surface : {disk, ring}) {
+                DicedMesh mesh = surface->dice({100, chord});
+                double ratio = areaOf(mesh) / surface->area();
+                double cell = std::min(1.0, std::sqrt(8 * double(mesh.chordError) / 1.5));
+                bool whole = std::abs(sweep) >= 180;
+                double slack = whole ? 0 : cell * cell * cell / 6 / (std::abs(sweep) / 57.3);
+                EXPECT_GT(ratio, 1 - 2e-6) << chord << " " << sweep;
+                EXPECT_LT(ratio, 1 + 2e-6 + slack) << chord << " " << sweep;
+            }
+        }
 }
 
 TEST(QuadricsAsWholes, FaceOutwards) {

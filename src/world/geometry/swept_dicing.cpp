@@ -15,6 +15,8 @@ public:
 
     DicedMesh run() {
         chooseAngles();
+        const double cell = 2 * std::numbers::pi / grid_.counts.turn;
+        widening_ = std::sqrt(cell / std::sin(cell));
         mesh_.positions.reserve(std::size_t(columns_) * (rows_ + grid_.counts.poles));
         mesh_.vertexUv.reserve(mesh_.positions.capacity());
         mesh_.triangles.reserve(std::size_t(grid_.counts.triangles()));
@@ -55,8 +57,9 @@ private:
         float t = float(row) / float(grid_.counts.rows);
         for (int column = 0; column < columns_; ++column) {
             Turn turn = turns_[column];
-            mesh_.positions.push_back({float(p.x * turn.cosine - p.y * turn.sine),
-                                       float(p.x * turn.sine + p.y * turn.cosine), p.z});
+            mesh_.positions.push_back({float((p.x * turn.cosine - p.y * turn.sine) * widening_),
+                                       float((p.x * turn.sine + p.y * turn.cosine) * widening_),
+                                       p.z});
             mesh_.vertexUv.push_back({us_[column], t});
         }
     }
@@ -92,6 +95,7 @@ private:
     int rows_;
     std::vector<Turn> turns_; ///< Of each column's angle.
     std::vector<float> us_;
+    double widening_ = 1; ///< Of circles to polygons, which then have the circles' areas.
     DicedMesh mesh_;
     std::optional<std::uint32_t> poleStart_, poleEnd_;
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/lights/light_choice.h"
 
+#include "foundation/base/scratch.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -117,6 +119,17 @@ LightChoice::LightChoice(std::span<const EmitterBound> bounds,
 
 void LightChoice::choose(int count, const float *const P[3], const float *const N[3], double *u,
                          std::int32_t *source, float *probability, const float *scattered) const {
+    if (isSingle(nullptr, 0)) {
+        std::fill_n(source, count, single());
+        std::fill_n(probability, count, 1.0f);
+        return;
+    }
+    if (onlyTree()) {
+        tree_.choose(count, P, N, u, source, probability);
+        for (int i = 0; i < count; ++i)
+            source[i] = source[i] < 0 ? -1 : finiteSources_[source[i]];
+        return;
+    }
     for (int i = 0; i < count; ++i) {
         if (isSingle(scattered, i)) {
             source[i] = single(), probability[i] = 1;
@@ -159,13 +172,19 @@ void LightChoice::choose(int count, const float *const P[3], const float *const 
 void LightChoice::probability(int count, const float *const P[3], const float *const N[3],
                               const std::int32_t *source, float *probability,
                               const float *scattered) const {
+    if (onlyTree()) {
+        thread_local Scratch<std::int32_t> own;
+        std::int32_t *emitter = own.get(count);
+        for (int i = 0; i < count; ++i)
+            emitter[i] = placeOf(source[i]);
+        return tree_.probability(count, P, N, emitter, probability);
+    }
     const int others = tree_.size() + int(infinite_.size());
     for (int i = 0; i < count; ++i) {
         probability[i] = isSingle(scattered, i) && source[i] == single() ? 1.0f : 0.0f;
         if (isSingle(scattered, i))
             continue;
-        bool known = source[i] >= 0 && source[i] < std::int32_t(places_.size());
-        std::int32_t place = known ? places_[source[i]] : -1;
+        const std::int32_t place = placeOf(source[i]);
         if (place < 0)
             continue;
         const float *const p[3] = {P[0] + i, P[1] + i, P[2] + i};

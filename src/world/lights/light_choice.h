@@ -47,6 +47,12 @@ private:
         return tree_.size() == 1 && infinite_.empty() &&
                (surrounding_.empty() || (scattered && scattered[i] > 0));
     }
+    std::int32_t placeOf(std::int32_t source) const {
+        const bool known = source >= 0 && source < std::int32_t(places_.size());
+        return known ? places_[source] : -1;
+    }
+    /// True if all that can be picked are several finite sources.
+    bool onlyTree() const { return infinite_.empty() && surrounding_.empty() && tree_.size() != 1; }
     std::int32_t single() const { return finiteSources_.front(); }
 
     LightTree tree_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/lights/light_tree.h"
 
+#include "foundation/base/hot.h"
 #include "world/lights/light_tree_builder.h"
 
 #include <algorithm>
@@ -10,118 +11,189 @@ namespace candela {
 
 namespace {
 
+using Node = LightTree::Node;
+
 constexpr double largestBelow1 = 0x1.fffffffffffffp-1;
 /// Culling leaves this much room for rounding, in cosines.
-constexpr double margin = 1e-5;
+constexpr float margin = 1e-3f;
+/// The same for the horizon, against the distance.
+constexpr float heightMargin = 2e-6f;
 /// What a cosine weighs at least where light is possible.
-constexpr double leastCosine = 0.01;
+constexpr float leastCosine = 0.01f;
+/// What a child weighs at least where it may shine.
+constexpr float leastWeight = 0x1p-120f;
 
+/// Who asks. The horizon is 0 where light from all sides counts.
 struct Point {
-    double P[3], N[3];
+    float x, y, z, nx, ny, nz;
     bool sound, horizon;
 };
 
-Point pointAt(const float *const P[3], const float *const N[3], int i) {
-    Point p{};
-    p.sound = true;
-    for (int k = 0; k < 3; ++k) {
-        p.P[k] = P[k][i], p.N[k] = N[k][i];
-        p.sound = p.sound && std::abs(p.P[k]) < 1e18;
-    }
-    double length2 = p.N[0] * p.N[0] + p.N[1] * p.N[1] + p.N[2] * p.N[2];
-    p.horizon = length2 > 0 && std::isfinite(length2);
+[[gnu::always_inline]] inline Point pointAt(const float *const P[3], const float *const N[3],
+                                            int i) {
+    Point p{P[0][i], P[1][i], P[2][i], N[0][i], N[1][i], N[2][i], false, false};
+    constexpr float far = 1e18f;
+    p.sound = (std::fabs(p.x) < far) & (std::fabs(p.y) < far) & (std::fabs(p.z) < far);
+    const float length2 = p.nx * p.nx + p.ny * p.ny + p.nz * p.nz;
+    p.horizon = (length2 > 0) & (length2 < far);
+    if (!p.horizon)
+        p.nx = p.ny = p.nz = 0;
     return p;
 }
 
-/// cos(max(a - b, 0)) of angles up to pi, from their cosines and sines.
-double cosOfDifference(double cosA, double sinA, double cosB, double sinB) {
-    return cosA >= cosB ? 1 : cosA * cosB + sinA * sinB;
-}
+inline float larger(float a, float b) { return a > b ? a : b; }
+inline float smaller(float a, float b) { return a < b ? a : b; }
+inline float within(float x, float half) { return smaller(larger(x, -half), half); }
 
-double sineOf(double cosine) { return std::sqrt(std::max(1 - cosine * cosine, 0.0)); }
-
-/// True if the bounds leave the light a way from the emitters' normals to P.
-bool mayShine(const LightTree::Node &node, double cosAxis, double d2, double r2) {
-    if (d2 <= r2)
-        return true;
-    double sinBox = std::sqrt(r2 / d2), cosBox = sineOf(sinBox);
-    // From the normals' cone, then from the box.
-    double c = cosOfDifference(cosAxis, sineOf(cosAxis), node.cosNormal, node.sinNormal);
-    return cosOfDifference(c, sineOf(c), cosBox, sinBox) >= node.cosEmission - margin;
-}
-
-/// What cosines at emitters and receiver a direction from P (unit) has.
-double cosines(const LightTree::Node &node, const Point &p, const double w[3]) {
-    double cosAxis = 0, cosine = 0;
-    for (int k = 0; k < 3; ++k)
-        cosAxis -= node.axis[k] * w[k], cosine += p.N[k] * w[k];
-    cosAxis = std::clamp(cosAxis, -1.0, 1.0);
-    if (node.cosEmission < -margin && cosAxis < 0) // Backs shine as fronts do.
-        cosAxis = -cosAxis;
-    double sent = cosOfDifference(cosAxis, sineOf(cosAxis), node.cosNormal, node.sinNormal);
-    return std::max(sent, leastCosine) * (p.horizon ? std::max(cosine, leastCosine) : 1);
-}
-
-/// An estimate of the irradiance that a node gives; 0 only if it can give none.
-double importance(const LightTree::Node &node, const Point &p) {
-    if (!(node.intensity > 0) || !p.sound)
-        return node.intensity;
-    double v[3], w[3], d2 = 0, r2 = 0, near2 = 0;
-    double height = 0, reach = 0, scale = 0, facing = 0;
-    for (int k = 0; k < 3; ++k) {
-        double half = node.half[k];
-        v[k] = node.centre[k] - p.P[k];
-        w[k] = v[k] - std::clamp(v[k], -half, half); // To the nearest point of the box.
-        d2 += v[k] * v[k], r2 += half * half;
-        near2 += w[k] * w[k], height += p.N[k] * v[k], reach += std::abs(p.N[k]) * half;
-        scale += std::abs(v[k]);
-        facing -= node.axis[k] * v[k];
+/// Estimates of the irradiances that the children give; 0 only of those that can give none.
+[[gnu::always_inline]] inline void weigh(const Node &n, const Point &p, float *weight) {
+    const float leastFacing = p.horizon ? leastCosine : 1.0f;
+#pragma GCC ivdep
+    for (int k = 0; k < Node::width; ++k) {
+        // To the centre (v) and to the nearest point of the box (w).
+        const float hx = n.half[0][k], hy = n.half[1][k], hz = n.half[2][k];
+        const float vx = n.centre[0][k] - p.x, vy = n.centre[1][k] - p.y, vz = n.centre[2][k] - p.z;
+        const float wx = vx - within(vx, hx), wy = vy - within(vy, hy), wz = vz - within(vz, hz);
+        const float d2 = vx * vx + vy * vy + vz * vz, r2 = hx * hx + hy * hy + hz * hz;
+        const float near2 = wx * wx + wy * wy + wz * wz;
+        const float perD = 1 / std::sqrt(larger(d2, 1e-36f));
+        const float perNear = 1 / std::sqrt(larger(near2, 1e-36f));
+        // The receiver.
+        const float height = p.nx * vx + p.ny * vy + p.nz * vz;
+        const float reach = std::fabs(p.nx) * hx + std::fabs(p.ny) * hy + std::fabs(p.nz) * hz;
+        const float scale = std::fabs(vx) + std::fabs(vy) + std::fabs(vz);
+        const float nearHeight = p.nx * wx + p.ny * wy + p.nz * wz;
+        const bool risen = !(height + reach < -heightMargin * scale);
+        // The emitter: the angle of v with the axis, less the spread of normals, less the box.
+        const float ax = n.axis[0][k], ay = n.axis[1][k], az = n.axis[2][k];
+        const float cosNormal = n.cosNormal[k], sinNormal = n.sinNormal[k];
+        const float qx = ay * vz - az * vy, qy = az * vx - ax * vz, qz = ax * vy - ay * vx;
+        const float cosAxis = -(ax * vx + ay * vy + az * vz) * perD;
+        const float sinAxis = std::sqrt(qx * qx + qy * qy + qz * qz) * perD;
+        const bool among = cosAxis >= cosNormal;
+        const float c = among ? 1.0f : cosAxis * cosNormal + sinAxis * sinNormal;
+        const float s = among ? 0.0f : sinAxis * cosNormal - cosAxis * sinNormal;
+        const float box2 = smaller(r2 * perD * perD, 1.0f);
+        const float sinBox = std::sqrt(box2), cosBox = std::sqrt(1 - box2);
+        const float nearest = c >= cosBox ? 1.0f : c * cosBox + s * sinBox;
+        const bool shines = (d2 <= r2) | (nearest >= n.cosEmission[k] - margin);
+        // What cosines the two directions have.
+        const float backs = n.backs[k];
+        const float turnedV = larger(cosAxis, -backs * cosAxis);
+        const float sentV = turnedV >= cosNormal ? 1.0f : turnedV * cosNormal + sinAxis * sinNormal;
+        const float cosW = -(ax * wx + ay * wy + az * wz) * perNear;
+        const float turnedW = larger(cosW, -backs * cosW);
+        const float sinW = std::sqrt(larger(1 - cosW * cosW, 0.0f));
+        const float sentW = turnedW >= cosNormal ? 1.0f : turnedW * cosNormal + sinW * sinNormal;
+        const float cosinesV = larger(sentV, leastCosine) * larger(height * perD, leastFacing);
+        const float cosinesW =
+            larger(sentW, leastCosine) * larger(nearHeight * perNear, leastFacing);
+        const float both = near2 > 0 ? larger(cosinesV, cosinesW) : 1.0f;
+        const float cosines = shines ? both : n.beyond[k] * larger(height * perD, leastFacing);
+        // In a box, and near a large one, emitters are nearer than its centre.
+        const float intensity = n.intensity[k];
+        const float square = larger(larger(d2, r2 * 0.25f), 1e-30f);
+        const float value = larger(intensity / square * cosines, leastWeight);
+        const bool possible = (intensity > 0) & risen & (cosines > 0);
+        const float sound = possible ? value : 0.0f;
+        weight[k] = p.sound ? sound : intensity;
     }
-    if (p.horizon && height + reach < -1e-6 * scale)
-        return 0;
-    double d = std::sqrt(d2), near = std::sqrt(near2);
-    if (!mayShine(node, d > 0 ? std::clamp(facing / d, -1.0, 1.0) : 1, d2, r2))
-        return 0;
-    // In a box, and near a large one, emitters are nearer than its centre.
-    double weight = node.intensity / std::max({d2, r2 / 4, 1e-30});
-    if (!(near > 0))
-        return weight;
-    for (int k = 0; k < 3; ++k)
-        v[k] /= d, w[k] /= near;
-    return weight * std::max(cosines(node, p, v), cosines(node, p, w));
+}
+
+/// The sum of the weights, always in the same order.
+inline double total(const float *weight) {
+    double sum = 0;
+    for (int k = 0; k < Node::width; ++k)
+        sum += double(weight[k]);
+    return sum;
 }
 
 /// A probability that isn't 0 stays so as a float.
-float rounded(double p) { return p > 0 ? std::max(float(p), 0x1p-126f) : 0; }
+inline float rounded(double p) { return p > 0 ? std::max(float(p), 0x1p-126f) : 0; }
+
+/// Moves x to within the share of the child that it falls to, which is returned; -1 = no child.
+[[gnu::always_inline]] inline int descend(const float *weight, double &x, double &product) {
+    const double sum = total(weight);
+    if (!(sum > 0))
+        return -1;
+    const double at = x * sum;
+    int chosen = -1;
+    double low = 0, next = 0;
+    for (int k = 0; k < Node::width; ++k) {
+        const bool here = (weight[k] > 0) & ((chosen < 0) | (at >= next));
+        chosen = here ? k : chosen;
+        low = here ? next : low;
+        next += double(weight[k]);
+    }
+    const double share = double(weight[chosen]);
+    if (share < sum) // An only child leaves x as it is.
+        x = std::min(std::max((at - low) / share, 0.0), largestBelow1);
+    product *= share / sum;
+    return chosen;
+}
+
+CANDELA_HOT void chooseEmitters(const Node *nodes, int count, const float *const P[3],
+                                const float *const N[3], double *u, std::int32_t *emitter,
+                                float *probability) {
+    for (int i = 0; i < count; ++i) {
+        const Point p = pointAt(P, N, i);
+        float weight[Node::width];
+        double product = 1, x = u[i] >= 0 ? std::min(u[i], largestBelow1) : 0;
+        // A single emitter hangs on the first node.
+        std::int32_t at = nodes[0].link[0] < 0 ? 0 : nodes[0].link[0];
+        do {
+            weigh(nodes[at], p, weight);
+            const int child = descend(weight, x, product);
+            at = child < 0 ? ~std::int32_t(-1) : nodes[at].link[child];
+            product = child < 0 ? 0 : product;
+        } while (product > 0 && at >= 0);
+        u[i] = x;
+        emitter[i] = product > 0 ? ~at : -1;
+        probability[i] = rounded(product);
+    }
+}
+
+/// Deeper than any tree.
+constexpr int mostLevels = 64;
+
+CANDELA_HOT void probabilityOf(const Node *nodes, const Point &p, std::int32_t node,
+                               std::int32_t slot, float *probability) {
+    std::int32_t path[mostLevels], child[mostLevels];
+    int levels = 0;
+    const std::int32_t top = nodes[0].link[0] < 0 ? -1 : 0;
+    for (; node != top && levels < mostLevels; ++levels) {
+        path[levels] = node, child[levels] = slot;
+        slot = nodes[node].slot, node = nodes[node].parent;
+    }
+    double product = 1;
+    while (levels-- > 0 && product > 0) { // From the top, as the choice goes.
+        float weight[Node::width];
+        weigh(nodes[path[levels]], p, weight);
+        const double sum = total(weight);
+        product *= sum > 0 ? double(weight[child[levels]]) / sum : 0;
+    }
+    *probability = rounded(product);
+}
+
+CANDELA_HOT void irradiances(const Node &top, int count, const float *const P[3],
+                             const float *const N[3], double unit, double *irradiance) {
+    for (int i = 0; i < count; ++i) {
+        float weight[Node::width];
+        weigh(top, pointAt(P, N, i), weight);
+        irradiance[i] = double(weight[0]) * unit;
+    }
+}
 
 } // namespace
 
-LightTree::LightTree(std::span<const EmitterBound> emitters) {
-    buildLightTree(emitters, nodes_, trails_);
-}
+LightTree::LightTree(std::span<const EmitterBound> emitters) { buildLightTree(emitters, *this); }
 
 void LightTree::choose(int count, const float *const P[3], const float *const N[3], double *u,
                        std::int32_t *emitter, float *probability) const {
-    for (int i = 0; i < count; ++i) {
-        const Point p = pointAt(P, N, i);
-        emitter[i] = -1, probability[i] = 0;
-        if (nodes_.empty() || !(importance(nodes_[0], p) > 0))
-            continue;
-        std::int32_t at = 0;
-        double product = 1, x = u[i] >= 0 ? std::min(u[i], largestBelow1) : 0;
-        while (product > 0 && nodes_[at].link >= 0) {
-            double a = importance(nodes_[at + 1], p), b = importance(nodes_[nodes_[at].link], p);
-            double pA = a + b > 0 ? a / (a + b) : 0, pB = a + b > 0 ? b / (a + b) : 0;
-            bool second = x >= pA && pB > 0;
-            x = second ? (x - pA) / pB : pA > 0 ? x / pA : x;
-            x = std::clamp(x, 0.0, largestBelow1);
-            product *= second ? pB : pA;
-            at = second ? nodes_[at].link : at + 1;
-        }
-        u[i] = x;
-        if (product > 0)
-            emitter[i] = ~nodes_[at].link, probability[i] = rounded(product);
-    }
+    if (!nodes_.empty())
+        return chooseEmitters(nodes_.data(), count, P, N, u, emitter, probability);
+    std::fill_n(emitter, count, -1);
+    std::fill_n(probability, count, 0.0f);
 }
 
 void LightTree::probability(int count, const float *const P[3], const float *const N[3],
@@ -130,24 +202,16 @@ void LightTree::probability(int count, const float *const P[3], const float *con
         probability[i] = 0;
         if (emitter[i] < 0 || emitter[i] >= size())
             continue;
-        const Point p = pointAt(P, N, i);
-        std::int32_t at = 0;
-        double product = importance(nodes_[0], p) > 0;
-        for (std::uint64_t trail = trails_[emitter[i]]; product > 0 && nodes_[at].link >= 0;
-             trail >>= 1) {
-            double a = importance(nodes_[at + 1], p), b = importance(nodes_[nodes_[at].link], p);
-            double chosen = trail & 1 ? b : a;
-            product *= a + b > 0 ? chosen / (a + b) : 0;
-            at = trail & 1 ? nodes_[at].link : at + 1;
-        }
-        probability[i] = rounded(product);
+        const Leaf leaf = leaves_[emitter[i]];
+        probabilityOf(nodes_.data(), pointAt(P, N, i), leaf.node, leaf.slot, probability + i);
     }
 }
 
 void LightTree::irradiance(int count, const float *const P[3], const float *const N[3],
                            double *irradiance) const {
-    for (int i = 0; i < count; ++i)
-        irradiance[i] = nodes_.empty() ? 0 : importance(nodes_[0], pointAt(P, N, i));
+    if (!nodes_.empty())
+        return irradiances(nodes_[0], count, P, N, unit_, irradiance);
+    std::fill_n(irradiance, count, 0.0);
 }
 
 } // namespace candela

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A binary tree over emitters, from which points choose one by what it may send them
-// (Conty Estevez and Kulla 2018, without splitting).
+// A tree over emitters, from which points choose one by what it may send them (Conty Estevez and
+// Kulla 2018, without splitting). Nodes have up to eight children, which are weighed at once.
 #pragma once
 
 #include "foundation/base/box3.h"
@@ -23,12 +23,15 @@ struct EmitterBound {
     float normalSpread = 0;   ///< Largest angle of its normals with the axis.
     float emissionSpread = 0; ///< Largest angle to a normal in which light is sent.
     float power = 0;          ///< Watts.
+    /// Light may also be sent beyond the emission spread, though hardly any: there the emitter is
+    /// chosen rarely instead of never.
+    bool isLoose = false;
 };
 
 class LightTree {
 public:
     explicit LightTree(std::span<const EmitterBound> emitters);
-    int size() const { return int(trails_.size()); }
+    int size() const { return int(leaves_.size()); }
 
     /// Picks an emitter for each point P. N is the unit normal of the side that receives, or zero
     /// where light from all sides counts. `u` is uniform in [0,1) before and after; it is a double
@@ -47,18 +50,30 @@ public:
     void irradiance(int count, const float *const P[3], const float *const N[3],
                     double *irradiance) const;
 
-    /// Bounds of a subtree, prepared for the walk. The first child follows its parent.
-    struct Node {
-        Vec3 centre, half; ///< Of the box.
-        Vec3 axis;
-        float cosNormal, sinNormal, cosEmission;
-        float intensity;   ///< Watts per steradian, see EmitterBound. 0 only if black.
-        std::int32_t link; ///< The second child, or ~emitter in a leaf.
+    /// Bounds of the children, in planes.
+    struct alignas(64) Node {
+        static constexpr int width = 8;
+        using Plane = float[width];
+        Plane centre[3]{}, half[3]{}; ///< Of the box.
+        Plane axis[3]{};
+        Plane cosNormal{}, sinNormal{}, cosEmission{};
+        /// What the cosine at the emitter counts at least beyond the emission spread.
+        Plane beyond{};
+        Plane backs{};     ///< 1: they shine as fronts do.
+        Plane intensity{}; ///< In units of unit_ watts per steradian, see EmitterBound. 0 = black.
+        std::int32_t link[width]{}; ///< A node, or ~emitter.
+        std::int32_t parent = -1, slot = 0;
     };
 
 private:
+    friend class LightTreeBuilder;
+    /// The first has one child, which bounds all.
     std::vector<Node> nodes_;
-    std::vector<std::uint64_t> trails_; ///< By emitter: from the root, bit 0 first, 1 = second.
+    struct Leaf {
+        std::int32_t node, slot;
+    };
+    std::vector<Leaf> leaves_; ///< By emitter.
+    double unit_ = 1;
 };
 
 } // namespace candela

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace candela {
@@ -12,6 +13,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr int binCount = 12;
+/// What a cosine weighs where light is hardly possible.
+constexpr float leastCosine = 0.01f;
 /// Below this depth splits are halves, which need at most 31 levels more.
 constexpr int deepestHeuristic = 32;
 
@@ -19,6 +22,7 @@ struct Bound {
     Box3 box;
     Vec3 axis;
     double normal = -1, emission = 0, power = 0; ///< Normal -1 = of nothing.
+    bool loose = false;
 };
 
 bool isSound(Vec3 v) {
@@ -37,6 +41,7 @@ Bound boundOf(const EmitterBound &e) {
         b.axis = {0, 0, 1};
     b.normal = directed ? std::min<double>(e.normalSpread, pi) : pi;
     b.emission = e.emissionSpread >= 0 ? std::min<double>(e.emissionSpread, pi) : pi;
+    b.loose = e.isLoose;
     return b;
 }
 
@@ -75,6 +80,7 @@ void add(Bound &a, const Bound &b) {
     addCone(a, b.axis, b.normal);
     a.emission = std::max(a.emission, b.emission);
     a.power += b.power;
+    a.loose |= b.loose;
 }
 
 double area(const Box3 &box) {
@@ -95,18 +101,22 @@ double orientation(const Bound &b) {
 
 double cost(const Bound &b) { return b.power > 0 ? b.power * area(b.box) * orientation(b) : 0; }
 
-class Builder {
+/// A subtree: the first child follows its parent.
+struct Branch {
+    Bound bound;
+    std::int32_t link; ///< The second child, or ~emitter in a leaf.
+};
+
+class Splitter {
 public:
-    Builder(std::span<const EmitterBound> emitters, std::vector<LightTree::Node> &nodes,
-            std::vector<std::uint64_t> &trails)
-        : nodes_(nodes), trails_(trails) {
+    explicit Splitter(std::span<const EmitterBound> emitters) {
         for (const EmitterBound &e : emitters)
             order_.push_back({boundOf(e), std::int32_t(order_.size())});
-        nodes_.reserve(order_.size() * 2);
-        trails_.resize(order_.size());
+        branches_.reserve(order_.size() * 2);
         if (!order_.empty())
-            build(0, int(order_.size()), 0, 0);
+            build(0, int(order_.size()), 0);
     }
+    std::vector<Branch> take() { return std::move(branches_); }
 
 private:
     struct Item {
@@ -114,37 +124,18 @@ private:
         std::int32_t emitter;
     };
 
-    void build(int first, int last, int depth, std::uint64_t trail) {
+    void build(int first, int last, int depth) {
         Bound all;
         for (int i = first; i < last; ++i)
             add(all, order_[i].bound);
-        std::size_t here = nodes_.size();
-        nodes_.push_back(nodeOf(all));
-        if (last - first == 1) {
-            nodes_[here].link = ~order_[first].emitter;
-            trails_[order_[first].emitter] = trail;
+        std::size_t here = branches_.size();
+        branches_.push_back({all, ~order_[first].emitter});
+        if (last - first == 1)
             return;
-        }
         int middle = depth < deepestHeuristic ? split(first, last) : (first + last) / 2;
-        build(first, middle, depth + 1, trail);
-        nodes_[here].link = std::int32_t(nodes_.size());
-        build(middle, last, depth + 1, trail | std::uint64_t(1) << depth);
-    }
-
-    static LightTree::Node nodeOf(const Bound &b) {
-        LightTree::Node node{};
-        if (!(b.power > 0))
-            return node;
-        node.centre = b.box.centre();
-        for (int k = 0; k < 3; ++k) {
-            float reach = std::max(b.box.high[k] - node.centre[k], node.centre[k] - b.box.low[k]);
-            node.half[k] = std::nextafter(reach, Box3::infinity);
-        }
-        node.axis = b.axis;
-        node.cosNormal = float(std::cos(b.normal)), node.sinNormal = float(std::sin(b.normal));
-        node.cosEmission = float(std::cos(b.emission));
-        node.intensity = float(std::clamp(b.power / orientation(b), 0x1p-126, 3e38));
-        return node;
+        build(first, middle, depth + 1);
+        branches_[here].link = std::int32_t(branches_.size());
+        build(middle, last, depth + 1);
     }
 
     /// Bins along the longest axis of the centres; halves where that tells nothing apart.
@@ -187,15 +178,91 @@ private:
     }
 
     std::vector<Item> order_;
-    std::vector<LightTree::Node> &nodes_;
-    std::vector<std::uint64_t> &trails_;
+    std::vector<Branch> branches_;
 };
 
 } // namespace
 
-void buildLightTree(std::span<const EmitterBound> emitters, std::vector<LightTree::Node> &nodes,
-                    std::vector<std::uint64_t> &trails) {
-    Builder(emitters, nodes, trails);
+/// Joins levels of branches to wide nodes.
+class LightTreeBuilder {
+public:
+    LightTreeBuilder(std::span<const EmitterBound> emitters, LightTree &tree)
+        : tree_(tree), branches_(Splitter(emitters).take()) {
+        if (branches_.empty())
+            return;
+        tree_.leaves_.resize(emitters.size());
+        double strongest = 0;
+        for (const Branch &branch : branches_)
+            strongest = std::max(strongest, intensityOf(branch.bound));
+        tree_.unit_ = strongest > 0 ? strongest : 1;
+        tree_.nodes_.emplace_back();
+        hang(0, 0, 0);
+    }
+
+private:
+    static constexpr int width = LightTree::Node::width;
+
+    static double intensityOf(const Bound &b) { return b.power > 0 ? b.power / orientation(b) : 0; }
+
+    /// Hangs a branch on a slot of a node, with a node of its own if it's no leaf.
+    void hang(std::int32_t branch, std::int32_t node, std::int32_t slot) {
+        describe(branches_[branch].bound, tree_.nodes_[node], slot);
+        if (branches_[branch].link < 0) {
+            tree_.nodes_[node].link[slot] = branches_[branch].link;
+            tree_.leaves_[~branches_[branch].link] = {node, slot};
+            return;
+        }
+        const auto own = std::int32_t(tree_.nodes_.size());
+        tree_.nodes_[node].link[slot] = own;
+        tree_.nodes_.emplace_back();
+        tree_.nodes_[own].parent = node, tree_.nodes_[own].slot = slot;
+        const std::vector<std::int32_t> children = childrenOf(branch);
+        for (std::size_t k = 0; k < children.size(); ++k)
+            hang(children[k], own, std::int32_t(k));
+    }
+
+    /// The branches below one that are told apart at once: the costliest are opened.
+    std::vector<std::int32_t> childrenOf(std::int32_t branch) const {
+        std::vector<std::int32_t> children{branch + 1, branches_[branch].link};
+        while (children.size() < width) {
+            int widest = -1;
+            double most = -1;
+            for (int k = 0; k < int(children.size()); ++k)
+                if (const Branch &b = branches_[children[k]]; b.link >= 0 && cost(b.bound) > most)
+                    widest = k, most = cost(b.bound);
+            if (widest < 0)
+                break;
+            const std::int32_t opened = children[widest];
+            children[widest] = opened + 1;
+            children.insert(children.begin() + widest + 1, branches_[opened].link);
+        }
+        return children;
+    }
+
+    void describe(const Bound &b, LightTree::Node &node, int slot) const {
+        if (!(b.power > 0))
+            return;
+        const Vec3 centre = b.box.centre();
+        for (int k = 0; k < 3; ++k) {
+            float reach = std::max(b.box.high[k] - centre[k], centre[k] - b.box.low[k]);
+            node.centre[k][slot] = centre[k];
+            node.half[k][slot] = std::nextafter(reach, Box3::infinity);
+            node.axis[k][slot] = b.axis[k];
+        }
+        node.cosNormal[slot] = float(std::cos(b.normal));
+        node.sinNormal[slot] = float(std::sin(b.normal));
+        node.cosEmission[slot] = float(std::cos(b.emission));
+        node.beyond[slot] = b.loose ? leastCosine : 0;
+        node.backs[slot] = b.emission > pi / 2 + 1e-5;
+        node.intensity[slot] = float(std::clamp(intensityOf(b) / tree_.unit_, 0x1p-100, 1.0));
+    }
+
+    LightTree &tree_;
+    std::vector<Branch> branches_;
+};
+
+void buildLightTree(std::span<const EmitterBound> emitters, LightTree &tree) {
+    LightTreeBuilder(emitters, tree);
 }
 
 } // namespace candela

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Builds light trees top down by the surface-area-orientation heuristic.
+// Builds light trees top down by the surface-area-orientation heuristic, in twos, and then joins
+// the levels to wide nodes.
 #pragma once
 
 #include "world/lights/light_tree.h"
 
 namespace candela {
 
-/// Fills `nodes` and `trails`. At most 64 levels, O(n log n).
-void buildLightTree(std::span<const EmitterBound> emitters, std::vector<LightTree::Node> &nodes,
-                    std::vector<std::uint64_t> &trails);
+/// At most 64 levels, O(n log n).
+void buildLightTree(std::span<const EmitterBound> emitters, LightTree &);
 
 } // namespace candela

@@ -33,13 +33,14 @@ void rectangleDensities(int count, const float *const P[3], const float *const c
                         const float *const edgeA[3], const float *const edgeB[3],
                         const float *const point[3], float *pdf);
 
-/// Triangles corner + s edgeA + t edgeB, s + t <= 1. Uniform by area.
+/// Triangles corner + s edgeA + t edgeB, s + t <= 1, each drawn by its area from what has `area`
+/// in all. Uniform by area.
 void sampleTriangles(int count, const float *const P[3], const float *const corner[3],
-                     const float *const edgeA[3], const float *const edgeB[3], const float *u,
-                     const float *v, float *const point[3], float *pdf);
-/// `point` lies on the triangle.
+                     const float *const edgeA[3], const float *const edgeB[3], const float *area,
+                     const float *u, const float *v, float *const point[3], float *pdf);
+/// `point` lies on the triangle. The draw of the triangle is part of the density.
 void triangleDensities(int count, const float *const P[3], const float *const corner[3],
-                       const float *const edgeA[3], const float *const edgeB[3],
+                       const float *const edgeA[3], const float *const edgeB[3], const float *area,
                        const float *const point[3], float *pdf);
 
 } // namespace candela

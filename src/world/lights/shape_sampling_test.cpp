@@ -40,6 +40,8 @@ struct View {
     float radius = 0;
 };
 
+float triangleArea(const View &view) { return float(length(cross(view.edgeA, view.edgeB)) / 2); }
+
 struct Sampled {
     std::vector<Vec3> points;
     std::vector<float> pdf;
@@ -57,15 +59,18 @@ public:
                 p_[k][i] = view.P[k], p_[3 + k][i] = view.corner[k];
                 p_[6 + k][i] = view.edgeA[k], p_[9 + k][i] = view.edgeB[k];
             }
-            p_[12][i] = view.radius;
+            p_[12][i] = kind_ == Kind::Triangle ? triangleArea(view) : view.radius;
         }
     }
     Sampled sample(const std::vector<float> &u, const std::vector<float> &v) {
         if (kind_ == Kind::Sphere)
             sampleSpheres(count_, p_, p_ + 3, p_[12], u.data(), v.data(), p_ + 13, p_[16]);
+        else if (kind_ == Kind::Rectangle)
+            sampleRectangles(count_, p_, p_ + 3, p_ + 6, p_ + 9, u.data(), v.data(), p_ + 13,
+                             p_[16]);
         else
-            (kind_ == Kind::Rectangle ? sampleRectangles : sampleTriangles)(
-                count_, p_, p_ + 3, p_ + 6, p_ + 9, u.data(), v.data(), p_ + 13, p_[16]);
+            sampleTriangles(count_, p_, p_ + 3, p_ + 6, p_ + 9, p_[12], u.data(), v.data(), p_ + 13,
+                            p_[16]);
         Sampled s;
         for (int i = 0; i < count_; ++i)
             s.points.push_back({p_[13][i], p_[14][i], p_[15][i]}), s.pdf.push_back(p_[16][i]);
@@ -77,9 +82,10 @@ public:
                 p_[13 + k][i] = points[i][k];
         if (kind_ == Kind::Sphere)
             sphereDensities(count_, p_, p_ + 3, p_[12], p_[17]);
+        else if (kind_ == Kind::Rectangle)
+            rectangleDensities(count_, p_, p_ + 3, p_ + 6, p_ + 9, p_ + 13, p_[17]);
         else
-            (kind_ == Kind::Rectangle ? rectangleDensities : triangleDensities)(
-                count_, p_, p_ + 3, p_ + 6, p_ + 9, p_ + 13, p_[17]);
+            triangleDensities(count_, p_, p_ + 3, p_ + 6, p_ + 9, p_[12], p_ + 13, p_[17]);
         return {p_[17], p_[17] + count_};
     }
 

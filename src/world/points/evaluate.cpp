@@ -23,7 +23,8 @@ Vec3Planes vec3(ShadingPoints &points, ShaderInput input) {
 
 /// What the appearances say of all their points.
 void takeAppearances(const PointTables &tables, const SurfaceCode &code, const int *row,
-                     float *normalSign, float *elementSign, ShadingPoints &points) {
+                     float *normalSign, float *elementSign, float *offsetShare,
+                     ShadingPoints &points) {
     constexpr int columns = offsetof(Appearance, Os) / sizeof(float) + colorSamples;
     float *planes[columns] = {};
     auto word = [&](std::size_t bytes) -> float *& { return planes[bytes / sizeof(float)]; };
@@ -35,6 +36,7 @@ void takeAppearances(const PointTables &tables, const SurfaceCode &code, const i
     word(offsetof(Appearance, normalSign)) = normalSign;
     word(offsetof(Appearance, elementSign)) = elementSign;
     word(offsetof(Appearance, offset)) = points.offset;
+    word(offsetof(Appearance, offsetShare)) = offsetShare;
     for (int c = 0; c < colorSamples; ++c) {
         if (code.wanted.Cs)
             (&word(offsetof(Appearance, Cs)))[c] = points.input(ShaderInput::Cs, c);
@@ -82,14 +84,14 @@ void takeInstances(const PointTables &tables, const SurfaceCode &code, ShadingPo
 
 /// What the points lie on, and how that looks.
 void locate(const PointTables &tables, const SurfaceCode &code, float *normalSign,
-            float *elementSign, ShadingPoints &points) {
+            float *elementSign, float *offsetShare, ShadingPoints &points) {
     constexpr int rowWords = sizeof(Appearance) / sizeof(float);
     static_assert(rowWords == 16);
     thread_local Scratch<int> own;
     int *row = own.get(paddedLanes(points.count));
     for (int i = 0; i < points.count; ++i)
         row[i] = rowWords * tables.appearanceOf(points.instance[i], points.shape[i]);
-    takeAppearances(tables, code, row, normalSign, elementSign, points);
+    takeAppearances(tables, code, row, normalSign, elementSign, offsetShare, points);
     if (tables.instances.empty())
         std::copy_n(reinterpret_cast<const std::int32_t *>(points.shape), points.count,
                     points.objectIndex);
@@ -164,8 +166,9 @@ void evaluatePoints(const PointTables &tables, const Camera &camera, const Surfa
     points.makeRoomForVariables(int(code.variableName.size()));
     const int stride = paddedLanes(points.count);
     thread_local AlignedScratch own;
-    float *signs = own.get(2 * stride), *normalSign = signs, *elementSign = signs + stride;
-    locate(tables, code, normalSign, elementSign, points);
+    float *signs = own.get(3 * stride), *normalSign = signs, *elementSign = signs + stride;
+    float *offsetShare = elementSign + stride;
+    locate(tables, code, normalSign, elementSign, offsetShare, points);
     makeUnit(points.count, elementSign, vec3(points, ShaderInput::Ng));
     for (int c = 0; c < 3; ++c)
         std::copy_n(points.input(ShaderInput::Ng, c), points.count,
@@ -174,6 +177,7 @@ void evaluatePoints(const PointTables &tables, const Camera &camera, const Surfa
         fillOrientation(tables, normalSign, points);
     if (!code.fromElements)
         askSurfaces(tables, code, normalSign, points);
+    limitOffsets(points.count, vec3(points, ShaderInput::P), offsetShare, points.offset);
     addRounding(points.count, vec3(points, ShaderInput::P), pointRounding, points.offset);
     if (code.wanted.footprint)
         fillFootprint(camera, footprint, points);

@@ -26,7 +26,8 @@ struct alignas(64) Appearance {
     float normalSign = 1;             ///< -1: the natural normal is turned round.
     float elementSign = 1;            ///< Shape::elementSign times normalSign.
     float offset = 0;                 ///< Shape::offset.
-    std::int32_t firstSource = -1;    ///< Lights only: see Shape::sourceOfElement.
+    float offsetShare = 0;            ///< Shape::offsetShare.
+    std::int32_t firstElement = -1;   ///< Lights only: of its own in LightTable::elements.
     std::array<float, colorSamples> Cs{}, Os{};
 };
 

@@ -14,8 +14,9 @@ void interpolateUv(int count, const std::uint32_t *element, const float *baryU, 
     for (int i = 0; i < count; ++i) {
         const auto &corners = triangles[element[i]];
         const auto &a = vertexUv[corners[0]], &b = vertexUv[corners[1]], &c = vertexUv[corners[2]];
-        u[i] = a[0] + baryU[i] * (b[0] - a[0]) + baryV[i] * (c[0] - a[0]);
-        v[i] = a[1] + baryU[i] * (b[1] - a[1]) + baryV[i] * (c[1] - a[1]);
+        const float toB = baryU[i], toC = baryV[i]; // The answer may take their place.
+        u[i] = a[0] + toB * (b[0] - a[0]) + toC * (c[0] - a[0]);
+        v[i] = a[1] + toB * (b[1] - a[1]) + toC * (c[1] - a[1]);
     }
 }
 
@@ -54,6 +55,15 @@ CANDELA_HOT void unitPlanes(int count, const float *__restrict sign, float *__re
         float squared = sx * sx + sy * sy + sz * sz;
         float scale = sign[i] / std::sqrt(squared > 0 ? squared : 1.0f);
         x[i] = sx * scale, y[i] = sy * scale, z[i] = sz * scale;
+    }
+}
+
+CANDELA_HOT void limitPlanes(int count, const float *__restrict x, const float *__restrict y,
+                             const float *__restrict z, const float *__restrict share,
+                             float *__restrict offset) {
+    for (int i = 0; i < count; ++i) {
+        float limit = share[i] * std::sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
+        offset[i] = limit < offset[i] ? limit : offset[i]; // In this form NaN limits nothing.
     }
 }
 
@@ -132,6 +142,10 @@ void subtract(int count, const float *a, const float *b, float *to) {
 
 void makeUnit(int count, const float *sign, Vec3Planes v) {
     unitPlanes(count, sign, v.x, v.y, v.z);
+}
+
+void limitOffsets(int count, Vec3Planes P, const float *share, float *offset) {
+    limitPlanes(count, P.x, P.y, P.z, share, offset);
 }
 
 void addRounding(int count, Vec3Planes P, float share, float *offset) {

@@ -31,6 +31,8 @@ void scatter(int count, const std::int32_t *place, const float *from, float *to)
 void subtract(int count, const float *a, const float *b, float *to);
 /// Unit length, times a sign each; vectors without length stay as they are.
 void makeUnit(int count, const float *sign, Vec3Planes);
+/// offset = min(offset, share of |P|), P being seen from the eye.
+void limitOffsets(int count, Vec3Planes P, const float *share, float *offset);
 /// offset += share of max(|x|,|y|,|z|).
 void addRounding(int count, Vec3Planes P, float share, float *offset);
 

@@ -104,7 +104,7 @@ void AppearanceBuilder::finish() {
     for (std::size_t i = 0; i < points.appearances.size(); ++i) {
         Appearance &appearance = points.appearances[i];
         const Shape &shape = points.shapes[shapes_[i]];
-        appearance.offset = shape.offset;
+        appearance.offset = shape.offset, appearance.offsetShare = shape.offsetShare;
         appearance.elementSign = shape.elementSign * appearance.normalSign;
         const bool tells =
             shape.flat || (shape.naming == Naming::Sphere && !shape.surface->hasOwnNormals());

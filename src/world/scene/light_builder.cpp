@@ -3,6 +3,7 @@
 
 #include "world/scene/light_power.h"
 #include "world/scene/source_geometry.h"
+#include "world/scene/source_pieces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,29 +63,6 @@ bool readsOnlyPlace(const ShaderCode &code) {
     return code.variables().empty();
 }
 
-/// The sphere within which the eye and all other sources are; -1 = none.
-std::int32_t surroundingSource(const LightTable &table) {
-    using Form = LightSource::Form;
-    std::int32_t dome = -1;
-    float largest = 0;
-    for (std::size_t k = 0; k < table.sources.size(); ++k)
-        if (table.sources[k].form == Form::Sphere && table.sources[k].edgeA.x > largest)
-            dome = std::int32_t(k), largest = table.sources[k].edgeA.x;
-    if (dome < 0)
-        return -1;
-    Box3 others;
-    others.add(Vec3{0, 0, 0});
-    for (std::size_t k = 0; k < table.sources.size(); ++k)
-        if (std::int32_t(k) != dome &&
-            table.lights[table.sources[k].light].kind != LightKind::Distant)
-            others.add(boundOf(table.sources[k], 0).box);
-    const Vec3 centre = table.sources[dome].corner;
-    Vec3 farthest;
-    for (int c = 0; c < 3; ++c)
-        farthest[c] = std::max(others.high[c] - centre[c], centre[c] - others.low[c]);
-    return length(farthest) < largest ? dome : -1;
-}
-
 } // namespace
 
 LightBuilder::LightBuilder(SceneState &state, ShaderLibrary &library)
@@ -133,7 +111,7 @@ void LightBuilder::attach(const PlacedShape &placed) {
     const auto &areaLight = points.details[placed.appearance].attributes->areaLight;
     const int declared = areaLight ? areaLight->index : -1;
     if (declared >= 0 && declared < int(tags_.size()) && lights[declared].hasGeometry()) {
-        addSources(declared, placed);
+        addElements(declared, placed);
         code.wanted.add(*lights[declared].shader.code);
         if (!code.wanted.isPlain())
             code.fromElements = false;
@@ -149,7 +127,7 @@ void LightBuilder::attach(const PlacedShape &placed) {
     tags_.emplace_back();
     sources_.emplace_back(), appearances_.emplace_back();
     appearance.light = int(lights.size());
-    addSources(appearance.light - 1, placed);
+    addElements(appearance.light - 1, placed);
 }
 
 bool LightBuilder::isPlain(const SceneLight &light, int surfaceCode) const {
@@ -160,49 +138,109 @@ bool LightBuilder::isPlain(const SceneLight &light, int surfaceCode) const {
            (readsOnlyPlace(*light.shader.code) && !code.code->facts().emits);
 }
 
-void LightBuilder::addSources(int index, const PlacedShape &placed) {
+void LightBuilder::addElements(int index, const PlacedShape &placed) {
     PointTables &points = state_.points;
+    std::vector<LightElement> &elements = state_.lights.elements;
     Appearance &appearance = points.appearances[placed.appearance];
     Matrix4 currentFromOuter;
-    if (placed.instance != noHit)
+    LightElement element;
+    element.instance = placed.instance, element.shape = placed.shape;
+    element.offset = appearance.offset;
+    if (placed.instance != noHit) {
         std::copy_n(points.matricesOf(placed.instance), 16, currentFromOuter.m.begin());
-    LightSource source;
-    source.light = index;
-    source.instance = placed.instance, source.shape = placed.shape;
-    source.offset = appearance.offset;
-    if (placed.instance != noHit)
-        source.offset *= points.instances[placed.instance].stretch;
-    appearance.firstSource = std::int32_t(sources_[index].size()); // Within the light, as yet.
-    appearances_[index].push_back(placed.appearance);
-    if (placed.mesh.radius > 0 && placed.instance == noHit) {
-        source.form = LightSource::Form::Sphere;
-        source.corner = placed.mesh.centre, source.edgeA = {placed.mesh.radius, 0, 0};
-        sources_[index].push_back(source);
-        return;
+        element.offset *= points.instances[placed.instance].stretch;
     }
-    addElements(source, placed, currentFromOuter,
-                isPlain(state_.lights.lights[index], appearance.code));
+    const auto first = std::int32_t(elements.size());
+    if (std::optional<LightElement> sphere = sphereOf(element, placed.mesh, currentFromOuter))
+        elements.push_back(*sphere);
+    for (std::uint32_t k = 0; k < placed.mesh.triangles.size(); ++k) {
+        setTriangle(element, placed.mesh, k, currentFromOuter);
+        elements.push_back(element);
+    }
+    if (first == std::int32_t(elements.size()))
+        return;
+    appearance.firstElement = first;
+    appearances_[index].push_back(placed.appearance);
+    lightOfElement_.resize(elements.size(), index);
+    addSources(index, placed, first);
 }
 
-/// A source for each element, or for two that make a rectangle, if elements may be paired.
-void LightBuilder::addElements(LightSource source, const PlacedShape &placed,
-                               const Matrix4 &currentFromOuter, bool pair) {
-    std::vector<LightSource> &sources = sources_[source.light];
-    std::vector<std::uint32_t> numbers;
-    const std::size_t first = sources.size();
-    for (std::uint32_t k = 0; k < placed.mesh.triangles.size(); ++k) {
-        setTriangle(source, placed.mesh, k, currentFromOuter);
-        std::optional<LightSource> rectangle;
-        if (pair && k > 0 && sources.size() > first &&
-            sources.back().form == LightSource::Form::Triangle)
-            rectangle = rectangleOf(sources.back(), source);
-        if (rectangle)
-            sources.back() = *rectangle;
-        else
-            sources.push_back(source);
-        numbers.push_back(std::uint32_t(sources.size() - 1 - first));
+void LightBuilder::addSources(int index, const PlacedShape &placed, std::int32_t first) {
+    const std::vector<LightElement> &elements = state_.lights.elements;
+    const std::span own(elements.begin() + first, elements.end());
+    const bool pair =
+        isPlain(state_.lights.lights[index], state_.points.appearances[placed.appearance].code);
+    if (own.size() == 1 || state_.points.shapes[placed.shape].surface->isFlat())
+        if (addSingly(index, first, pair))
+            return;
+    const Pieces pieces = cutToPieces(own);
+    std::vector<std::int32_t> members;
+    std::uint32_t begin = 0;
+    for (std::uint32_t end : pieces.ends) {
+        members.clear();
+        for (; begin < end; ++begin)
+            members.push_back(first + std::int32_t(pieces.order[begin]));
+        addSource(index, members);
     }
-    state_.points.shapes[placed.shape].sourceOfElement = std::move(numbers);
+}
+
+/// A few elements are sources of their own; two that make a rectangle are one, if elements may be
+/// paired. False, and nothing done, if that were many.
+bool LightBuilder::addSingly(int index, std::int32_t first, bool pair) {
+    std::vector<LightElement> &elements = state_.lights.elements;
+    const auto last = std::int32_t(elements.size());
+    std::vector<std::pair<std::int32_t, std::optional<LightElement>>> found;
+    for (std::int32_t k = first; k < last; ++k) {
+        if (found.size() == mostPieces)
+            return false;
+        found.push_back({k, {}});
+        if (pair && k + 1 < last &&
+            (found.back().second = rectangleOf(elements[k], elements[k + 1])))
+            ++k;
+    }
+    for (const auto &[at, rectangle] : found) {
+        if (rectangle)
+            elements[at] = *rectangle;
+        addSource(index, {&at, 1});
+        if (rectangle) // A ray may meet either half.
+            elements[at + 1] = elements[at];
+    }
+    return true;
+}
+
+void LightBuilder::addSource(int index, std::span<const std::int32_t> members) {
+    LightTable &table = state_.lights;
+    LightSource source;
+    source.light = index;
+    source.firstMember = std::int32_t(table.members.size());
+    source.members = std::int32_t(members.size());
+    for (std::int32_t member : members) {
+        source.area += areaOf(table.elements[member]);
+        table.members.push_back(member);
+        table.memberShares.push_back(source.area);
+    }
+    for (double &share : std::span(table.memberShares).last(members.size()))
+        share = source.area > 0 ? share / source.area : 0;
+    for (std::int32_t member : members) {
+        LightElement &element = table.elements[member];
+        element.source = std::int32_t(sources_[index].size()); // Within the light, as yet.
+        element.area = float(source.area);
+    }
+    sources_[index].push_back(source);
+}
+
+/// A light without geometry has one source, of an element without a form.
+void LightBuilder::addPoint(int light) {
+    LightTable &table = state_.lights;
+    LightSource source;
+    source.light = light;
+    source.firstMember = std::int32_t(table.members.size()), source.members = 1;
+    LightElement element;
+    element.source = std::int32_t(table.sources.size());
+    table.members.push_back(std::int32_t(table.elements.size()));
+    table.memberShares.push_back(1);
+    table.elements.push_back(element);
+    table.sources.push_back(source);
 }
 
 /// Puts the sources into one table, light by light.
@@ -214,19 +252,11 @@ void LightBuilder::finishLights() {
         if (light.hasGeometry())
             finishGeometry(int(i));
         else if (light.isSampled())
-            table.sources.push_back({std::int32_t(i),
-                                     LightSource::Form::NoShape,
-                                     noHit,
-                                     0,
-                                     0,
-                                     transformPoint(light.currentFromShader, {0, 0, 0}),
-                                     {},
-                                     {},
-                                     0,
-                                     0});
+            addPoint(int(i));
         light.sources = std::int32_t(table.sources.size()) - light.firstSource;
     }
-    sources_.clear(), appearances_.clear();
+    for (std::size_t k = 0; k < lightOfElement_.size(); ++k)
+        table.elements[k].source += table.lights[lightOfElement_[k]].firstSource;
 }
 
 void LightBuilder::finishGeometry(int index) {
@@ -234,7 +264,7 @@ void LightBuilder::finishGeometry(int index) {
     SceneLight &light = table.lights[index];
     double sum = 0;
     for (const LightSource &source : sources_[index]) {
-        sum += areaOf(source);
+        sum += source.area;
         light.cumulative.push_back(sum);
     }
     if (!(sum > 0)) {
@@ -247,8 +277,7 @@ void LightBuilder::finishGeometry(int index) {
     light.surfaceCode = state_.points.appearances[appearances_[index].front()].code;
     light.plain = true;
     for (std::int32_t at : appearances_[index]) {
-        Appearance &appearance = state_.points.appearances[at];
-        appearance.firstSource += light.firstSource;
+        const Appearance &appearance = state_.points.appearances[at];
         light.plain &= isPlain(light, appearance.code);
         if (appearance.code != light.surfaceCode)
             light.surfaceCode = -1;
@@ -292,6 +321,36 @@ void LightBuilder::bindCategories(const ShaderLibrary &library) {
     }
 }
 
+namespace {
+
+/// The sphere within which the eye and all other sources that have a place are; -1 = none.
+std::int32_t surroundingSource(const LightTable &table, std::span<const EmitterBound> bounds) {
+    const auto radiusOf = [&](std::size_t k) {
+        const LightElement *element =
+            table.sources[k].members == 1 ? &table.firstElementOf(table.sources[k]) : nullptr;
+        return element && element->form == LightElement::Form::Sphere ? element->edgeA.x : 0.0f;
+    };
+    std::int32_t dome = -1;
+    float largest = 0;
+    for (std::size_t k = 0; k < bounds.size(); ++k)
+        if (const float radius = radiusOf(k); radius > largest)
+            dome = std::int32_t(k), largest = radius;
+    if (dome < 0)
+        return -1;
+    Box3 others;
+    others.add(Vec3{0, 0, 0});
+    for (std::size_t k = 0; k < bounds.size(); ++k)
+        if (std::int32_t(k) != dome)
+            others.add(bounds[k].box);
+    const Vec3 centre = table.firstElementOf(table.sources[dome]).corner;
+    Vec3 farthest;
+    for (int c = 0; c < 3; ++c)
+        farthest[c] = std::max(others.high[c] - centre[c], centre[c] - others.low[c]);
+    return length(farthest) < largest ? dome : -1;
+}
+
+} // namespace
+
 void LightBuilder::prepareChoices() {
     LightTable &table = state_.lights;
     for (SceneLight &light : table.lights) {
@@ -300,50 +359,61 @@ void LightBuilder::prepareChoices() {
             light.place = placeOf(state_, light);
     }
     table.number(state_.points);
-    const std::int32_t dome = surroundingSource(table);
+    const std::vector<EmitterBound> bounds = boundsOfSources();
+    const std::int32_t dome = surroundingSource(table, bounds);
     for (std::size_t set = 0; set < state_.lightSets.size(); ++set)
-        table.choices.push_back(choiceOf(int(set), dome));
+        table.choices.push_back(choiceOf(int(set), bounds, dome));
     table.isSingle = table.sources.size() <= 1 && std::ranges::all_of(table.isOn, [](auto &on) {
                          return std::ranges::find(on, 0) == on.end();
                      });
 }
 
-/// The choice among the sources that are on for a light set; `dome` surrounds them.
-LightChoice LightBuilder::choiceOf(int set, std::int32_t dome) const {
+/// Sources without a place have an empty box, those without any power 0.
+std::vector<EmitterBound> LightBuilder::boundsOfSources() const {
     const LightTable &table = state_.lights;
-    std::vector<EmitterBound> bounds;
-    std::vector<std::int32_t> numbers;
-    std::vector<InfiniteLight> infinite;
-    std::vector<std::int32_t> surrounding;
     // Estimates may miss a narrow beam: no light counts for nothing.
     double strongest = 0;
     for (const SceneLight &light : table.lights)
         strongest = std::max(strongest, light.power);
     const double least = strongest > 0 ? 1e-4 * strongest : 1;
-    for (std::size_t i = 0; i < table.lights.size(); ++i) {
-        const SceneLight &light = table.lights[i];
-        if (!table.on(set, std::int32_t(i) + 1))
-            continue;
-        const double power = std::max(light.power, least);
-        for (std::int32_t k = light.firstSource; k < light.firstSource + light.sources; ++k) {
-            const LightSource &source = table.sources[k];
-            const double share = light.area > 0 ? areaOf(source) / light.area : 1;
-            const bool anywhere = light.kind == LightKind::Distant ||
-                                  (light.kind == LightKind::Point && light.place.empty());
-            if (anywhere) {
-                const double disc = std::numbers::pi * state_.radius * state_.radius;
-                infinite.push_back({k, float(power / disc), true, {}, 1});
-            } else if (k == dome) {
-                surrounding.push_back(k);
-            } else if (share > 0) {
-                bounds.push_back(boundOf(source, power * share));
-                if (light.kind == LightKind::Point)
-                    bounds.back().box = light.place;
-                numbers.push_back(k);
-            }
+    std::vector<EmitterBound> bounds;
+    for (const LightSource &source : table.sources) {
+        const SceneLight &light = table.lights[source.light];
+        EmitterBound bound;
+        double share = 1;
+        if (light.hasGeometry()) {
+            bound = boundOf(table, source);
+            share = source.area / light.area;
+        } else if (light.kind == LightKind::Point) {
+            bound.box = light.place;
+            bound.normalSpread = bound.emissionSpread = std::numbers::pi_v<float>;
         }
+        bound.power = float(std::max(light.power, least) * share);
+        bounds.push_back(bound);
     }
-    return LightChoice(bounds, numbers, infinite, int(table.sources.size()), surrounding);
+    return bounds;
+}
+
+/// The choice among the sources that are on for a light set; `dome` surrounds them.
+LightChoice LightBuilder::choiceOf(int set, std::span<const EmitterBound> bounds,
+                                   std::int32_t dome) const {
+    const LightTable &table = state_.lights;
+    std::vector<EmitterBound> finite;
+    std::vector<std::int32_t> numbers;
+    std::vector<InfiniteLight> infinite;
+    std::vector<std::int32_t> surrounding;
+    const double disc = std::numbers::pi * state_.radius * state_.radius;
+    for (std::int32_t k = 0; k < std::int32_t(bounds.size()); ++k) {
+        if (!table.on(set, table.sources[k].light + 1))
+            continue;
+        if (bounds[k].box.empty())
+            infinite.push_back({k, float(bounds[k].power / disc), true, {}, 1});
+        else if (k == dome)
+            surrounding.push_back(k);
+        else if (bounds[k].power > 0)
+            finite.push_back(bounds[k]), numbers.push_back(k);
+    }
+    return LightChoice(finite, numbers, infinite, int(table.sources.size()), surrounding);
 }
 
 } // namespace candela

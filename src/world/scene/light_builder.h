@@ -28,11 +28,16 @@ private:
         const RayShape &mesh;
     };
     void attach(const PlacedShape &);
-    void addSources(int light, const PlacedShape &);
-    void addElements(LightSource, const PlacedShape &, const Matrix4 &currentFromOuter, bool pair);
+    void addElements(int light, const PlacedShape &);
+    /// Makes sources of the elements from `first` on.
+    void addSources(int light, const PlacedShape &, std::int32_t first);
+    bool addSingly(int light, std::int32_t first, bool pair);
+    void addPoint(int light);
+    void addSource(int light, std::span<const std::int32_t> members);
     void finishLights();
     void finishGeometry(int light);
-    LightChoice choiceOf(int lightSet, std::int32_t surrounding) const;
+    std::vector<EmitterBound> boundsOfSources() const;
+    LightChoice choiceOf(int lightSet, std::span<const EmitterBound>, std::int32_t dome) const;
     void fillSwitches();
     bool isPlain(const SceneLight &, int surfaceCode) const;
 
@@ -41,6 +46,7 @@ private:
     std::vector<LightTags> tags_;
     std::vector<std::vector<LightSource>> sources_;      ///< By light.
     std::vector<std::vector<std::int32_t>> appearances_; ///< By light: those of its shapes.
+    std::vector<std::int32_t> lightOfElement_;
 };
 
 } // namespace candela

@@ -11,8 +11,8 @@ namespace candela {
 
 namespace {
 
-SourceRows &sourceRows(int count) {
-    thread_local std::optional<SourceRows> own;
+ElementRows &elementRows(int count) {
+    thread_local std::optional<ElementRows> own;
     if (!own || own->planes.lanes() < count)
         own.emplace(count);
     return *own;
@@ -25,23 +25,25 @@ void Scene::lightDensity(const LightQuery &query, const ShadingPoints &points,
     thread_local Scratch<std::int32_t> sources;
     thread_local AlignedScratch probabilities;
     const int count = query.count;
-    std::int32_t *source = sources.get(count);
+    std::int32_t *source = sources.get(2 * std::size_t(count)), *element = source + count;
     float *probability = probabilities.get(count);
     const PointTables &tables = state_->points;
     for (int i = 0; i < count; ++i) {
-        source[i] = -1;
+        source[i] = element[i] = -1;
         if (points.light[i] == 0 || query.lightSet[i] < 0)
             continue;
         const Appearance &appearance =
             tables.appearances[tables.appearanceOf(points.instance[i], points.shape[i])];
-        const auto &ofElement = tables.shapes[points.shape[i]].sourceOfElement;
-        source[i] = appearance.firstSource +
-                    std::int32_t(ofElement.empty() ? 0 : ofElement[points.element[i]]);
+        if (appearance.firstElement < 0)
+            continue;
+        const bool isSphere = tables.shapes[points.shape[i]].naming == Naming::Sphere;
+        element[i] = appearance.firstElement + (isSphere ? 0 : std::int32_t(points.element[i]));
+        source[i] = state_->lights.elements[element[i]].source;
     }
     sourceProbabilities(*state_, query, source, probability);
-    SourceRows &rows = sourceRows(count);
-    rows.take(state_->lights, count, source);
-    sourceDensities(rows, query.P.data(), elementPoint.data(), pdf);
+    ElementRows &rows = elementRows(count);
+    rows.take(state_->lights, count, element);
+    elementDensities(rows, query.P.data(), elementPoint.data(), pdf);
     lanes::multiply(count, probability, pdf);
 }
 

@@ -99,8 +99,9 @@ double pointPower(const SceneState &state, const SceneLight &light, LightBatch &
 }
 
 std::int32_t codeOf(const SceneState &state, std::int32_t source) {
-    const LightSource &from = state.lights.sources[source];
-    return state.points.appearances[state.points.appearanceOf(from.instance, from.shape)].code;
+    const LightElement &element = state.lights.firstElementOf(state.lights.sources[source]);
+    return state.points.appearances[state.points.appearanceOf(element.instance, element.shape)]
+        .code;
 }
 
 /// Points on the light, uniform by area, as shading points of `code`. Where the shapes' codes
@@ -117,10 +118,10 @@ void placeSamples(const SceneState &state, const SceneLight &light, const Surfac
             source[i] = light.firstSource;
         u[i] = quasiRandom(i, 0), v[i] = quasiRandom(i, 1);
     }
-    SourceRows rows(samples);
+    ElementRows rows(samples);
     SourcePoints drawn(samples);
-    rows.take(state.lights, samples, source);
-    placeOnSources(rows, u, v, drawn);
+    rows.draw(state.lights, samples, source, u);
+    placeOnElements(rows, rows.u, v, drawn);
     placePoints(rows, drawn, points);
     for (int c = 0; c < 3; ++c)
         std::fill_n(points.input(ShaderInput::I, c), samples, 0.0f);

@@ -46,7 +46,7 @@ struct SamplingScratch {
     AlignedScratch probability, across;
     std::vector<std::int32_t> binStart;
     BlockStorage block;
-    SourceRows rows{lightBatchSize};
+    ElementRows rows{lightBatchSize};
     SourcePoints drawn{lightBatchSize};
     LightBatch batch{lightBatchSize};
     ShadingPoints points{lightBatchSize};
@@ -206,7 +206,7 @@ void sampleSurfaces(const SceneState &state, const SourceBin &bin, const Block &
 }
 
 /// Which lights a batch asks.
-void takeLights(const SceneState &state, const SourceRows &rows, LightBatch &batch) {
+void takeLights(const SceneState &state, const ElementRows &rows, LightBatch &batch) {
     const std::int32_t *light = rows.light;
     batch.count = rows.count;
     std::fill_n(batch.objectIndex, rows.count, 0);
@@ -275,9 +275,9 @@ void sampleDelta(const SceneState &state, const SourceBin &bin, const Block &blo
 
 void sampleBlock(const SceneState &state, const SourceBin &bin, const Block &block,
                  SamplingScratch &own) {
-    own.rows.take(state.lights, block.count, block.source);
+    own.rows.draw(state.lights, block.count, block.source, block.u);
     if (bin.asked != SourceBin::Asked::PointShader)
-        sampleSources(own.rows, block.P.data(), block.u, block.v, own.drawn);
+        sampleElements(own.rows, block.P.data(), own.rows.u, block.v, own.drawn);
     switch (bin.asked) {
     case SourceBin::Asked::Surface: return sampleSurfaces(state, bin, block, own);
     case SourceBin::Asked::PlainShader: return samplePlain(state, bin, block, own);
@@ -379,13 +379,16 @@ void answer(const SceneState &state, Block all, SamplingScratch &own) {
     }
     std::int32_t *bin = own.order.get(2 * std::size_t(all.count)), *order = bin + all.count;
     constexpr int words = sizeof(LightSource) / sizeof(std::int32_t);
-    lookUpBins(all.count, all.source, &table.sources[0].bin, words, bin);
-    if (bin[0] >= 0 && lanes::allEqual(all.count, bin, bin[0])) {
+    const bool oneSource = lanes::allEqual(all.count, all.source, all.source[0]);
+    lookUpBins(oneSource ? 1 : all.count, all.source, &table.sources[0].bin, words, bin);
+    if (bin[0] >= 0 && (oneSource || lanes::allEqual(all.count, bin, bin[0]))) {
         for (int first = 0; first < all.count; first += lightBatchSize)
             sampleBlock(state, table.bins[bin[0]],
                         part(all, first, std::min(lightBatchSize, all.count - first)), own);
         return;
     }
+    if (oneSource)
+        std::fill_n(bin, all.count, bin[0]);
     for (int i = 0; i < all.count; ++i)
         if (bin[i] < 0)
             setBlack(all.out, i);

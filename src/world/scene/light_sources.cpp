@@ -7,7 +7,7 @@ namespace candela {
 
 namespace {
 
-SourceBin binOf(const SceneLight &light, const LightSource &source, const PointTables &points) {
+SourceBin binOf(const SceneLight &light, const LightElement &element, const PointTables &points) {
     using Asked = SourceBin::Asked;
     SourceBin bin;
     bin.castsShadow = light.castsShadow, bin.si = light.si;
@@ -15,14 +15,14 @@ SourceBin binOf(const SceneLight &light, const LightSource &source, const PointT
     if (light.finite() && !(light.plain && light.kind == LightKind::Area)) {
         bin.asked = Asked::Surface;
         bin.surfaceCode =
-            points.appearances[points.appearanceOf(source.instance, source.shape)].code;
+            points.appearances[points.appearanceOf(element.instance, element.shape)].code;
         return bin;
     }
     bin.shader = light.shader.code.get();
     if (light.hasGeometry()) {
         bin.asked = light.finite() ? Asked::PlainShader : Asked::ClassicArea;
         bin.elementSign =
-            points.appearances[points.appearanceOf(source.instance, source.shape)].elementSign;
+            points.appearances[points.appearanceOf(element.instance, element.shape)].elementSign;
     }
     return bin;
 }
@@ -45,6 +45,16 @@ int chooseByCumulative(std::span<const double> cumulative, double &sample) {
     return int(place - cumulative.begin());
 }
 
+std::int32_t LightTable::drawElement(const LightSource &source, float &sample) const {
+    if (source.members == 1)
+        return members[source.firstMember];
+    double rest = sample;
+    const int member = chooseByCumulative(
+        {memberShares.data() + source.firstMember, std::size_t(source.members)}, rest);
+    sample = std::min(float(rest), 0x1.fffffep-1f);
+    return members[source.firstMember + member];
+}
+
 void LightTable::number(const PointTables &points) {
     ambient.clear(), bins.clear();
     for (std::size_t i = 0; i < lights.size(); ++i)
@@ -52,7 +62,7 @@ void LightTable::number(const PointTables &points) {
             ambient.push_back(int(i));
     int last = -1;
     for (LightSource &source : sources) {
-        const SourceBin bin = binOf(lights[source.light], source, points);
+        const SourceBin bin = binOf(lights[source.light], firstElementOf(source), points);
         if (last < 0 || !(bins[last] == bin)) { // Neighbours mostly share one.
             last = int(std::ranges::find(bins, bin) - bins.begin());
             if (last == int(bins.size()))

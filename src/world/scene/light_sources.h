@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lights of a scene, and the sources that they consist of: points choose among sources, shaders
-// are asked about lights.
+// The lights of a scene, the sources that they consist of, and what these are made of: points
+// choose among sources, aim at elements, and shaders are asked about lights.
 #pragma once
 
 #include "world/lights/light_choice.h"
@@ -22,16 +22,26 @@ enum class LightKind : std::uint8_t {
     Emitter,     ///< A shape whose surface shader emits.
 };
 
-/// What is chosen: a light without geometry, a piece of one with it. A cache line, read as a row.
-struct alignas(64) LightSource {
+/// What rays meet of a light, a triangle or a sphere, or the rectangle that a triangle is half of;
+/// of a light without geometry, nothing. A cache line, read as a row.
+struct alignas(64) LightElement {
     enum class Form : std::int32_t { NoShape, Triangle, Rectangle, Sphere };
-    std::int32_t light = 0; ///< Index.
+    std::int32_t source = 0; ///< The one that it belongs to.
     Form form = Form::NoShape;
     std::uint32_t instance = noHit, shape = 0, element = 0; ///< The place of a triangle's points.
     /// Current space. Spheres: the centre, and the radius as edgeA.x.
     Vec3 corner, edgeA, edgeB;
-    float offset = 0;     ///< Rays towards it end so far before it: see ShadingPoints::offset.
-    std::int32_t bin = 0; ///< Index into LightTable::bins.
+    float offset = 0; ///< Rays towards it end so far before it: see ShadingPoints::offset.
+    float area = 0;   ///< Of its whole source, m^2.
+};
+
+/// What is chosen: a light without geometry, a piece of one with it. A piece is an element, or
+/// several, which are drawn by area.
+struct LightSource {
+    std::int32_t light = 0;                    ///< Index.
+    std::int32_t firstMember = 0, members = 0; ///< In LightTable::members; at least one.
+    std::int32_t bin = 0;                      ///< Index into LightTable::bins.
+    double area = 0;                           ///< m^2; 0 without geometry.
 };
 
 /// What sources that are asked together have in common.
@@ -79,6 +89,11 @@ int chooseByCumulative(std::span<const double> cumulative, double &sample);
 struct LightTable {
     std::vector<SceneLight> lights; ///< LightRecords in order, then emitting surfaces.
     std::vector<LightSource> sources;
+    /// Those of a placed shape are consecutive, in the order of its own (Appearance::firstElement).
+    std::vector<LightElement> elements;
+    /// The sources' elements, and for each the share of the source's area up to and with it.
+    std::vector<std::int32_t> members;
+    std::vector<double> memberShares;
     std::vector<SourceBin> bins;
     std::vector<LightChoice> choices;            ///< By light set.
     std::vector<int> ambient;                    ///< Indices of the ambient lights.
@@ -86,6 +101,11 @@ struct LightTable {
     bool isSingle = false; ///< There is one source at most, on for all: none has to be chosen.
 
     bool on(std::int32_t lightSet, std::int32_t light) const { return isOn[lightSet][light] != 0; }
+    /// One of the source's elements, by area.
+    std::int32_t drawElement(const LightSource &, float &sample) const;
+    const LightElement &firstElementOf(const LightSource &source) const {
+        return elements[members[source.firstMember]];
+    }
     /// Sorts the sources into bins, lists the ambient lights.
     void number(const PointTables &);
 };

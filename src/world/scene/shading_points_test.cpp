@@ -105,6 +105,47 @@ TEST(ShadingPoints, VariablesOverrideAttributesAndParameters) {
     });
 }
 
+/// What rays meet of a diced surface names the point that they have met.
+TEST(ShadingPoints, OfDicedSurfacesLieWhereRaysMeetThem) {
+    TestWorld world;
+    world.attributes.shadingRate = 1e-3f;
+    world.transform = translation(0.1f, 0, 2);
+    world.add(DiskRecord{0, 3, 360});
+    world.render([](const Scene &scene) {
+        Grid grid(scene);
+        auto order = grid.ofCode(scene, 0);
+        ASSERT_GT(order.size(), 100u);
+        scene.shadingPoints(grid.rays, grid.hits, order.data(), int(order.size()), grid.points);
+        for (int k = 0; k < grid.points.count; ++k) {
+            Vec3 P = grid.vec3(ShaderInput::P, k), I = grid.vec3(ShaderInput::I, k);
+            EXPECT_LT(length(P - I), grid.points.offset[k]) << k; // From the eye in the origin.
+        }
+    });
+}
+
+/// Rays back towards the viewer, rather flat over the surface, miss the surface they start from.
+void expectOffsetRaysLeave(const Scene &scene, Grid &grid) {
+    const int count = grid.points.count;
+    RayBatch away(count);
+    HitBatch hits(count);
+    away.count = count;
+    for (int k = 0; k < count; ++k) {
+        Vec3 Ng = normalize(grid.vec3(ShaderInput::Ng, k)), s, t;
+        if (dot(Ng, grid.vec3(ShaderInput::I, k)) > 0)
+            Ng = -Ng;
+        orthonormalBasis(Ng, s, t);
+        Vec3 direction = normalize(s + Ng * 0.1f);
+        Vec3 origin =
+            Scene::offsetOrigin(grid.vec3(ShaderInput::P, k), Ng, direction, grid.points.offset[k]);
+        away.origin[0][k] = origin.x, away.origin[1][k] = origin.y, away.origin[2][k] = origin.z;
+        away.direction[0][k] = direction.x, away.direction[1][k] = direction.y;
+        away.direction[2][k] = direction.z, away.tMin[k] = 0, away.tMax[k] = INFINITY;
+    }
+    scene.intersect(away, hits, Coherence::Secondary);
+    for (int k = 0; k < count; ++k)
+        EXPECT_NE(hits.shape[k], std::uint32_t(grid.points.id[k] - 1)) << k;
+}
+
 TEST(ShadingPoints, OffsetRaysLeaveTheSurfaceTheyStartFrom) {
     TestWorld world;
     world.transform = translation(0, 0, 3);
@@ -116,26 +157,25 @@ TEST(ShadingPoints, OffsetRaysLeaveTheSurfaceTheyStartFrom) {
         auto order = grid.ofCode(scene, 0);
         ASSERT_EQ(int(order.size()), Grid::count);
         scene.shadingPoints(grid.rays, grid.hits, order.data(), int(order.size()), grid.points);
-        RayBatch away(Grid::count);
-        HitBatch hits(Grid::count);
-        away.count = Grid::count;
-        for (int k = 0; k < Grid::count; ++k) {
-            // Back towards the viewer, rather flat over the surface.
-            Vec3 Ng = normalize(grid.vec3(ShaderInput::Ng, k)), s, t;
-            if (dot(Ng, grid.vec3(ShaderInput::I, k)) > 0)
-                Ng = -Ng;
-            orthonormalBasis(Ng, s, t);
-            Vec3 direction = normalize(s + Ng * 0.1f);
-            Vec3 origin = Scene::offsetOrigin(grid.vec3(ShaderInput::P, k), Ng, direction,
-                                              grid.points.offset[k]);
-            away.origin[0][k] = origin.x, away.origin[1][k] = origin.y,
-            away.origin[2][k] = origin.z;
-            away.direction[0][k] = direction.x, away.direction[1][k] = direction.y;
-            away.direction[2][k] = direction.z, away.tMin[k] = 0, away.tMax[k] = INFINITY;
-        }
-        scene.intersect(away, hits, Coherence::Secondary);
-        for (int k = 0; k < Grid::count; ++k)
-            EXPECT_NE(hits.shape[k], std::uint32_t(grid.points.id[k] - 1)) << k;
+        expectOffsetRaysLeave(scene, grid);
+    });
+}
+
+/// A ground of 100 km, eye at a man's height: contact shadows of a millimetre are there.
+TEST(ShadingPoints, LargeGroundsCostNearPointsNothing) {
+    TestWorld world;
+    std::vector<Vec3> corners;
+    for (Vec3 p : {Vec3{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}})
+        corners.push_back({5e4f * p.x, -1.5f + 5e4f * (0.013f * p.x + 0.11f * p.z), 5e4f * p.z});
+    world.addPolygon(corners);
+    world.render([&](const Scene &scene) {
+        Grid grid(scene);
+        auto order = grid.ofCode(scene, 0);
+        ASSERT_GT(order.size(), 50u);
+        scene.shadingPoints(grid.rays, grid.hits, order.data(), int(order.size()), grid.points);
+        for (int k = 0; k < grid.points.count; ++k)
+            EXPECT_LT(grid.points.offset[k], 2e-5f * length(grid.vec3(ShaderInput::P, k)));
+        expectOffsetRaysLeave(scene, grid);
     });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/scene/source_geometry.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -14,54 +15,87 @@ struct Corners {
     Vec3 p[3];
 };
 
-Corners cornersOf(const LightSource &s) {
-    return {{s.corner, s.corner + s.edgeA, s.corner + s.edgeB}};
+Corners cornersOf(const LightElement &e) {
+    return {{e.corner, e.corner + e.edgeA, e.corner + e.edgeB}};
 }
 
 } // namespace
 
-double areaOf(const LightSource &s) {
-    switch (s.form) {
-    case LightSource::Form::NoShape: return 0;
-    case LightSource::Form::Triangle: return double(length(cross(s.edgeA, s.edgeB))) / 2;
-    case LightSource::Form::Rectangle: return double(length(cross(s.edgeA, s.edgeB)));
-    case LightSource::Form::Sphere: return 4 * std::numbers::pi * double(s.edgeA.x) * s.edgeA.x;
+double areaOf(const LightElement &e) {
+    switch (e.form) {
+    case LightElement::Form::NoShape: return 0;
+    case LightElement::Form::Triangle: return double(length(cross(e.edgeA, e.edgeB))) / 2;
+    case LightElement::Form::Rectangle: return double(length(cross(e.edgeA, e.edgeB)));
+    case LightElement::Form::Sphere: return 4 * std::numbers::pi * double(e.edgeA.x) * e.edgeA.x;
     }
     return 0;
 }
 
-EmitterBound boundOf(const LightSource &s, double power) {
+EmitterBound boundOf(const LightTable &table, const LightSource &source) {
     EmitterBound bound;
-    bound.power = float(power);
     bound.emissionSpread = pi; // To both sides, as far as is known.
-    const Vec3 radius{s.edgeA.x, s.edgeA.x, s.edgeA.x};
-    bound.box.add(s.corner);
-    switch (s.form) {
-    case LightSource::Form::NoShape: bound.normalSpread = pi; return bound;
-    case LightSource::Form::Sphere:
-        bound.normalSpread = pi;
-        bound.box = {s.corner - radius, s.corner + radius};
-        return bound;
-    case LightSource::Form::Rectangle: bound.box.add(s.corner + s.edgeA + s.edgeB); break;
-    case LightSource::Form::Triangle: break;
+    const std::span members(table.members.data() + source.firstMember, source.members);
+    Vec3 sum;
+    for (std::int32_t member : members) {
+        const LightElement &e = table.elements[member];
+        if (e.form == LightElement::Form::Sphere) {
+            const Vec3 radius{e.edgeA.x, e.edgeA.x, e.edgeA.x};
+            bound.normalSpread = pi;
+            bound.box = {e.corner - radius, e.corner + radius};
+            return bound;
+        }
+        for (Vec3 corner : cornersOf(e).p)
+            bound.box.add(corner);
+        if (e.form == LightElement::Form::Rectangle)
+            bound.box.add(e.corner + e.edgeA + e.edgeB);
+        sum += cross(e.edgeA, e.edgeB);
     }
-    bound.box.add(s.corner + s.edgeA), bound.box.add(s.corner + s.edgeB);
-    bound.axis = normalize(cross(s.edgeA, s.edgeB));
+    bound.axis = normalize(sum);
+    double least = 1;
+    for (std::int32_t member : members) {
+        const LightElement &e = table.elements[member];
+        if (const Vec3 normal = cross(e.edgeA, e.edgeB); dot(normal, normal) > 0)
+            least = std::min<double>(least, dot(normalize(normal), bound.axis));
+    }
+    if (source.members > 1) // Of floats: a little wider than it seems.
+        bound.normalSpread = std::min(float(std::acos(std::max(least, -1.0))) + 1e-3f, pi);
     return bound;
 }
 
-void setTriangle(LightSource &source, const RayShape &mesh, std::uint32_t element,
+void setTriangle(LightElement &element, const RayShape &mesh, std::uint32_t number,
                  const Matrix4 &currentFromOuter) {
-    auto [a, b, c] = mesh.triangles[element];
+    auto [a, b, c] = mesh.triangles[number];
     const Vec3 corner = transformPoint(currentFromOuter, mesh.positions[a]);
-    source.form = LightSource::Form::Triangle;
-    source.element = element;
-    source.corner = corner;
-    source.edgeA = transformPoint(currentFromOuter, mesh.positions[b]) - corner;
-    source.edgeB = transformPoint(currentFromOuter, mesh.positions[c]) - corner;
+    element.form = LightElement::Form::Triangle;
+    element.element = number;
+    element.corner = corner;
+    element.edgeA = transformPoint(currentFromOuter, mesh.positions[b]) - corner;
+    element.edgeB = transformPoint(currentFromOuter, mesh.positions[c]) - corner;
 }
 
-std::optional<LightSource> rectangleOf(const LightSource &one, const LightSource &other) {
+std::optional<LightElement> sphereOf(const LightElement &like, const RayShape &shape,
+                                     const Matrix4 &currentFromOuter) {
+    if (!(shape.radius > 0))
+        return std::nullopt;
+    Vec3 axes[3];
+    for (int k = 0; k < 3; ++k) {
+        Vec3 axis;
+        axis[k] = shape.radius;
+        axes[k] = transformVector(currentFromOuter, axis);
+    }
+    const float squared = dot(axes[0], axes[0]);
+    for (int k = 0; k < 3; ++k)
+        if (!(std::fabs(dot(axes[k], axes[k]) - squared) <= 2e-6f * squared) ||
+            !(std::fabs(dot(axes[k], axes[(k + 1) % 3])) <= 2e-6f * squared))
+            return std::nullopt;
+    LightElement element = like;
+    element.form = LightElement::Form::Sphere;
+    element.corner = transformPoint(currentFromOuter, shape.centre);
+    element.edgeA = {std::sqrt(squared), 0, 0};
+    return element;
+}
+
+std::optional<LightElement> rectangleOf(const LightElement &one, const LightElement &other) {
     const Corners a = cornersOf(one), b = cornersOf(other);
     const float size = std::fabs(one.corner.x) + std::fabs(one.corner.y) + std::fabs(one.corner.z) +
                        length(one.edgeA) + length(one.edgeB);
@@ -78,8 +112,8 @@ std::optional<LightSource> rectangleOf(const LightSource &one, const LightSource
                 found += same(p, wanted);
         if (found != 3)
             continue;
-        LightSource rectangle = one;
-        rectangle.form = LightSource::Form::Rectangle;
+        LightElement rectangle = one;
+        rectangle.form = LightElement::Form::Rectangle;
         rectangle.corner = corner, rectangle.edgeA = edgeA, rectangle.edgeB = edgeB;
         return rectangle;
     }

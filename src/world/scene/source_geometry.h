@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pieces of lights as geometry: their area, and pairs of triangles that are rectangles.
+// Elements and pieces of lights as geometry: areas, bounds, and pairs of triangles that are
+// rectangles.
 #pragma once
 
 #include "world/rays/ray_world.h"
@@ -9,14 +10,19 @@
 
 namespace candela {
 
-double areaOf(const LightSource &);
-/// What the tree is to know of a source, for so much power.
-EmitterBound boundOf(const LightSource &, double power);
-/// Corner and edges of element k in current space.
-void setTriangle(LightSource &, const RayShape &, std::uint32_t element,
+/// Of a triangle, rectangle or sphere, m^2.
+double areaOf(const LightElement &);
+/// What the tree is to know of a source with geometry; its power is left out.
+EmitterBound boundOf(const LightTable &, const LightSource &);
+/// Corner and edges of element `number` in current space.
+void setTriangle(LightElement &, const RayShape &, std::uint32_t number,
                  const Matrix4 &currentFromOuter);
+/// The sphere in current space that the shape is, if it is one and stays one; the rest
+/// is as in `like`.
+std::optional<LightElement> sphereOf(const LightElement &like, const RayShape &,
+                                     const Matrix4 &currentFromOuter);
 /// The rectangle that both triangles make up, its edges turned as the first one's are; nothing if
 /// they don't.
-std::optional<LightSource> rectangleOf(const LightSource &, const LightSource &);
+std::optional<LightElement> rectangleOf(const LightElement &, const LightElement &);
 
 } // namespace candela

@@ -3,40 +3,42 @@
 
 #include "foundation/base/hot.h"
 #include "foundation/base/lanes.h"
+#include "foundation/base/scratch.h"
 #include "world/lights/shape_sampling.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 #include <numbers>
 
 namespace candela {
 
 namespace {
 
-using Form = LightSource::Form;
+using Form = LightElement::Form;
 
-constexpr int rowWords = sizeof(LightSource) / sizeof(float);
+constexpr int rowWords = sizeof(LightElement) / sizeof(float);
 static_assert(rowWords == 16);
 /// Mixed forms are sorted within blocks of so many lanes.
 constexpr int block = 256;
 
-CANDELA_HOT void findRows(int count, const std::int32_t *__restrict source, int *__restrict row) {
+CANDELA_HOT void findRows(int count, const std::int32_t *__restrict element, int *__restrict row) {
     for (int i = 0; i < count; ++i)
-        row[i] = source[i] > 0 ? source[i] * rowWords : 0;
+        row[i] = element[i] > 0 ? element[i] * rowWords : 0;
 }
 
-CANDELA_HOT void leaveOutMissing(int count, const std::int32_t *__restrict source,
+CANDELA_HOT void leaveOutMissing(int count, const std::int32_t *__restrict element,
                                  std::int32_t *__restrict form) {
     for (int i = 0; i < count; ++i)
-        form[i] = source[i] < 0 ? std::int32_t(Form::NoShape) : form[i];
+        form[i] = element[i] < 0 ? std::int32_t(Form::NoShape) : form[i];
 }
 
 /// Lanes of one form, in planes that lie anywhere: who looks and what, numbers, and the answers.
 struct Lanes {
     int count = 0;
     std::array<const float *, 3> from{}, corner{}, edgeA{}, edgeB{}, given{};
-    const float *u = nullptr, *v = nullptr;
+    const float *area = nullptr, *u = nullptr, *v = nullptr;
     std::array<float *, 3> point{}, normal{};
     float *pdf = nullptr, *uOut = nullptr, *vOut = nullptr;
 
@@ -45,7 +47,7 @@ struct Lanes {
         for (auto *planes : {&from, &corner, &edgeA, &edgeB, &given})
             for (const float *&plane : *planes)
                 body(plane);
-        body(u), body(v);
+        body(area), body(u), body(v);
     }
     template <class Body> void forOutputs(Body body) {
         for (auto *planes : {&point, &normal})
@@ -57,14 +59,15 @@ struct Lanes {
 
 /// Calls body(form, lanes) for all lanes of one form at a time: where they are alike as they lie,
 /// else gathered from blocks and put back.
-template <class Body> void forForms(const SourceRows &rows, Lanes all, Body body) {
+template <class Body> void forForms(const ElementRows &rows, Lanes all, Body body) {
     all.count = rows.count;
     all.corner = {rows.corner[0], rows.corner[1], rows.corner[2]};
     all.edgeA = {rows.edgeA[0], rows.edgeA[1], rows.edgeA[2]};
     all.edgeB = {rows.edgeB[0], rows.edgeB[1], rows.edgeB[2]};
+    all.area = rows.area;
     if (rows.count > 0 && lanes::allEqual(rows.count, rows.form, rows.form[0]))
         return body(Form(rows.form[0]), all);
-    thread_local Planes<float> own(26, block);
+    thread_local Planes<float> own(27, block);
     int lane[block + laneBlock];
     for (int first = 0; first < rows.count; first += block)
         for (Form form : {Form::Triangle, Form::Rectangle, Form::Sphere}) {
@@ -167,29 +170,67 @@ Lanes drawnLanes(const float *u, const float *v, SourcePoints &out) {
 
 } // namespace
 
-SourceRows::SourceRows(int capacity) : planes(rowWords, capacity), row(1, capacity) {
+ElementRows::ElementRows(int capacity) : planes(rowWords + 2, capacity), row(1, capacity) {
     auto signedPlane = [&](int plane) { return reinterpret_cast<std::int32_t *>(planes[plane]); };
     auto unsignedPlane = [&](int plane) {
         return reinterpret_cast<std::uint32_t *>(planes[plane]);
     };
-    light = signedPlane(0), form = signedPlane(1);
+    source = signedPlane(0), form = signedPlane(1);
     instance = unsignedPlane(2), shape = unsignedPlane(3), element = unsignedPlane(4);
-    constexpr int first = offsetof(LightSource, corner) / sizeof(float);
+    constexpr int first = offsetof(LightElement, corner) / sizeof(float);
     for (int c = 0; c < 3; ++c)
         corner[c] = planes[first + c], edgeA[c] = planes[first + 3 + c],
         edgeB[c] = planes[first + 6 + c];
-    offset = planes[offsetof(LightSource, offset) / sizeof(float)];
+    offset = planes[offsetof(LightElement, offset) / sizeof(float)];
+    area = planes[offsetof(LightElement, area) / sizeof(float)];
+    light = signedPlane(rowWords), u = planes[rowWords + 1];
 }
 
-void SourceRows::take(const LightTable &table, int lanes, const std::int32_t *source) {
-    count = lanes;
+void ElementRows::take(const LightTable &table, int lanes, const std::int32_t *elements) {
+    count = lanes, filledLanes_ = 0;
     float *columns[rowWords];
     for (int c = 0; c < rowWords; ++c)
         columns[c] = planes[c];
-    findRows(count, source, row[0]);
-    lanes::gatherRows(count, reinterpret_cast<const float *>(table.sources.data()), row[0],
-                      rowWords - 1, columns);
-    leaveOutMissing(count, source, form);
+    findRows(count, elements, row[0]);
+    lanes::gatherRows(count, reinterpret_cast<const float *>(table.elements.data()), row[0],
+                      rowWords, columns);
+    leaveOutMissing(count, elements, form);
+    for (int i = 0; i < count; ++i)
+        light[i] = table.sources[source[i]].light;
+}
+
+/// Batch after batch may be of one lamp alone: its rows stay as they are.
+void ElementRows::fill(const LightTable &table, int lanes, std::int32_t number) {
+    const LightElement &from = table.elements[number];
+    count = lanes;
+    if (std::memcmp(&from, &filled_, sizeof from) != 0)
+        filled_ = from, filledLanes_ = 0;
+    if (filledLanes_ < lanes) {
+        float words[rowWords];
+        std::memcpy(words, &from, sizeof words);
+        for (int c = 0; c < rowWords; ++c)
+            std::fill_n(planes[c], lanes, words[c]);
+        filledLanes_ = lanes;
+    }
+    std::fill_n(light, lanes, table.sources[from.source].light);
+}
+
+void ElementRows::draw(const LightTable &table, int lanes, const std::int32_t *sources,
+                       const float *given) {
+    if (lanes > 0 && sources[0] >= 0 && lanes::allEqual(lanes, sources, sources[0])) {
+        const LightSource &only = table.sources[sources[0]];
+        if (only.members == 1) {
+            std::copy_n(given, lanes, u);
+            return fill(table, lanes, table.members[only.firstMember]);
+        }
+    }
+    thread_local Scratch<std::int32_t> own;
+    std::int32_t *drawn = own.get(lanes);
+    for (int i = 0; i < lanes; ++i) {
+        u[i] = given[i];
+        drawn[i] = sources[i] < 0 ? -1 : table.drawElement(table.sources[sources[i]], u[i]);
+    }
+    take(table, lanes, drawn);
 }
 
 SourcePoints::SourcePoints(int capacity) : floats(9, capacity) {
@@ -198,8 +239,8 @@ SourcePoints::SourcePoints(int capacity) : floats(9, capacity) {
     pdf = floats[6], u = floats[7], v = floats[8];
 }
 
-void sampleSources(const SourceRows &rows, const float *const from[3], const float *u,
-                   const float *v, SourcePoints &out) {
+void sampleElements(const ElementRows &rows, const float *const from[3], const float *u,
+                    const float *v, SourcePoints &out) {
     std::fill_n(out.pdf, rows.count, 0.0f);
     Lanes all = drawnLanes(u, v, out);
     all.from = {from[0], from[1], from[2]};
@@ -208,7 +249,7 @@ void sampleSources(const SourceRows &rows, const float *const from[3], const flo
         case Form::NoShape: return;
         case Form::Triangle:
             sampleTriangles(b.count, b.from.data(), b.corner.data(), b.edgeA.data(), b.edgeB.data(),
-                            b.u, b.v, b.point.data(), b.pdf);
+                            b.area, b.u, b.v, b.point.data(), b.pdf);
             break;
         case Form::Rectangle:
             sampleRectangles(b.count, b.from.data(), b.corner.data(), b.edgeA.data(),
@@ -222,7 +263,7 @@ void sampleSources(const SourceRows &rows, const float *const from[3], const flo
     });
 }
 
-void placeOnSources(const SourceRows &rows, const float *u, const float *v, SourcePoints &out) {
+void placeOnElements(const ElementRows &rows, const float *u, const float *v, SourcePoints &out) {
     forForms(rows, drawnLanes(u, v, out), [](Form form, const Lanes &b) {
         if (form == Form::NoShape)
             return;
@@ -231,7 +272,7 @@ void placeOnSources(const SourceRows &rows, const float *u, const float *v, Sour
     });
 }
 
-void placePoints(const SourceRows &rows, const SourcePoints &drawn, ShadingPoints &points) {
+void placePoints(const ElementRows &rows, const SourcePoints &drawn, ShadingPoints &points) {
     const int count = points.count = rows.count;
     std::copy_n(rows.instance, count, points.instance);
     std::copy_n(rows.shape, count, points.shape);
@@ -244,8 +285,8 @@ void placePoints(const SourceRows &rows, const SourcePoints &drawn, ShadingPoint
     }
 }
 
-void sourceDensities(const SourceRows &rows, const float *const from[3],
-                     const float *const point[3], float *pdf) {
+void elementDensities(const ElementRows &rows, const float *const from[3],
+                      const float *const point[3], float *pdf) {
     std::fill_n(pdf, rows.count, 0.0f);
     Lanes all;
     all.from = {from[0], from[1], from[2]}, all.given = {point[0], point[1], point[2]};
@@ -255,7 +296,7 @@ void sourceDensities(const SourceRows &rows, const float *const from[3],
         case Form::NoShape: return;
         case Form::Triangle:
             return triangleDensities(b.count, b.from.data(), b.corner.data(), b.edgeA.data(),
-                                     b.edgeB.data(), b.given.data(), b.pdf);
+                                     b.edgeB.data(), b.area, b.given.data(), b.pdf);
         case Form::Rectangle:
             return rectangleDensities(b.count, b.from.data(), b.corner.data(), b.edgeA.data(),
                                       b.edgeB.data(), b.given.data(), b.pdf);

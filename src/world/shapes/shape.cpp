@@ -131,6 +131,8 @@ RayShape dice(Shape &shape, const DiceRate &rate, const Vec3 *eye) {
     shape.elementSign = signByVote(shape, result);
     shape.offset = diced.chordError * largestStretch(shape.outerFromShape) +
                    elementRounding * longestEdge(result);
+    if (!shape.pieces.empty() && diced.chordError == 0)
+        shape.offsetShare = elementRounding * longestEdgeShare;
     return result;
 }
 

@@ -8,6 +8,7 @@
 #include "world/geometry/surface.h"
 #include "world/rays/ray_world.h"
 
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -36,6 +37,9 @@ struct Shape {
     /// Outer units: no element is farther than this from the true surface, and rays that start
     /// within as much of an element may meet it by rounding.
     float offset = 0;
+    /// The same near the eye, where elements were cut small: the offset is no larger than so many
+    /// times the point's distance from it.
+    float offsetShare = std::numeric_limits<float>::infinity();
 
     /// Naming::Corners: of each element, and (u,v) of each vertex. `pieces` is empty where all of
     /// the surface is one piece.
@@ -43,10 +47,6 @@ struct Shape {
     std::vector<std::array<float, 2>> vertexUv;
     std::vector<std::uint32_t> pieces;
     std::uint32_t elements = 0;
-
-    /// Lights only: the number of the source, counted from the shape's first, that each element
-    /// belongs to; empty = the first for all.
-    std::vector<std::uint32_t> sourceOfElement;
 
     /// Index into Surface::variables(), -1 = none.
     int s = -1, t = -1, Cs = -1, Os = -1;
