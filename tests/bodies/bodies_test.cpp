@@ -229,7 +229,7 @@ TEST_P(ClosedBodies, LightWhatIsWithin) {
         frames.back().world =
             "Attribute \"light\" \"string shadows\" [\"on\"]\n" + frames.back().world;
     }
-    const std::vector<FramePixels> pictures = render(frames, {512, 1, "bodies/shaders"});
+    const std::vector<FramePixels> pictures = render(frames, {1024, 1, "bodies/shaders"});
     ASSERT_EQ(pictures.size(), frames.size());
     for (std::size_t i = 0; i < frames.size(); ++i) {
         const MeanAndError light = meanAndError({pictures[i].red.begin(), pictures[i].red.end()});
