@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sheets that let light through: exact under `classic`, and right whatever opacity is claimed.
 #include "tests/light/pictures.h"
+#include "tests/support/student.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace candela::test {
@@ -40,6 +42,46 @@ TEST(ClassicSheets, OfAnyNumberAreExact) {
     const SmallPicture picture = takePicture(inClassic, world, 1);
     expectEverywhere(picture.red, expected);
     expectEverywhere(picture.alpha, 1 - through);
+}
+
+/// What 50 sheets show together: the sum of what each sends through those before it.
+struct Stack {
+    double opacity, distance;
+    double color(int i) const { return .2 + .05 * (i % 7); }
+    std::string rib() const {
+        std::string world;
+        for (int i = 49; i >= 0; --i) // The farthest first: order makes no difference.
+            world += sheet(1 + distance * i, color(i), opacity);
+        return world;
+    }
+    double red() const {
+        double sum = 0, through = 1;
+        for (int i = 0; i < 50; ++i, through *= 1 - opacity)
+            sum += through * opacity * color(i);
+        return sum;
+    }
+    double alpha() const { return 1 - std::pow(1 - opacity, 50); }
+};
+
+void expectOnAverage(const std::vector<float> &values, double expected, double most) {
+    ASSERT_EQ(values.size(), 64u);
+    const MeanAndError seen = meanAndError({values.begin(), values.end()});
+    EXPECT_LE(seen.standardError, most * expected);
+    EXPECT_NEAR(seen.mean, expected,
+                studentQuantile(1e-5, 63) * seen.standardError + 1e-5 * expected);
+}
+
+// Paths that are followed to the end are exact; the rest is ended by roulette, which is fair.
+TEST(Sheets, FiftyOfThemAddUpByBothIntegrators) {
+    for (const std::string &integrator : {inClassic, inPath})
+        for (double opacity : {.01, .1, .5, .9})
+            for (double distance : {1e-4, .1}) {
+                SCOPED_TRACE(integrator + std::to_string(opacity) + " " + std::to_string(distance));
+                const Stack stack{opacity, distance};
+                const SmallPicture picture = takePicture(integrator, stack.rib(), 64);
+                expectOnAverage(picture.red, stack.red(), 2e-3);
+                expectOnAverage(picture.alpha, stack.alpha(), 2e-3);
+            }
 }
 
 // One surface between two media: F = .04 comes back, the rest goes on behind it.

@@ -11,11 +11,12 @@
 namespace candela::test {
 
 SmallPicture takePicture(const std::string &options, const std::string &world, int samples,
-                         int seed) {
+                         int seed, int pixelsAcross) {
+    const std::string across = std::to_string(pixelsAcross);
     ScratchFolder folder;
     const std::string rib = folder.write(
-        "scene.rib", options +
-                         "Format 8 8 1\nPixelFilter \"box\" 1 1\n"
+        "scene.rib", options + "Format " + across + " " + across +
+                         " 1\nPixelFilter \"box\" 1 1\n"
                          "Display \"out.exr\" \"openexr\" \"rgba\"\nProjection \"orthographic\"\n"
                          "ScreenWindow -.1 .1 -.1 .1\nWorldBegin\n" +
                          world + "WorldEnd\n");

@@ -212,6 +212,36 @@ Case spotCone() {
             Accuracy::Exact};
 }
 
+/// G5: a small lamp of flux 4 pi is the point light of intensity 1, at (0, 0, 2); a sphere at any
+/// size that leaves the plane alone.
+Case smallSphere(double radius) {
+    const std::string r = number(radius);
+    Case test{"G5_Sphere_r" + atDistance(radius).substr(1),
+              siUnits,
+              lamp(Emitter::AreaLight, 1 / (pi * radius * radius),
+                   "Translate 0 0 2\nSphere " + r + " -" + r + " " + r + " 360\n") +
+                  receiver,
+              {},
+              Accuracy::Direct,
+              64};
+    for (double d : {0.0, 2.0})
+        test.probes.push_back(exactlyAt(d, 2 / std::pow(4 + d * d, 1.5)));
+    return test;
+}
+
+/// G5: a small disc is a point light whose intensity goes with the cosine.
+Case smallDisc(double radius) {
+    Case test{"G5_Disc_r" + atDistance(radius).substr(1),
+              siUnits,
+              lamp(Emitter::Surface, 1 / (pi * radius * radius), disc(2, radius)) + receiver,
+              {},
+              Accuracy::Direct,
+              64};
+    for (double d : {0.0, 2.0})
+        test.probes.push_back(exactlyAt(d, 4 / ((4 + d * d) * (4 + d * d))));
+    return test;
+}
+
 } // namespace
 
 std::vector<Case> directLightCases() {
@@ -227,6 +257,7 @@ std::vector<Case> directLightCases() {
         add({sphereCase(emitter), facingDiscs(emitter), halfOcclusion(emitter)});
     }
     add(photometricTrio());
+    add({smallSphere(0.1), smallSphere(1e-3), smallDisc(1e-3)});
     return cases;
 }
 

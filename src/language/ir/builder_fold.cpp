@@ -44,6 +44,8 @@ void markRegion(const Region &region, std::vector<bool> &read) {
     for (const Instruction &i : region.body) {
         if (i.op == Op::Input)
             read[i.immediate] = true;
+        if (i.op == Op::Random)
+            read[std::size_t(ShaderInput::seed)] = true;
         for (const Region &inner : i.regions)
             markRegion(inner, read);
     }

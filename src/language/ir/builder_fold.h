@@ -12,7 +12,7 @@ namespace candela::ir {
 /// every float, -0 and NaN included, does.
 std::optional<ValueId> foldOperation(Builder &, Op, const std::vector<ValueId> &operands);
 
-/// Sets Function::inputsRead from the Input operations that are there.
+/// Sets Function::inputsRead from the operations that are there: Input, and Random, which reads the seed.
 void markInputsRead(Function &);
 
 } // namespace candela::ir

@@ -282,6 +282,14 @@ TEST(LowerBuiltins, RandomNumbersDiffer) {
     }
 }
 
+TEST(LowerBuiltins, RandomNumbersReadTheSeed) {
+    for (auto [body, reads] : {std::pair{"Ci = random();", true}, {"Ci = u;", false}}) {
+        ShaderRun run("surface test() { " + std::string(body) + " }", 1);
+        ASSERT_TRUE(run.lowered) << run.diagnostics.text();
+        EXPECT_EQ(run.lowered->whole.inputsRead[std::size_t(ShaderInput::seed)], reads) << body;
+    }
+}
+
 TEST(LowerBuiltins, SplineOfArrays) {
     const auto list = evaluateBody("color", "color k[5] = {1, color(0, 1, 2), 3, 4, 5}; "
                                             "result = spline(\"catmull-rom\", 0.3, k);");

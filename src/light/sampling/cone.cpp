@@ -10,12 +10,15 @@ ConeLobe::ConeLobe(double fullAngle, double exponent) {
     if (!(exponent > 0))
         exponent = 0;
     exponent_ = std::min(exponent, 1e6);
+    if (fullAngle == 180) { // What nearly all lobes of a surface are.
+        cosine_ = logCosine_ = 0, delta_ = 1;
+        shape_ = exponent_ == 0 ? Shape::Uniform : Shape::Power;
+        return;
+    }
     double alpha = std::clamp(fullAngle, 1e-4, 360.0) * (M_PI / 360);
     double halfSine = std::sin(alpha / 2);
     delta_ = 2 * halfSine * halfSine;
-    cosine_ = fullAngle == 180 ? 0 : 1 - delta_;
-    if (fullAngle == 180)
-        delta_ = 1;
+    cosine_ = 1 - delta_;
     logCosine_ = cosine_ > 0 ? std::log1p(-delta_) : 0;
 
     // c^e below double precision leaves the plain lobe, and the general formula would overflow.

@@ -367,8 +367,16 @@ void ConeMixture::lobesPdf(const ConstVec3Planes &w, float *pdf) {
         for (int i = 0; i < count_; ++i) {
             if (cone.share()[i] == 0)
                 continue;
-            double mu = double(cone.axis(0)[i]) * w[0][i] + double(cone.axis(1)[i]) * w[1][i] +
-                        double(cone.axis(2)[i]) * w[2][i];
+            // By the chord: the product would show how far from 1 the lengths are, as which narrow
+            // lobes would take a tenth of their density.
+            double chord2 = 0;
+            for (int c = 0; c < 3; ++c) {
+                const double across = double(cone.axis(c)[i]) - w[c][i];
+                chord2 += across * across;
+            }
+            if (cone.exponent()[i] * chord2 > 80 && cone.angle()[i] == 180)
+                continue; // mu^exponent is below 1e-17.
+            const double mu = 1 - chord2 / 2;
             pdf[i] +=
                 cone.share()[i] * float(ConeLobe(cone.angle()[i], cone.exponent()[i]).pdf(mu));
         }

@@ -235,5 +235,34 @@ TEST(ConeMixture, defensiveShareKeepsTheVarianceFinite) { // I8
     }
 }
 
+/// Directions of the narrowest lobe that there is are told apart by a float's last digits, but its
+/// density is that of the direction that was drawn, whatever rounding has left of the lengths.
+TEST(ConeMixture, NarrowLobesHaveTheDensityOfTheirDirections) {
+    constexpr double exponent = 1e6;
+    for (int k = 0; k < 40; ++k) {
+        const float z = 0.999f - 0.02f * float(k), r = std::sqrt(1 - z * z), turn = 2.4f * float(k);
+        const Vec3 axis{r * std::cos(turn), r * std::sin(turn), z};
+        Batch batch(256, {{axis, 180, float(exponent), 1}});
+        const std::vector<Vec3> directions = batch.sample(k);
+        const std::vector<double> pdf = batch.pdf(directions);
+        int narrow = 0;
+        for (std::size_t i = 0; i < directions.size(); ++i) {
+            double product = 0, lengths = 0, other = 0;
+            for (int c = 0; c < 3; ++c) {
+                product += double(axis[c]) * directions[i][c];
+                lengths += double(axis[c]) * axis[c];
+                other += double(directions[i][c]) * directions[i][c];
+            }
+            const double mu = product / std::sqrt(lengths * other);
+            if (1 - mu > 8 / exponent)
+                continue; // Of the defensive share.
+            ++narrow;
+            const double lobe = (exponent + 1) / (2 * M_PI) * std::pow(mu, exponent);
+            EXPECT_NEAR(pdf[i] / (0.9 * lobe), 1, 2e-3) << k << " " << i;
+        }
+        EXPECT_GT(narrow, 200);
+    }
+}
+
 } // namespace
 } // namespace candela

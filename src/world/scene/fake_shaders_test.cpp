@@ -138,6 +138,7 @@ void ShaderCode::bindCategories(std::vector<std::uint8_t> accepts, int lightCoun
     categoryAccepts_ = std::move(accepts), lightCount_ = lightCount;
 }
 
+bool ShaderCode::hears(std::int32_t) const { return true; }
 void ShaderCode::bind(ShaderArgs &args) const {
     args.parameters = blocks_.data();
     args.categoryAccepts = categoryAccepts_.data(), args.lightCount = lightCount_;

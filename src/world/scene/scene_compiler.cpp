@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "world/scene/heard_lights.h"
 #include "world/scene/light_builder.h"
 #include "world/scene/scene.h"
 #include "world/scene/scene_state.h"
@@ -109,6 +110,7 @@ void SceneCompiler::worldEnd() {
     lights.declare(declared.lights);
     lights.attachShapes(geometry);
     lights.bindCategories(state_->library);
+    leaveOutRefusedLights(*state);
     state->rays = std::make_unique<RayWorld>(geometry.world, geometry.objects, geometry.instances);
     geometry = {};
     if (std::string failure = state->rays->failure(); !failure.empty()) {

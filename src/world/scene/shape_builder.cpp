@@ -201,8 +201,11 @@ private:
 
     void markShining() {
         for (std::size_t i = 0; i < points_.appearances.size(); ++i)
-            if (looks_.shines(std::int32_t(i)))
-                plan_.makeFine(looks_.shapes()[i]);
+            if (looks_.shines(std::int32_t(i))) {
+                const std::uint32_t number = looks_.shapes()[i];
+                points_.shapes[number].asTriangles = number >= points_.worldShapes;
+                plan_.makeFine(number, points_.shapes[number]);
+            }
     }
 
     void dress(RayShape &shape, std::int32_t index) const {

@@ -90,6 +90,20 @@ void ShaderCode::bindCategories(std::vector<std::uint8_t> accepts, int lightCoun
         categoryAccepts_.clear(); // What accepts everything need not be asked.
 }
 
+bool ShaderCode::hears(std::int32_t light) const {
+    bool hasLoop = false;
+    for (const ir::LightRequest &request : shader_.whole.requests) {
+        if (request.kind != ir::LightRequest::Kind::Loop)
+            continue;
+        hasLoop = true;
+        const std::size_t row = std::size_t(lightCount_) + 1;
+        if (request.category < 0 || categoryAccepts_.empty() ||
+            categoryAccepts_[request.category * row + light] != 0)
+            return true;
+    }
+    return !hasLoop;
+}
+
 void ShaderCode::bind(ShaderArgs &args) const {
     args.parameters = blocks_.data();
     args.spaces = spaces_.data();

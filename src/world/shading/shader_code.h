@@ -59,6 +59,9 @@ public:
         return hearsAsIndirect_.empty() || hearsAsIndirect_[light] != 0;
     }
     bool hearsAllAsIndirect() const { return hearsAsIndirect_.empty(); }
+    /// False if every loop refuses the light (index + 1) by its category: the shader need not be
+    /// asked about it. Known once categories are bound.
+    bool hears(std::int32_t light) const;
 
     /// Fills what belongs to the shader: parameters, spaces, categories, and where it speaks.
     void bind(ShaderArgs &) const;

@@ -37,6 +37,9 @@ float DicingPlan::nearestPixel(const Box3 &bound, const Matrix4 &currentFromObje
     return stretch > 0 ? pixel / stretch : pixel;
 }
 
+/// Its triangles depend on the rate.
+static bool isCurved(const Shape &shape) { return !shape.surface->isFlat() && !outerSphere(shape); }
+
 void DicingPlan::add(const Shape &shape, float shadingRate) {
     const Box3 box = transformBox(shape.outerFromShape, shape.surface->bound());
     add(shape, shadingRate, camera_.pixelSize(viewingDepth(box)));
@@ -45,11 +48,13 @@ void DicingPlan::add(const Shape &shape, float shadingRate) {
 
 void DicingPlan::add(const Shape &shape, float shadingRate, float pixel) {
     const Box3 box = transformBox(shape.outerFromShape, shape.surface->bound());
-    const bool isCurved = !shape.surface->isFlat() && !outerSphere(shape);
-    wishes_.push_back({box, pixel * squareRootOf(shadingRate), false, isCurved});
+    wishes_.push_back({box, pixel * squareRootOf(shadingRate), false, isCurved(shape)});
 }
 
-void DicingPlan::makeFine(std::uint32_t shape) { wishes_[shape].fine = true; }
+void DicingPlan::makeFine(std::uint32_t number, const Shape &shape) {
+    wishes_[number].fine = true;
+    wishes_[number].isCurved = isCurved(shape);
+}
 
 /// On a ladder of powers of two, and no coarser than those that it touches ask for, within a factor
 /// of eight: bodies made of several primitives close where these share a rim.

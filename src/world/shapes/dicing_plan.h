@@ -23,7 +23,7 @@ public:
     /// object's space.
     void add(const Shape &, float shadingRate, float pixel);
     /// Lights are met by rays and sampled: their outlines must hold also where they are small.
-    void makeFine(std::uint32_t shape);
+    void makeFine(std::uint32_t number, const Shape &);
 
     /// Units of an object's space that a pixel spans where the placed bound is nearest.
     float nearestPixel(const Box3 &objectBound, const Matrix4 &currentFromObject) const;

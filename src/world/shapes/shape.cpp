@@ -82,7 +82,7 @@ std::optional<Shape> makeShape(std::shared_ptr<const Surface> surface,
 
 std::optional<OuterSphere> outerSphere(const Shape &shape) {
     std::optional<float> radius = shape.surface->wholeSphere();
-    if (!radius)
+    if (!radius || shape.asTriangles)
         return std::nullopt;
     // The rows must be at right angles and of one length.
     Vec3 rows[3];

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+// ObjectInstance draws what the object's primitives would, were they repeated in its place.
+#include "tests/bodies/bodies.h"
+#include "tests/support/frames.h"
+#include "tests/support/student.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace candela::test {
+
+/// How GoogleTest names a body that failed.
+static void PrintTo(const Body &body, std::ostream *stream) { *stream << body.name; }
+
+namespace {
+
+/// Where copies stand, one in each corner of the picture; the third stands within an object of its
+/// own, of which there are two.
+struct Copy {
+    const char *outer, *inner, *turn;
+};
+constexpr Copy copies[] = {
+    {"Translate -3 3 0 Rotate 40 1 2 3 Scale 1 .6 1.3", "", ""},
+    {"Translate 3 3 0 Scale -1 1 .8 Rotate 70 1 0 0", "", "ReverseOrientation"},
+    {"Translate -3 -3 0 Rotate 20 0 0 1 Scale .5 -.5 .5", "Rotate -50 1 1 0", ""},
+    {"Translate 3 -3 0 Rotate 200 1 1 0", "Rotate -50 1 1 0", "Orientation \"inside\""},
+};
+
+std::string copied(const Body &body, bool instances, const std::string &look) {
+    const std::string primitives = "TransformBegin\n" + body.rib + "TransformEnd\n";
+    std::string rib;
+    if (instances)
+        rib = "ObjectBegin 1\n" + primitives +
+              "ObjectEnd\nObjectBegin 2\nRotate -50 1 1 0\n"
+              "ObjectInstance 1\nObjectEnd\n";
+    for (const Copy &copy : copies) {
+        const bool nested = copy.inner[0] != 0;
+        rib += std::string("AttributeBegin\n") + look + copy.outer + "\n" + copy.turn + "\n";
+        if (instances)
+            rib += nested ? "ObjectInstance 2\n" : "ObjectInstance 1\n";
+        else
+            rib += copy.inner + ("\n" + primitives);
+        rib += "AttributeEnd\n";
+    }
+    return rib;
+}
+
+/// Pixels at outlines, and seams and poles of (u,v), may fall to either side: instances are diced
+/// for all that they share.
+void expectSamePicture(const std::vector<float> &a, const std::vector<float> &b) {
+    ASSERT_EQ(a.size(), b.size());
+    int different = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        different += std::abs(a[i] - b[i]) > .01f;
+    EXPECT_LE(different, int(a.size()) / 20);
+}
+
+class RepeatedBodies : public testing::TestWithParam<Body> {};
+
+TEST_P(RepeatedBodies, LookTheSameAsInstances) {
+    const std::string options =
+        "Option \"render\" \"string integrator\" [\"classic\"]\n"
+        "Format 64 64 1\nShadingRate .02\nProjection \"perspective\" \"fov\" [40]\n"
+        "Translate 0 0 18\n";
+    std::vector<Frame> frames;
+    for (const char *sides : {"Sides 2\n", "Sides 1\n"})
+        for (const char *what : {"0", "1", "2"})
+            for (bool instances : {false, true})
+                frames.push_back({what, options,
+                                  copied(GetParam(), instances,
+                                         sides + ("Surface \"tell\" \"float what\" [" +
+                                                  std::string(what) + "]\n"))});
+    const auto pictures = render(frames, {1, 1, "bodies/shaders"});
+    ASSERT_EQ(pictures.size(), frames.size());
+    for (std::size_t i = 0; i < frames.size(); i += 2) {
+        SCOPED_TRACE("tells " + frames[i].name + (i < 6 ? "" : ", one-sided"));
+        float covered = 0;
+        for (float alpha : pictures[i].alpha)
+            covered += alpha;
+        EXPECT_GT(covered, 64 * 64 / 20);
+        expectSamePicture(pictures[i].alpha, pictures[i + 1].alpha);
+        expectSamePicture(pictures[i].red, pictures[i + 1].red);
+        expectSamePicture(pictures[i].green, pictures[i + 1].green);
+    }
+}
+
+/// One costly kind tells as much as all.
+std::vector<Body> lamps() {
+    std::vector<Body> some;
+    for (const Body &body : closedBodies())
+        if (!body.costly || body.name == "Cone")
+            some.push_back(body);
+    return some;
+}
+
+/// The mean light of lamps on a wall behind them.
+class RepeatedLamps : public testing::TestWithParam<Body> {};
+
+TEST_P(RepeatedLamps, LightTheSameAsInstances) {
+    const std::string options = "Format 32 32 1\nProjection \"orthographic\"\nClipping 4 99\n"
+                                "ScreenWindow -5 5 -5 5\n";
+    std::vector<Frame> frames;
+    for (const char *look :
+         {"Surface \"constant\"\n",
+          "AreaLightSource \"arealight\" 1 \"float onesided\" [0]\nSurface \"matte\"\n"})
+        for (bool instances : {false, true})
+            frames.push_back(
+                {look, options,
+                 std::string("AttributeBegin\n") + look + copied(GetParam(), instances, "") +
+                     "AttributeEnd\n" + (look[0] == 'A' ? "Illuminate 1 1\n" : "") +
+                     "Surface \"matte\"\nPolygon \"P\" [-9 -9 5 -9 9 5 9 9 5 9 -9 5]\n"});
+    const auto pictures = render(frames, {64, 1, "bodies/shaders"});
+    ASSERT_EQ(pictures.size(), frames.size());
+    for (std::size_t i = 0; i < frames.size(); i += 2) {
+        std::vector<double> differences;
+        double sum = 0;
+        for (std::size_t k = 0; k < pictures[i].red.size(); ++k) {
+            differences.push_back(pictures[i].red[k] - pictures[i + 1].red[k]);
+            sum += pictures[i].red[k];
+        }
+        const MeanAndError difference = meanAndError(differences);
+        const double mean = sum / double(differences.size());
+        EXPECT_GT(mean, .01);
+        EXPECT_LE(difference.standardError, .02 * mean);
+        EXPECT_LE(std::abs(difference.mean),
+                  studentQuantile(1e-5, 1023) * difference.standardError + 2e-4 * mean)
+            << frames[i].name << mean;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Bodies, RepeatedBodies, testing::ValuesIn(closedBodies()),
+                         [](const auto &info) { return info.param.name; });
+
+INSTANTIATE_TEST_SUITE_P(Bodies, RepeatedLamps, testing::ValuesIn(lamps()),
+                         [](const auto &info) { return info.param.name; });
+
+} // namespace
+} // namespace candela::test

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Many small pictures of one run.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace candela::test {
+
+struct Frame {
+    std::string name;    ///< For messages.
+    std::string options; ///< RIB before WorldBegin: the projection, transformations, options.
+    std::string world;   ///< RIB between WorldBegin and WorldEnd.
+};
+
+struct FramePixels {
+    std::vector<float> red, alpha, green;
+};
+
+struct FrameSettings {
+    int samples = 1; ///< A pixel.
+    int seed = 1;
+    std::string shaders; ///< A folder of tests/ with shaders.
+};
+
+/// Renders all frames in one run, in si units with a box filter of one pixel; 8 x 8 pixels, unless
+/// options have another Format. A run that fails gives nothing.
+std::vector<FramePixels> render(const std::vector<Frame> &frames, const FrameSettings &);
+
+} // namespace candela::test
