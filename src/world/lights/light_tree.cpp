@@ -45,8 +45,22 @@ inline float larger(float a, float b) { return a > b ? a : b; }
 inline float smaller(float a, float b) { return a < b ? a : b; }
 inline float within(float x, float half) { return smaller(larger(x, -half), half); }
 
-/// Estimates of the irradiances that the children give; 0 only of those that can give none.
-[[gnu::always_inline]] inline void weigh(const Node &n, const Point &p, float *weight) {
+/// 1 or 0: selections are products, since compilers turn others into branches, which don't
+/// vectorise.
+inline float mask(bool condition) { return condition ? 1.0f : 0.0f; }
+inline float pick(float mask, float a, float b) { return mask * a + (1 - mask) * b; }
+
+/// Where a direction is against the normals: cosine and sine of its angle with the nearest one.
+[[gnu::always_inline]] inline void leaveCone(float cosine, float sine, float cosCone, float sinCone,
+                                             float &cosRest, float &sinRest) {
+    const float rest = sine * cosCone - cosine * sinCone;
+    cosRest = pick(mask(rest > 0), cosine * cosCone + sine * sinCone, 1);
+    sinRest = larger(rest, 0);
+}
+
+/// Estimates of the irradiances that the children give a sound point; 0 only of those that can
+/// give none.
+[[gnu::always_inline]] inline void weighSound(const Node &n, const Point &p, float *weight) {
     const float leastFacing = p.horizon ? leastCosine : 1.0f;
 #pragma GCC ivdep
     for (int k = 0; k < Node::width; ++k) {
@@ -63,41 +77,44 @@ inline float within(float x, float half) { return smaller(larger(x, -half), half
         const float reach = std::fabs(p.nx) * hx + std::fabs(p.ny) * hy + std::fabs(p.nz) * hz;
         const float scale = std::fabs(vx) + std::fabs(vy) + std::fabs(vz);
         const float nearHeight = p.nx * wx + p.ny * wy + p.nz * wz;
-        const bool risen = !(height + reach < -heightMargin * scale);
+        const float risen = mask(height + reach >= -heightMargin * scale);
+        const float facingV = larger(height * perD, leastFacing);
+        const float facingW = larger(nearHeight * perNear, leastFacing);
         // The emitter: the angle of v with the axis, less the spread of normals, less the box.
         const float ax = n.axis[0][k], ay = n.axis[1][k], az = n.axis[2][k];
         const float cosNormal = n.cosNormal[k], sinNormal = n.sinNormal[k];
         const float qx = ay * vz - az * vy, qy = az * vx - ax * vz, qz = ax * vy - ay * vx;
-        const float cosAxis = -(ax * vx + ay * vy + az * vz) * perD;
-        const float sinAxis = std::sqrt(qx * qx + qy * qy + qz * qz) * perD;
-        const bool among = cosAxis >= cosNormal;
-        const float c = among ? 1.0f : cosAxis * cosNormal + sinAxis * sinNormal;
-        const float s = among ? 0.0f : sinAxis * cosNormal - cosAxis * sinNormal;
-        const float box2 = smaller(r2 * perD * perD, 1.0f);
-        const float sinBox = std::sqrt(box2), cosBox = std::sqrt(1 - box2);
-        const float nearest = c >= cosBox ? 1.0f : c * cosBox + s * sinBox;
-        const bool shines = (d2 <= r2) | (nearest >= n.cosEmission[k] - margin);
-        // What cosines the two directions have.
+        const float cosV = -(ax * vx + ay * vy + az * vz) * perD;
+        const float sinV = std::sqrt(qx * qx + qy * qy + qz * qz) * perD;
+        const float sine2 = smaller(r2 * perD * perD, 1);
+        const float sinBox = std::sqrt(sine2), cosBox = std::sqrt(1 - sine2);
+        float c, s, nearest, rest;
+        leaveCone(cosV, sinV, cosNormal, sinNormal, c, s);
+        leaveCone(c, s, cosBox, sinBox, nearest, rest);
+        const float shines = larger(mask(d2 <= r2), mask(nearest >= n.cosEmission[k] - margin));
+        // What cosines the two directions have there.
         const float backs = n.backs[k];
-        const float turnedV = larger(cosAxis, -backs * cosAxis);
-        const float sentV = turnedV >= cosNormal ? 1.0f : turnedV * cosNormal + sinAxis * sinNormal;
+        float sentV, sentW;
+        leaveCone(larger(cosV, -backs * cosV), sinV, cosNormal, sinNormal, sentV, rest);
         const float cosW = -(ax * wx + ay * wy + az * wz) * perNear;
-        const float turnedW = larger(cosW, -backs * cosW);
-        const float sinW = std::sqrt(larger(1 - cosW * cosW, 0.0f));
-        const float sentW = turnedW >= cosNormal ? 1.0f : turnedW * cosNormal + sinW * sinNormal;
-        const float cosinesV = larger(sentV, leastCosine) * larger(height * perD, leastFacing);
-        const float cosinesW =
-            larger(sentW, leastCosine) * larger(nearHeight * perNear, leastFacing);
-        const float both = near2 > 0 ? larger(cosinesV, cosinesW) : 1.0f;
-        const float cosines = shines ? both : n.beyond[k] * larger(height * perD, leastFacing);
+        const float sinW = std::sqrt(larger(1 - cosW * cosW, 0));
+        leaveCone(larger(cosW, -backs * cosW), sinW, cosNormal, sinNormal, sentW, rest);
+        const float seen =
+            larger(larger(sentV, leastCosine) * facingV, larger(sentW, leastCosine) * facingW);
+        const float cosines = pick(shines, pick(mask(near2 > 0), seen, 1), n.beyond[k] * facingV);
         // In a box, and near a large one, emitters are nearer than its centre.
         const float intensity = n.intensity[k];
         const float square = larger(larger(d2, r2 * 0.25f), 1e-30f);
-        const float value = larger(intensity / square * cosines, leastWeight);
-        const bool possible = (intensity > 0) & risen & (cosines > 0);
-        const float sound = possible ? value : 0.0f;
-        weight[k] = p.sound ? sound : intensity;
+        const float possible = mask(intensity > 0) * risen * mask(cosines > 0);
+        weight[k] = larger(intensity / square * cosines, leastWeight) * possible;
     }
+}
+
+[[gnu::always_inline]] inline void weigh(const Node &n, const Point &p, float *weight) {
+    if (p.sound)
+        return weighSound(n, p, weight);
+    for (int k = 0; k < Node::width; ++k)
+        weight[k] = n.intensity[k];
 }
 
 /// The sum of the weights, always in the same order.
