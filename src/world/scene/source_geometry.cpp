@@ -31,9 +31,13 @@ double areaOf(const LightElement &e) {
     return 0;
 }
 
-EmitterBound boundOf(const LightTable &table, const LightSource &source) {
+EmitterBound boundOf(const LightTable &table, const LightSource &source, LightSides sides,
+                     float elementSign) {
     EmitterBound bound;
-    bound.emissionSpread = pi; // To both sides, as far as is known.
+    // The shading normals, by which the lights' shaders go, may be others than the elements'.
+    bound.isLoose = true;
+    bound.emissionSpread = sides == LightSides::Both ? pi : pi / 2;
+    const float side = sides == LightSides::Back ? -elementSign : elementSign;
     const std::span members(table.members.data() + source.firstMember, source.members);
     Vec3 sum;
     for (std::int32_t member : members) {
@@ -50,12 +54,12 @@ EmitterBound boundOf(const LightTable &table, const LightSource &source) {
             bound.box.add(e.corner + e.edgeA + e.edgeB);
         sum += cross(e.edgeA, e.edgeB);
     }
-    bound.axis = normalize(sum);
+    bound.axis = normalize(sum) * side;
     double least = 1;
     for (std::int32_t member : members) {
         const LightElement &e = table.elements[member];
         if (const Vec3 normal = cross(e.edgeA, e.edgeB); dot(normal, normal) > 0)
-            least = std::min<double>(least, dot(normalize(normal), bound.axis));
+            least = std::min<double>(least, dot(normalize(normal) * side, bound.axis));
     }
     if (source.members > 1) // Of floats: a little wider than it seems.
         bound.normalSpread = std::min(float(std::acos(std::max(least, -1.0))) + 1e-3f, pi);
