@@ -130,43 +130,73 @@ inline float rounded(double p) { return p > 0 ? std::max(float(p), 0x1p-126f) : 
 
 /// Moves x to within the share of the child that it falls to, which is returned; -1 = no child.
 [[gnu::always_inline]] inline int descend(const float *weight, double &x, double &product) {
-    const double sum = total(weight);
-    if (!(sum > 0))
-        return -1;
-    const double at = x * sum;
-    int chosen = -1;
-    double low = 0, next = 0;
-    for (int k = 0; k < Node::width; ++k) {
-        const bool here = (weight[k] > 0) & ((chosen < 0) | (at >= next));
-        chosen = here ? k : chosen;
-        low = here ? next : low;
-        next += double(weight[k]);
+    double below[Node::width + 1];
+    below[0] = 0;
+    for (int k = 0; k < Node::width; ++k)
+        below[k + 1] = below[k] + double(weight[k]);
+    const double sum = below[Node::width], at = x * sum;
+    // Children without a weight end where they begin, so x is never within them.
+    int chosen = 0, last = 0;
+    for (int k = 1; k <= Node::width; ++k) {
+        chosen += at >= below[k] ? 1 : 0;
+        last += below[k] < sum ? 1 : 0;
     }
+    chosen = std::min(chosen, last);
     const double share = double(weight[chosen]);
     if (share < sum) // An only child leaves x as it is.
-        x = std::min(std::max((at - low) / share, 0.0), largestBelow1);
-    product *= share / sum;
-    return chosen;
+        x = std::min(std::max((at - below[chosen]) / share, 0.0), largestBelow1);
+    product *= sum > 0 ? share / sum : 0;
+    return sum > 0 ? chosen : -1;
 }
 
-CANDELA_HOT void chooseEmitters(const Node *nodes, int count, const float *const P[3],
-                                const float *const N[3], double *u, std::int32_t *emitter,
-                                float *probability) {
-    for (int i = 0; i < count; ++i) {
-        const Point p = pointAt(P, N, i);
-        float weight[Node::width];
-        double product = 1, x = u[i] >= 0 ? std::min(u[i], largestBelow1) : 0;
-        // A single emitter hangs on the first node.
-        std::int32_t at = nodes[0].link[0] < 0 ? 0 : nodes[0].link[0];
-        do {
-            weigh(nodes[at], p, weight);
-            const int child = descend(weight, x, product);
-            at = child < 0 ? ~std::int32_t(-1) : nodes[at].link[child];
-            product = child < 0 ? 0 : product;
-        } while (product > 0 && at >= 0);
-        u[i] = x;
-        emitter[i] = product > 0 ? ~at : -1;
-        probability[i] = rounded(product);
+/// A point on its way down.
+struct Walk {
+    Point point;
+    double x, product;
+    std::int32_t at; ///< A node, or ~emitter.
+};
+
+/// Points that go down together, level by level: what one waits for, another computes.
+constexpr int together = 32;
+
+CANDELA_HOT void descendAll(const Node *nodes, int count, Walk *walks) {
+    std::int32_t active[together];
+    for (int i = 0; i < count; ++i)
+        active[i] = i;
+    while (count > 0) {
+        int left = 0;
+        for (int k = 0; k < count; ++k) {
+            Walk &walk = walks[active[k]];
+            float weight[Node::width];
+            weigh(nodes[walk.at], walk.point, weight);
+            const int child = descend(weight, walk.x, walk.product);
+            walk.product = child < 0 ? 0 : walk.product;
+            walk.at = nodes[walk.at].link[child < 0 ? 0 : child];
+            active[left] = active[k];
+            left += (walk.at >= 0) & (walk.product > 0);
+        }
+        count = left;
+    }
+}
+
+void chooseEmitters(const Node *nodes, int count, const float *const P[3], const float *const N[3],
+                    double *u, std::int32_t *emitter, float *probability) {
+    Walk walks[together];
+    // A single emitter hangs on the first node.
+    const std::int32_t top = nodes[0].link[0] < 0 ? 0 : nodes[0].link[0];
+    for (int first = 0; first < count; first += together) {
+        const int n = std::min(together, count - first);
+        for (int k = 0; k < n; ++k) {
+            const double x = u[first + k];
+            walks[k] = {pointAt(P, N, first + k), x >= 0 ? std::min(x, largestBelow1) : 0, 1, top};
+        }
+        descendAll(nodes, n, walks);
+        for (int k = 0; k < n; ++k) {
+            const Walk &walk = walks[k];
+            u[first + k] = walk.x;
+            emitter[first + k] = walk.product > 0 ? ~walk.at : -1;
+            probability[first + k] = rounded(walk.product);
+        }
     }
 }
 
