@@ -16,12 +16,13 @@ constexpr std::size_t mostProducts = 16, mostLobes = 4;
 struct Cosine {
     Triple axis{};
     std::optional<Triple> mirrored;
+    bool ofUnit = false; ///< Of L itself or of the vector of unit length.
 };
 
 class LobeReader {
 public:
     LobeReader(const Function &text, const Dependence &dependence, const Instruction &loop)
-        : text_(text), dependence_(dependence), body_(loop.regions[0]) {}
+        : text_(text), dependence_(dependence), loop_(loop), body_(loop.regions[0]) {}
 
     std::vector<Cone> run(const Cone &whole) {
         std::vector<Cone> cones;
@@ -34,6 +35,8 @@ public:
                 if (product != Product{carried} && !add(whole, weight.result, product, cones))
                     return {};
         }
+        for (Cone &cone : cones)
+            cone.exact &= !divides_;
         return cones.size() > mostLobes ? std::vector<Cone>{} : cones;
     }
 
@@ -73,6 +76,7 @@ private:
             return times(left, right);
         }
         case Op::Div: // By a length, as a rule: no factor that shapes the lobe.
+            divides_ |= !early(i->operands[1]);
             return expand(i->operands[0]);
         case Op::Add:
             collect(i->operands[0]);
@@ -98,14 +102,16 @@ private:
         lobe.weights.clear();
         Cone::Weight weight{result, {}};
         bool lit = false;
+        int others = 0;
         for (ValueId factor : product) {
             if (early(factor))
                 weight.factors.push_back(factor);
             else if (isCl(factor))
                 lit = true;
             else
-                shape(factor, lobe);
+                shape(factor, lobe), others += isNeverNegative(factor) ? 1 : 2;
         }
+        lobe.exact = others == 1 && lobe.kind == Cone::Kind::Lobe && !lobe.mirrored;
         if (!lit) // A sum of zeros, or something that light only chooses.
             return product.size() == 1 && early(product[0]);
         auto same = std::find_if(cones.begin(), cones.end(), [&](const Cone &known) {
@@ -115,7 +121,43 @@ private:
         if (same == cones.end())
             same = cones.insert(same, lobe);
         same->weights.push_back(weight);
+        same->exact &= lobe.exact;
         return true;
+    }
+
+    const float *number(ValueId v) const {
+        const Instruction *i = definition(v);
+        return i && i->op == Op::ConstFloat ? &i->number : nullptr;
+    }
+
+    /// A cosine with the direction of light, or a power of one, below 0 nowhere in the loop: it is
+    /// clamped, or the loop leaves out all light behind its axis.
+    bool isNeverNegative(ValueId factor) const {
+        const Instruction *i = definition(factor);
+        if (i && i->op == Op::Pow && early(i->operands[1]))
+            return isNeverNegative(i->operands[0]);
+        const auto found = cosine(factor);
+        if (!found || !found->ofUnit)
+            return false;
+        if (i->op == Op::Max)
+            for (int k : {0, 1})
+                if (const float *least = number(i->operands[k]); least && *least == 0)
+                    return true;
+        constexpr float quarterTurn = 1.5707964f;
+        const float *angle = loop_.operands.size() > 6 ? number(loop_.operands[6]) : nullptr;
+        return text_.requests[loop_.immediate].form == ConeForm::Classic && angle &&
+               *angle <= quarterTurn &&
+               std::equal(found->axis.begin(), found->axis.end(), loop_.operands.begin() + 3);
+    }
+
+    /// 1 / length, or 1 / (1 where that is 0).
+    bool isReciprocalLength(ValueId v) const {
+        const Instruction *i = definition(v);
+        const float *one = i && i->op == Op::Div ? number(i->operands[0]) : nullptr;
+        const Instruction *length = one && *one == 1 ? definition(i->operands[1]) : nullptr;
+        if (length && length->op == Op::Select)
+            length = definition(length->operands[2]);
+        return length && length->op == Op::Sqrt;
     }
 
     bool isCl(ValueId v) const {
@@ -163,9 +205,9 @@ private:
             if (!early(axis))
                 continue;
             if (isLight(light))
-                return Cosine{axis, {}};
+                return Cosine{axis, {}, isUnitLight(light)};
             if (auto view = halfVector(light))
-                return Cosine{axis, view};
+                return Cosine{axis, view, false};
         }
         return {};
     }
@@ -188,6 +230,15 @@ private:
     bool isLight(const Triple &t) const {
         Triple plain = unscaled(t);
         return std::equal(plain.begin(), plain.end(), body_.arguments.begin());
+    }
+
+    /// L, or L over its length.
+    bool isUnitLight(const Triple &t) const {
+        if (std::equal(t.begin(), t.end(), body_.arguments.begin()))
+            return true;
+        const Instruction *i = definition(t[0]);
+        return isLight(t) && i->op == Op::Mul &&
+               (isReciprocalLength(i->operands[0]) || isReciprocalLength(i->operands[1]));
     }
 
     /// V, if the vector is L + V, perhaps scaled.
@@ -213,7 +264,9 @@ private:
 
     const Function &text_;
     const Dependence &dependence_;
+    const Instruction &loop_;
     const Region &body_;
+    mutable bool divides_ = false; ///< Something is divided by what depends on the direction.
 };
 
 } // namespace

@@ -34,6 +34,9 @@ struct Cone {
         std::vector<ValueId> factors;
     };
     std::vector<Weight> weights;
+    /// Lobe: what the loop adds is this power of the cosine, at least 0, times what does not depend
+    /// on the direction: no light matters outside the lobe, and none more than it says.
+    bool exact = false;
 };
 
 /// The cones of all requests in the text, in request order. `recognize`: read lobes off classic

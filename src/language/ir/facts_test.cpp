@@ -292,6 +292,78 @@ TEST(Importance, FactorsInsideTheLoopCount) {
     }
 }
 
+/// A lobe is exact where no defence is needed: one cosine or power of it that is never negative,
+/// and nothing else that depends on the direction.
+TEST(Importance, ExactLobesAreTheWholeAnswer) {
+    using Term = std::function<ValueId(Builder &, const Triple &, ValueId)>;
+    struct Case {
+        const char *name;
+        bool exact;
+        Term term;
+    };
+    const auto tilted = [](Builder &b, const Triple &L) {
+        return b.dot(b.normalize(b.input3(ShaderInput::P)), b.normalize(L));
+    };
+    const Case cases[] = {
+        {"diffuse", true,
+         [](Builder &b, const Triple &L, ValueId Cl) { return b.mul(Cl, cosineNL(b, L)); }},
+        {"albedo", true,
+         [](Builder &b, const Triple &L, ValueId Cl) {
+             return b.mul(b.parameter(1), b.mul(Cl, cosineNL(b, L)));
+         }},
+        {"another axis, clamped", true,
+         [&](Builder &b, const Triple &L, ValueId Cl) {
+             return b.mul(Cl, b.max(tilted(b, L), b.number(0)));
+         }},
+        {"another axis", false,
+         [&](Builder &b, const Triple &L, ValueId Cl) { return b.mul(Cl, tilted(b, L)); }},
+        {"a power", true,
+         [](Builder &b, const Triple &L, ValueId Cl) {
+             return b.mul(Cl, b.pow(b.max(cosineNL(b, L), b.number(0)), b.parameter(3)));
+         }},
+        {"a product of cosines", false,
+         [&](Builder &b, const Triple &L, ValueId Cl) {
+             return b.mul(Cl, b.mul(cosineNL(b, L), b.max(tilted(b, L), b.number(0))));
+         }},
+        {"divided by a cosine", false,
+         [](Builder &b, const Triple &L, ValueId Cl) {
+             return b.div(b.mul(Cl, cosineNL(b, L)), b.add(b.number(1), cosineNL(b, L)));
+         }},
+        {"a step", false,
+         [](Builder &b, const Triple &L, ValueId Cl) {
+             return b.mul(Cl, b.mul(cosineNL(b, L), b.sqrt(cosineNL(b, L))));
+         }},
+        {"L stretched", false,
+         [](Builder &b, const Triple &L, ValueId Cl) {
+             const Triple N = b.normalize(b.input3(ShaderInput::N));
+             return b.mul(Cl, b.dot(N, b.scale(b.normalize(L), b.sub(b.number(0.5f), L[0]))));
+         }},
+    };
+    for (const Case &test : cases) {
+        const SurfaceFacts facts = surfaceFacts(surface([&](Builder &b) {
+            const Triple N = b.normalize(b.input3(ShaderInput::N));
+            LightRequest request;
+            request.kind = LightRequest::Kind::Loop;
+            request.form = ConeForm::Classic;
+            request.coneCount = 1;
+            return b.lightLoop(b.addRequest(request), b.input3(ShaderInput::P),
+                               {N[0], N[1], N[2], b.number(std::numbers::pi_v<float> / 2)},
+                               Values(colorSamples, b.number(0)),
+                               [&](const Triple &L, const Values &Cl, const Values &carried) {
+                                   Values sum;
+                                   for (int k = 0; k < colorSamples; ++k)
+                                       sum.push_back(b.add(carried[k], test.term(b, L, Cl[k])));
+                                   return sum;
+                               });
+        }));
+        ASSERT_EQ(facts.cones.size(), 1u) << test.name;
+        EXPECT_EQ(facts.cones[0].exact, test.exact) << test.name;
+    }
+    EXPECT_FALSE(surfaceFacts(surface([](Builder &b) { return specular(b, b.parameter(3)); }))
+                     .cones[0]
+                     .exact);
+}
+
 TEST(LightRule, GivesLoopsOnlyToThoseWithout) {
     Function flat = surface([](Builder &b) {
         return each(b.ambient(), [&](ValueId v) { return b.mul(b.parameter(0), v); });

@@ -42,6 +42,7 @@ enum class Question : std::uint8_t {
 struct ConeSlot {
     int request = 0;
     int output = 0;
+    bool exact = false; ///< The answer to light is this lobe, up to a factor.
 };
 
 /// What is known of a surface shader without running it.

@@ -71,7 +71,7 @@ SurfaceFacts surfaceFacts(const Function &whole) {
     auto plan = makePlan(whole);
     SurfaceFacts facts;
     for (std::size_t n = 0; n < plan->cones.size(); ++n)
-        facts.cones.push_back({plan->cones[n].request, int(6 * n)});
+        facts.cones.push_back({plan->cones[n].request, int(6 * n), plan->cones[n].exact});
     facts.hasLoops = hasLoops(*plan);
     facts.readsAmbient = plan->readsAmbient;
     for (bool emits : plan->emits)

@@ -34,11 +34,11 @@ struct PathsAtVertices {
 struct EmissionPlanes {
     explicit EmissionPlanes(int capacity)
         : left(capacity), origin(3, capacity), met(3, capacity), radiance(colorSamples, capacity),
-          lightPdf(1, capacity), weight(1, capacity) {}
+          lightPdf(1, capacity), weight(1, capacity), heard(1, capacity) {}
     RayOrigins left;
     Planes<float> origin;
     Planes<float> met; ///< Where the rays met the lamps' elements.
-    Planes<float> radiance, lightPdf, weight;
+    Planes<float> radiance, lightPdf, weight, heard;
 };
 
 /// What the scatter stage works with.

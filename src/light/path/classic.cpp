@@ -42,7 +42,8 @@ void sampleRow(PathWave &wave, int light) {
     const int count = chunk.count();
     const VertexNumbers &numbers = chunk.numbers;
     const float *u = numbers.x(lightPositionPair), *v = numbers.y(lightPositionPair);
-    wave.frame.scene.sampleLight(light, lightQuery(chunk.vertices, chunk.N, {u, u, v}), samples);
+    wave.frame.scene.sampleLight(light, lightQuery(chunk.vertices, chunk.N, nullptr, {u, u, v}),
+                                 samples);
     lightSampleFactors(count, samples.pdfSolidAngle, classic.none[0], classic.none[0],
                        classic.wanted, classic.factor);
     const MutableVec3Planes L = classic.rows.L(light);

@@ -36,6 +36,12 @@ void leaveOutUnheard(const Scene &scene, int count, const std::int32_t *light,
             weight[i] = 0;
 }
 
+/// LightQuery::scattered of the vertices that the rays left.
+void markHeard(const Scene &scene, int count, const RayOrigins &left, float *heard) {
+    for (int i = 0; i < count; ++i)
+        heard[i] = left.pdf[i] > 0 && scene.code(left.code[i]).hearsAllAsIndirect() ? 1.0f : 0.0f;
+}
+
 } // namespace
 
 void emit(PathWave &wave) {
@@ -58,6 +64,8 @@ void emit(PathWave &wave) {
     asked.P = {emission.origin[0], emission.origin[1], emission.origin[2]};
     asked.N = {left.N[0], left.N[1], left.N[2]};
     asked.lightSet = left.lightSet;
+    markHeard(wave.frame.scene, count, left, emission.heard[0]);
+    asked.scattered = emission.heard[0];
     const MutableVec3Planes met{emission.met[0], emission.met[1], emission.met[2]};
     wave.frame.scene.elementPoints(wave.active.rays, wave.hits, chunk.rays.data(), count, met);
     wave.frame.scene.lightDensity(asked, points, {met[0], met[1], met[2]}, lightPdf);

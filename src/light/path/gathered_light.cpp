@@ -88,7 +88,7 @@ void addLightRow(PathWave &wave, GatheredLight &gathered, int row) {
     LightSamples &samples = gathered.sample.samples;
     const int count = chunk.count();
     vertices.scene().sampleLights(
-        lightQuery(vertices, chunk.N,
+        lightQuery(vertices, chunk.N, gathered.wave ? rays.wanted : nullptr,
                    {numbers.x(lightPair), numbers.x(onLightPair), numbers.y(onLightPair)}),
         samples);
     std::fill_n(rays.pdf, count, 0.0f);

@@ -16,10 +16,12 @@ CANDELA_HOT void weighSamples(int count, const float *__restrict g, const float 
         result[i] = (factor[i] > 0) & (light[i] != 0) ? g[i] * value[i] * factor[i] : 0.0f;
 }
 
-CANDELA_HOT void markShallow(int count, const int *__restrict depth, int maxDepth,
-                             float *__restrict wanted) {
+/// 1 where rays may be scattered along finite lobes.
+CANDELA_HOT void markScattering(int count, const int *__restrict depth, int maxDepth,
+                                const float *__restrict finiteProbability,
+                                float *__restrict wanted) {
     for (int i = 0; i < count; ++i)
-        wanted[i] = depth[i] < maxDepth ? 1.0f : 0.0f;
+        wanted[i] = (depth[i] < maxDepth) & (finiteProbability[i] > 0) ? 1.0f : 0.0f;
 }
 
 /// The samples, and what they are worth beside directions of the mixture.
@@ -29,8 +31,10 @@ void sampleLights(PathWave &wave) {
     LightSamples &samples = direct.sample.samples;
     const int count = chunk.count();
     const VertexNumbers &numbers = chunk.numbers;
+    markScattering(count, chunk.paths.depth, wave.frame.settings.maxDepth,
+                   chunk.events.finiteProbability(), direct.wanted);
     wave.frame.scene.sampleLights(
-        lightQuery(chunk.vertices, chunk.N,
+        lightQuery(chunk.vertices, chunk.N, direct.wanted,
                    {numbers.x(lightChoicePair), numbers.x(lightPositionPair),
                     numbers.y(lightPositionPair)}),
         samples);
@@ -38,7 +42,6 @@ void sampleLights(PathWave &wave) {
                    direct.unit[2]);
     chunk.mixture.pdf({direct.unit[0], direct.unit[1], direct.unit[2]}, direct.directionPdf);
     leaveToLightSampling(chunk.vertices.code(), count, samples.light, direct.directionPdf);
-    markShallow(count, chunk.paths.depth, wave.frame.settings.maxDepth, direct.wanted);
     lightSampleFactors(count, samples.pdfSolidAngle, direct.directionPdf,
                        chunk.events.finiteProbability(), direct.wanted, direct.factor);
 }

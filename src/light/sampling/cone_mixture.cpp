@@ -14,7 +14,6 @@ namespace candela {
 
 namespace {
 
-constexpr float coneShare = 0.9f, uniformShare = 0.05f, cosineShare = 0.05f;
 constexpr float pi = float(M_PI);
 
 /// How far a cone may reach below the hemisphere, as a cosine, before it counts as leaving it.
@@ -86,12 +85,13 @@ CANDELA_HOT void lookForRadial(int count, const float *__restrict share,
 }
 
 /// Adds the defensive lobe. True if every point has cones about its normal alone.
-CANDELA_HOT bool finishRadial(int count, const float *__restrict full,
+CANDELA_HOT bool finishRadial(int count, const float *__restrict full, float cosineShare,
                               float *__restrict cosineLobes) {
     int others = 0;
     for (int i = 0; i < count; ++i) {
         bool other = (full[i] > 0) | (cosineLobes[i] < 0);
-        cosineLobes[i] = other ? -1.0f : cosineLobes[i] + cosineShare;
+        float sum = cosineLobes[i] + cosineShare;
+        cosineLobes[i] = other ? -1.0f : sum < 1 ? sum : 1.0f;
         others |= other;
     }
     return others == 0;
@@ -114,7 +114,8 @@ CANDELA_HOT void radialHeights(int count, const float *__restrict cosineLobes,
         angle += angle < 0 ? 1.0f : 0.0f;
 
         float a = cosineLobes[i], b = 1 - a, rest = 1 - r * r;
-        float mu = 2 * rest / (b + std::sqrt(b * b + 4 * a * rest));
+        float divisor = b + std::sqrt(b * b + 4 * a * rest);
+        float mu = divisor > 0 ? 2 * rest / (divisor > 0 ? divisor : 1.0f) : 0.0f;
         tau[i] = a >= 0 ? 1 - mu : tau[i];
         turn[i] = a >= 0 ? angle : turn[i];
     }
@@ -138,7 +139,8 @@ CANDELA_HOT void chooseNormals(int count, const float *__restrict cosineLobes,
         axis[i] = cosineLobes[i] >= 0 ? normal[i] : axis[i];
 }
 
-CANDELA_HOT void scaleToShares(int count, const float *__restrict total, float *__restrict share) {
+CANDELA_HOT void scaleToShares(int count, const float *__restrict total, float coneShare,
+                               float *__restrict share) {
     for (int i = 0; i < count; ++i)
         share[i] = total[i] > 0 ? share[i] * (coneShare / total[i]) : 0.0f;
 }
@@ -217,7 +219,8 @@ CANDELA_HOT void directionsAbout(int count, const float *__restrict ax, const fl
 CANDELA_HOT void defensivePdf(int count, const float *__restrict nx, const float *__restrict ny,
                               const float *__restrict nz, const float *__restrict full,
                               const float *__restrict x, const float *__restrict y,
-                              const float *__restrict z, float *__restrict pdf) {
+                              const float *__restrict z, float uniformShare, float cosineShare,
+                              float *__restrict pdf) {
     for (int i = 0; i < count; ++i) {
         float mu = nx[i] * x[i] + ny[i] * y[i] + nz[i] * z[i];
         float above = mu > 0 ? 1.0f : 0.0f;
@@ -248,6 +251,8 @@ void ConeMixture::state(int count, const std::vector<ConePlanes> &cones,
                         const ConstVec3Planes &facing, const float *transmits) {
     count_ = count;
     coneCount_ = int(cones.size());
+    const bool exact = coneCount_ == 1 && cones[0].exact;
+    shares_ = exact ? Shares{1, 0, 0} : Shares{0.9f, 0.05f, 0.05f};
     while (int(cones_.size()) < coneCount_)
         cones_.emplace_back(total_.lanes());
     facing_ = facing;
@@ -260,7 +265,7 @@ void ConeMixture::state(int count, const std::vector<ConePlanes> &cones,
         stateCone(k, cones[k]);
     for (int k = 0; k < coneCount_; ++k) {
         markLeavingCones(k);
-        scaleToShares(count, total_[0], cones_[k].share());
+        scaleToShares(count, total_[0], shares_.cones, cones_[k].share());
     }
     std::fill_n(cosineLobes_[0], count, 0.0f);
     for (int k = 0; k < coneCount_; ++k) {
@@ -268,7 +273,7 @@ void ConeMixture::state(int count, const std::vector<ConePlanes> &cones,
         lookForRadial(count, cone.share(), cone.angle(), cone.exponent(), facing[0], facing[1],
                       facing[2], cone.axis(0), cone.axis(1), cone.axis(2), cosineLobes_[0]);
     }
-    allRadial_ = finishRadial(count, fullSphere_[0], cosineLobes_[0]);
+    allRadial_ = finishRadial(count, fullSphere_[0], shares_.cosine, cosineLobes_[0]);
 }
 
 void ConeMixture::stateCone(int index, const ConePlanes &stated) {
@@ -350,7 +355,8 @@ void ConeMixture::pdf(const ConstVec3Planes &w, float *pdf) {
 
 /// The sum of all lobes, one by one.
 void ConeMixture::lobesPdf(const ConstVec3Planes &w, float *pdf) {
-    defensivePdf(count_, facing_[0], facing_[1], facing_[2], fullSphere_[0], w[0], w[1], w[2], pdf);
+    defensivePdf(count_, facing_[0], facing_[1], facing_[2], fullSphere_[0], w[0], w[1], w[2],
+                 shares_.uniform, shares_.cosine, pdf);
     for (int k = 0; k < coneCount_; ++k) {
         const Cone &cone = cones_[k];
         if (cone.simple) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The density from which the next direction of a path is drawn: all finite cones that a shader
 // states (paper equation 5), with a defensive share so that a wrong importance costs noise and
-// never light (ALGORITHMS 1: 90 % cones, 5 % uniform, 5 % cosine lobe).
+// never light (ALGORITHMS 1: 90 % cones, 5 % uniform, 5 % cosine lobe). A single lobe that is known
+// to be exact needs none.
 #pragma once
 
 #include "foundation/base/planes.h"
@@ -23,7 +24,8 @@ struct ConePlanes {
     /// Angle of the first cone of the same request: <= 0 makes the whole request a delta one.
     const float *kindAngle = nullptr;
     int request = 0;
-    bool first = true; ///< The first cone of its request.
+    bool first = true;  ///< The first cone of its request.
+    bool exact = false; ///< The answer to light is this lobe, up to a factor.
 };
 
 class ConeMixture {
@@ -74,7 +76,13 @@ private:
     void lobeHeights();
     void lobesPdf(const ConstVec3Planes &direction, float *pdf);
 
+    /// Of the mixture: what cones have together, and the two defensive lobes.
+    struct Shares {
+        float cones, uniform, cosine;
+    };
+
     int count_ = 0, coneCount_ = 0;
+    Shares shares_{};
     std::vector<Cone> cones_;
     ConstVec3Planes facing_{};
     Planes<float> total_, fullSphere_;

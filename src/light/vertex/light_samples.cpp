@@ -46,13 +46,15 @@ LightSampleStorage::LightSampleStorage(int capacity)
     samples.castsShadow = bytes[0];
 }
 
-LightQuery lightQuery(SurfaceVertices &vertices, const ConstVec3Planes &N,
+LightQuery lightQuery(SurfaceVertices &vertices, const ConstVec3Planes &N, const float *scattered,
                       const LightNumbers &numbers) {
     LightQuery query;
     query.count = vertices.count();
     query.P = vertices.litPoints();
     query.Ps = vertices.P();
     query.N = N;
+    // Lights that are heard by samples alone are found by no ray.
+    query.scattered = vertices.code().hearsAllAsIndirect() ? scattered : nullptr;
     query.lightSet = vertices.points.lightSet;
     query.time = vertices.points.input(int(ShaderInput::time));
     query.choice = numbers.choice;

@@ -20,8 +20,10 @@ struct LightNumbers {
     const float *choice, *u, *v;
 };
 
-/// What lights are asked by vertices with the normals N (LightQuery::N).
-LightQuery lightQuery(SurfaceVertices &, const ConstVec3Planes &N, const LightNumbers &);
+/// What lights are asked by vertices with the normals N (LightQuery::N), from which rays are
+/// scattered where `scattered` is above 0 (null: nowhere).
+LightQuery lightQuery(SurfaceVertices &, const ConstVec3Planes &N, const float *scattered,
+                      const LightNumbers &);
 
 /// Rows of light samples, a sample of each vertex to a row, as SurfaceVertices::shade() takes them.
 class LightRows {

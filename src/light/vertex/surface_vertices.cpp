@@ -116,8 +116,14 @@ void SurfaceVertices::takeCones() {
             std::fill_n(out[c], points.count, 0.0f); // Gathering asks whether there is an axis.
         const bool first = answers_.cones.empty() || answers_.cones.back().request != cone.request;
         const float *kindAngle = first ? out[3] : answers_.cones.back().kindAngle;
-        answers_.cones.push_back(
-            {{out[0], out[1], out[2]}, out[3], out[4], out[5], kindAngle, cone.request, first});
+        answers_.cones.push_back({{out[0], out[1], out[2]},
+                                  out[3],
+                                  out[4],
+                                  out[5],
+                                  kindAngle,
+                                  cone.request,
+                                  first,
+                                  cone.exact});
     }
 }
 

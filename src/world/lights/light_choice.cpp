@@ -13,6 +13,8 @@ namespace {
 constexpr double largestBelow1 = 0x1.fffffffffffffp-1;
 /// What either side gets at least where both may shine: estimates know nothing of shadows.
 constexpr double leastShare = 0.1;
+/// What those that surround the scene get together beside others where no scattered rays find them.
+constexpr double surroundingShare = 0.5;
 /// What a cosine weighs at least where light is possible, and the room culling leaves for rounding.
 constexpr double leastCosine = 0.01, margin = 1e-5;
 
@@ -56,6 +58,13 @@ double infiniteShare(double infinite, double finite) {
     return leastShare + (1 - 2 * leastShare) * (infinite / (infinite + finite));
 }
 
+/// The probability of those that surround, if there are any, from the irradiances of all others.
+double shareOfSurrounding(bool any, double others, bool found) {
+    if (!any || found)
+        return 0;
+    return others > 0 ? surroundingShare : 1;
+}
+
 /// Broken estimates become black, broken cones the whole sphere.
 InfiniteLight sound(InfiniteLight light) {
     if (!(light.irradiance > 0 && std::isfinite(light.irradiance)))
@@ -94,43 +103,56 @@ int pick(std::span<const InfiniteLight> lights, const Normal &n, double sum, dou
 
 LightChoice::LightChoice(std::span<const EmitterBound> bounds,
                          std::span<const std::int32_t> finiteSources,
-                         std::span<const InfiniteLight> infinite, int sourceCount)
+                         std::span<const InfiniteLight> infinite, int sourceCount,
+                         std::span<const std::int32_t> surrounding)
     : tree_(bounds), finiteSources_(finiteSources.begin(), finiteSources.end()),
-      places_(sourceCount, -1) {
+      surrounding_(surrounding.begin(), surrounding.end()), places_(sourceCount, -1) {
     for (std::size_t i = 0; i < finiteSources_.size(); ++i)
         places_[finiteSources_[i]] = std::int32_t(i);
     for (const InfiniteLight &light : infinite) {
         places_[light.source] = std::int32_t(tree_.size() + infinite_.size());
         infinite_.push_back(sound(light));
     }
+    for (std::int32_t source : surrounding_)
+        places_[source] = std::int32_t(tree_.size() + infinite_.size());
 }
 
 void LightChoice::choose(int count, const float *const P[3], const float *const N[3], double *u,
-                         std::int32_t *source, float *probability) const {
-    if (isSingle()) {
-        std::fill_n(source, count, single());
-        std::fill_n(probability, count, 1.0f);
-        return;
-    }
-    if (infinite_.empty()) {
+                         std::int32_t *source, float *probability, const float *scattered) const {
+    if (onlyTree()) {
         tree_.choose(count, P, N, u, source, probability);
         for (int i = 0; i < count; ++i)
             source[i] = source[i] < 0 ? -1 : finiteSources_[source[i]];
         return;
     }
     for (int i = 0; i < count; ++i) {
+        if (isSingle(scattered, i)) {
+            source[i] = single(), probability[i] = 1;
+            continue;
+        }
         const float *const p[3] = {P[0] + i, P[1] + i, P[2] + i};
         const float *const n[3] = {N[0] + i, N[1] + i, N[2] + i};
         Normal normal = normalAt(N, i);
         double finite, infinite = irradiance(infinite_, normal);
         tree_.irradiance(1, p, n, &finite);
-        double share = infiniteShare(infinite, finite);
+        const double around = shareOfSurrounding(!surrounding_.empty(), infinite + finite,
+                                                 scattered && scattered[i] > 0);
         u[i] = u[i] >= 0 ? std::min(u[i], largestBelow1) : 0;
+        if (u[i] < around) {
+            u[i] = stretched(u[i], 0, around) * double(surrounding_.size());
+            const std::size_t k = std::min(std::size_t(u[i]), surrounding_.size() - 1);
+            u[i] = std::min(u[i] - double(k), largestBelow1);
+            source[i] = surrounding_[k];
+            probability[i] = rounded(around / double(surrounding_.size()));
+            continue;
+        }
+        u[i] = stretched(u[i], around, 1 - around);
+        double share = infiniteShare(infinite, finite);
         if (u[i] < share) {
             double within = 0;
             u[i] = stretched(u[i], 0, share);
             source[i] = infinite_[pick(infinite_, normal, infinite, u[i], within)].source;
-            probability[i] = rounded(share * within);
+            probability[i] = rounded((1 - around) * (share * within));
             continue;
         }
         float within;
@@ -138,26 +160,25 @@ void LightChoice::choose(int count, const float *const P[3], const float *const 
         u[i] = stretched(u[i], share, 1 - share);
         tree_.choose(1, p, n, u + i, &emitter, &within);
         source[i] = emitter < 0 ? -1 : finiteSources_[emitter];
-        probability[i] = rounded((1 - share) * within);
+        probability[i] = rounded((1 - around) * ((1 - share) * within));
     }
 }
 
 void LightChoice::probability(int count, const float *const P[3], const float *const N[3],
-                              const std::int32_t *source, float *probability) const {
-    if (isSingle()) {
-        for (int i = 0; i < count; ++i)
-            probability[i] = source[i] == single() ? 1.0f : 0.0f;
-        return;
-    }
-    if (infinite_.empty()) {
+                              const std::int32_t *source, float *probability,
+                              const float *scattered) const {
+    if (onlyTree()) {
         thread_local Scratch<std::int32_t> own;
         std::int32_t *emitter = own.get(count);
         for (int i = 0; i < count; ++i)
             emitter[i] = placeOf(source[i]);
         return tree_.probability(count, P, N, emitter, probability);
     }
+    const int others = tree_.size() + int(infinite_.size());
     for (int i = 0; i < count; ++i) {
-        probability[i] = 0;
+        probability[i] = isSingle(scattered, i) && source[i] == single() ? 1.0f : 0.0f;
+        if (isSingle(scattered, i))
+            continue;
         const std::int32_t place = placeOf(source[i]);
         if (place < 0)
             continue;
@@ -166,15 +187,21 @@ void LightChoice::probability(int count, const float *const P[3], const float *c
         Normal normal = normalAt(N, i);
         double finite, infinite = irradiance(infinite_, normal);
         tree_.irradiance(1, p, n, &finite);
+        const double around = shareOfSurrounding(!surrounding_.empty(), infinite + finite,
+                                                 scattered && scattered[i] > 0);
         double share = infiniteShare(infinite, finite);
+        if (place >= others) {
+            probability[i] = rounded(around / double(surrounding_.size()));
+            continue;
+        }
         if (place >= tree_.size()) {
             double one = irradiance(infinite_[place - tree_.size()], normal);
-            probability[i] = infinite > 0 ? rounded(share * (one / infinite)) : 0;
+            probability[i] = infinite > 0 ? rounded((1 - around) * (share * (one / infinite))) : 0;
             continue;
         }
         float within;
         tree_.probability(1, p, n, &place, &within);
-        probability[i] = rounded((1 - share) * within);
+        probability[i] = rounded((1 - around) * ((1 - share) * within));
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The choice of one light for each point among the lights of a set: those that have a place by a
-// light tree, those infinitely far by the irradiance they give.
+// light tree, those infinitely far by the irradiance they give, those that surround the scene now
+// and then.
 #pragma once
 
 #include "world/lights/light_tree.h"
@@ -20,34 +21,46 @@ struct InfiniteLight {
 class LightChoice {
 public:
     /// `bounds[i]`, with power in watts, is what is known of source `finiteSources[i]`. All numbers
-    /// lie in [0, sourceCount) and differ.
+    /// lie in [0, sourceCount) and differ. `surrounding` sources shine from all around: scattered
+    /// rays find them at least as well, so that they are not picked where such rays are sent.
     LightChoice(std::span<const EmitterBound> bounds, std::span<const std::int32_t> finiteSources,
-                std::span<const InfiniteLight> infinite, int sourceCount);
+                std::span<const InfiniteLight> infinite, int sourceCount,
+                std::span<const std::int32_t> surrounding = {});
 
     /// Picks a source for each point P. Where there is but one, and that finite, it is picked,
     /// whether it shines there or not. N is the unit normal of the side that receives, or zero
-    /// where light from all sides counts. `u` is uniform in [0,1) before and after. Source -1,
+    /// where light from all sides counts. `u` is uniform in [0,1) before and after. `scattered` > 0
+    /// says that rays are scattered from P, which may find light, too; null: none are. Source -1,
     /// probability 0: nothing that might have been picked shines here (see LightTree::choose).
     void choose(int count, const float *const P[3], const float *const N[3], double *u,
-                std::int32_t *source, float *probability) const;
+                std::int32_t *source, float *probability, const float *scattered = nullptr) const;
 
     /// The probability with which choose() picks source[i]: bit for bit the same. 0 for sources
     /// that aren't in the set, and for -1. Where one source alone may shine it is exactly 1.
     void probability(int count, const float *const P[3], const float *const N[3],
-                     const std::int32_t *source, float *probability) const;
+                     const std::int32_t *source, float *probability,
+                     const float *scattered = nullptr) const;
 
 private:
-    bool isSingle() const { return tree_.size() == 1 && infinite_.empty(); }
+    /// True if one finite source is all that point i may pick.
+    bool isSingle(const float *scattered, int i) const {
+        return tree_.size() == 1 && infinite_.empty() &&
+               (surrounding_.empty() || (scattered && scattered[i] > 0));
+    }
     std::int32_t placeOf(std::int32_t source) const {
         const bool known = source >= 0 && source < std::int32_t(places_.size());
         return known ? places_[source] : -1;
     }
+    /// True if all that can be picked are several finite sources.
+    bool onlyTree() const { return infinite_.empty() && surrounding_.empty() && tree_.size() != 1; }
     std::int32_t single() const { return finiteSources_.front(); }
 
     LightTree tree_;
     std::vector<std::int32_t> finiteSources_; ///< By the tree's emitter.
     std::vector<InfiniteLight> infinite_;
-    std::vector<std::int32_t> places_; ///< By source: emitter, or size of the tree + infinite; -1.
+    std::vector<std::int32_t> surrounding_;
+    std::vector<std::int32_t> places_; ///< By source: emitter, or size of the tree + infinite, or
+                                       ///< beyond all these: surrounding; -1.
 };
 
 } // namespace candela

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 #include <random>
 
@@ -67,6 +68,51 @@ TEST(LightChoice, OneSourceHasProbabilityOneAndKeepsU) {
             EXPECT_EQ(chosen.u, u);
             EXPECT_EQ(probability(choices[c], {0.1f, 0.3f, 0.7f}, {0, 0.6f, 0.8f}, source), 1);
         }
+}
+
+/// A dome and a lamp: where scattered rays find the dome, all samples are the lamp's.
+TEST(LightChoice, WhatSurroundsIsLeftToScatteredRays) {
+    const std::vector<EmitterBound> one{lamp({1, 2, 3}, 0.7f)}, none;
+    const std::vector<std::int32_t> five{5}, noSource, dome{2};
+    const std::vector<InfiniteLight> noInfinite;
+    const LightChoice both(one, five, noInfinite, 9, dome),
+        alone(none, noSource, noInfinite, 9, dome);
+    const Vec3 p{0.1f, 0.3f, 0.7f}, up{0, 0.6f, 0.8f}, down{0, -0.6f, -0.8f};
+    const float *P[3] = {&p.x, &p.y, &p.z};
+    struct Case {
+        const LightChoice &choice;
+        Vec3 N;
+        float scattered, ofDome, ofLamp;
+    };
+    for (const Case &test : {Case{both, up, 1, 0, 1},
+                             {both, up, 0, .5f, .5f},
+                             {both, down, 0, 1, 0},
+                             {both, down, 1, 0, 1},
+                             {alone, up, 0, 1, 0},
+                             {alone, up, 1, 0, 0}}) {
+        const float *N[3] = {&test.N.x, &test.N.y, &test.N.z};
+        int found[2] = {0, 0};
+        for (double u = 0.005; u < 1; u += 0.01) {
+            double rest = u;
+            std::int32_t source;
+            float probability;
+            test.choice.choose(1, P, N, &rest, &source, &probability, &test.scattered);
+            found[0] += source == 2, found[1] += source == 5;
+            if (source >= 0) {
+                EXPECT_EQ(probability, source == 2 ? test.ofDome : test.ofLamp);
+            }
+            EXPECT_TRUE(rest >= 0 && rest < 1);
+        }
+        EXPECT_EQ(found[0], std::lround(100 * test.ofDome));
+        EXPECT_EQ(found[1], std::lround(100 * test.ofLamp));
+        for (std::int32_t source : {2, 5}) {
+            float probability;
+            test.choice.probability(1, P, N, &source, &probability, &test.scattered);
+            EXPECT_EQ(probability, source == 2             ? test.ofDome
+                                   : &test.choice == &both ? test.ofLamp
+                                                           : 0);
+        }
+    }
 }
 
 TEST(LightChoice, ChoicesHaveTheirProbabilityAndLeaveUUniform) {

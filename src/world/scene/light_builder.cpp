@@ -321,13 +321,44 @@ void LightBuilder::bindCategories(const ShaderLibrary &library) {
     }
 }
 
+namespace {
+
+/// The sphere within which the eye and all other sources that have a place are; -1 = none.
+std::int32_t surroundingSource(const LightTable &table, std::span<const EmitterBound> bounds) {
+    const auto radiusOf = [&](std::size_t k) {
+        const LightElement *element =
+            table.sources[k].members == 1 ? &table.firstElementOf(table.sources[k]) : nullptr;
+        return element && element->form == LightElement::Form::Sphere ? element->edgeA.x : 0.0f;
+    };
+    std::int32_t dome = -1;
+    float largest = 0;
+    for (std::size_t k = 0; k < bounds.size(); ++k)
+        if (const float radius = radiusOf(k); radius > largest)
+            dome = std::int32_t(k), largest = radius;
+    if (dome < 0)
+        return -1;
+    Box3 others;
+    others.add(Vec3{0, 0, 0});
+    for (std::size_t k = 0; k < bounds.size(); ++k)
+        if (std::int32_t(k) != dome)
+            others.add(bounds[k].box);
+    const Vec3 centre = table.firstElementOf(table.sources[dome]).corner;
+    Vec3 farthest;
+    for (int c = 0; c < 3; ++c)
+        farthest[c] = std::max(others.high[c] - centre[c], centre[c] - others.low[c]);
+    return length(farthest) < largest ? dome : -1;
+}
+
+} // namespace
+
 void LightBuilder::prepareChoices() {
     LightTable &table = state_.lights;
     estimateLights(state_);
     table.number(state_.points);
     const std::vector<EmitterBound> bounds = boundsOfSources();
+    const std::int32_t dome = surroundingSource(table, bounds);
     for (std::size_t set = 0; set < state_.lightSets.size(); ++set)
-        table.choices.push_back(choiceOf(int(set), bounds));
+        table.choices.push_back(choiceOf(int(set), bounds, dome));
     table.isSingle = table.sources.size() <= 1 && std::ranges::all_of(table.isOn, [](auto &on) {
                          return std::ranges::find(on, 0) == on.end();
                      });
@@ -364,22 +395,26 @@ std::vector<EmitterBound> LightBuilder::boundsOfSources() const {
     return bounds;
 }
 
-/// The choice among the sources that are on for a light set.
-LightChoice LightBuilder::choiceOf(int set, std::span<const EmitterBound> bounds) const {
+/// The choice among the sources that are on for a light set; `dome` surrounds them.
+LightChoice LightBuilder::choiceOf(int set, std::span<const EmitterBound> bounds,
+                                   std::int32_t dome) const {
     const LightTable &table = state_.lights;
     std::vector<EmitterBound> finite;
     std::vector<std::int32_t> numbers;
     std::vector<InfiniteLight> infinite;
+    std::vector<std::int32_t> surrounding;
     const double disc = std::numbers::pi * state_.radius * state_.radius;
     for (std::int32_t k = 0; k < std::int32_t(bounds.size()); ++k) {
         if (!table.on(set, table.sources[k].light + 1))
             continue;
         if (bounds[k].box.empty())
             infinite.push_back({k, float(bounds[k].power / disc), true, {}, 1});
+        else if (k == dome)
+            surrounding.push_back(k);
         else if (bounds[k].power > 0)
             finite.push_back(bounds[k]), numbers.push_back(k);
     }
-    return LightChoice(finite, numbers, infinite, int(table.sources.size()));
+    return LightChoice(finite, numbers, infinite, int(table.sources.size()), surrounding);
 }
 
 } // namespace candela

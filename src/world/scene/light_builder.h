@@ -37,7 +37,7 @@ private:
     void finishLights();
     void finishGeometry(int light);
     std::vector<EmitterBound> boundsOfSources() const;
-    LightChoice choiceOf(int lightSet, std::span<const EmitterBound>) const;
+    LightChoice choiceOf(int lightSet, std::span<const EmitterBound>, std::int32_t dome) const;
     void fillSwitches();
     bool isPlain(const SceneLight &, int surfaceCode) const;
 

@@ -24,7 +24,7 @@ void forLightSets(const SceneState &state, const LightQuery &query, Body body) {
     thread_local AlignedScratch floats;
     thread_local Scratch<int> integers;
     const int stride = paddedLanes(query.count);
-    float *planes = floats.get(6 * std::size_t(stride));
+    float *planes = floats.get(7 * std::size_t(stride));
     int *lane = integers.get(query.count);
     for (int set = 0; set < int(state.lightSets.size()); ++set) {
         LightQuery part = query;
@@ -40,6 +40,10 @@ void forLightSets(const SceneState &state, const LightQuery &query, Body body) {
             lanes::gather(part.count, lane, query.N[c], N);
             part.P[c] = P, part.N[c] = N;
         }
+        if (query.scattered) {
+            lanes::gather(part.count, lane, query.scattered, planes + 6 * stride);
+            part.scattered = planes + 6 * stride;
+        }
         body(set, part, lane);
     }
 }
@@ -53,7 +57,8 @@ void chooseSources(const SceneState &state, const LightQuery &query, double *u,
     forLightSets(state, query, [&](int set, const LightQuery &part, const int *lane) {
         const LightChoice &choice = state.lights.choices[set];
         if (!lane)
-            return choice.choose(part.count, part.P.data(), part.N.data(), u, source, probability);
+            return choice.choose(part.count, part.P.data(), part.N.data(), u, source, probability,
+                                 part.scattered);
         thread_local Scratch<double> partU;
         thread_local Scratch<std::int32_t> partSource;
         thread_local Scratch<float> partProbability;
@@ -62,7 +67,8 @@ void chooseSources(const SceneState &state, const LightQuery &query, double *u,
         float *chance = partProbability.get(part.count);
         for (int k = 0; k < part.count; ++k)
             own[k] = u[lane[k]];
-        choice.choose(part.count, part.P.data(), part.N.data(), own, chosen, chance);
+        choice.choose(part.count, part.P.data(), part.N.data(), own, chosen, chance,
+                      part.scattered);
         for (int k = 0; k < part.count; ++k)
             u[lane[k]] = own[k], source[lane[k]] = chosen[k], probability[lane[k]] = chance[k];
     });
@@ -74,15 +80,15 @@ void sourceProbabilities(const SceneState &state, const LightQuery &query,
     forLightSets(state, query, [&](int set, const LightQuery &part, const int *lane) {
         const LightChoice &choice = state.lights.choices[set];
         if (!lane)
-            return choice.probability(part.count, part.P.data(), part.N.data(), source,
-                                      probability);
+            return choice.probability(part.count, part.P.data(), part.N.data(), source, probability,
+                                      part.scattered);
         thread_local Scratch<std::int32_t> partSource;
         thread_local Scratch<float> partProbability;
         std::int32_t *asked = partSource.get(part.count);
         float *chance = partProbability.get(part.count);
         for (int k = 0; k < part.count; ++k)
             asked[k] = source[lane[k]];
-        choice.probability(part.count, part.P.data(), part.N.data(), asked, chance);
+        choice.probability(part.count, part.P.data(), part.N.data(), asked, chance, part.scattered);
         for (int k = 0; k < part.count; ++k)
             probability[lane[k]] = chance[k];
     });

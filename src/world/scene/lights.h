@@ -16,6 +16,8 @@ struct LightQuery {
     std::array<const float *, 3> P{};  ///< Where rays to lights start, just off the surface.
     std::array<const float *, 3> Ps{}; ///< The point on the surface: what light shaders are told.
     std::array<const float *, 3> N{};  ///< Unit, facing; 0 where light from both sides counts.
+    /// Above 0 where scattered rays look for light beside these samples; null: nowhere.
+    const float *scattered = nullptr;
     const std::int32_t *lightSet = nullptr;
     const float *time = nullptr;
     /// Uniform samples: which light, and where on it.
