@@ -55,7 +55,7 @@ double addSquares(TestWorld &world, int count, bool everySecondTurned) {
     return irradiance;
 }
 
-/// Which way of winding faces the origin is left to the sign of `flipNormal` that shines.
+/// Squares shine to one side, whichever `flipNormal` makes it.
 TEST(LightDirections, LampsThatFaceAwayCostAlmostNothing) {
     for (bool turned : {false, true}) {
         SCOPED_TRACE(turned);
@@ -65,16 +65,16 @@ TEST(LightDirections, LampsThatFaceAwayCostAlmostNothing) {
             world.addLight("arealight", {TestWorld::numbers("intensity", {1})}, LightUnits::Si,
                            true);
             world.attributes.flipNormal = flip;
-            // A lamp each.
-            double truth = addSquares(world, 60, turned);
+            const double truth = addSquares(world, 60, turned);
             world.render([&](const Scene &scene) {
                 const Drawn drawn = draw(scene, 1 << 14);
                 if (drawn.irradiance == 0 && !turned)
                     return;
                 ++bright;
                 EXPECT_LT(drawn.dark, turned ? 0.04 : 1e-3);
-                if (!flip || !turned) // The other half hangs at other heights.
+                if (!flip || !turned) { // The other half hangs at other heights.
                     EXPECT_NEAR(drawn.irradiance, truth, 0.02 * truth + 5 * drawn.error);
+                }
             });
         }
         EXPECT_EQ(bright, turned ? 2 : 1);
