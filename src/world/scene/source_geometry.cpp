@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/scene/source_geometry.h"
 
+#include "world/shapes/shape.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -79,23 +81,13 @@ void setTriangle(LightElement &element, const RayShape &mesh, std::uint32_t numb
 
 std::optional<LightElement> sphereOf(const LightElement &like, const RayShape &shape,
                                      const Matrix4 &currentFromOuter) {
-    if (!(shape.radius > 0))
+    if (!(shape.radius > 0) || !keepsSpheres(currentFromOuter))
         return std::nullopt;
-    Vec3 axes[3];
-    for (int k = 0; k < 3; ++k) {
-        Vec3 axis;
-        axis[k] = shape.radius;
-        axes[k] = transformVector(currentFromOuter, axis);
-    }
-    const float squared = dot(axes[0], axes[0]);
-    for (int k = 0; k < 3; ++k)
-        if (!(std::fabs(dot(axes[k], axes[k]) - squared) <= 2e-6f * squared) ||
-            !(std::fabs(dot(axes[k], axes[(k + 1) % 3])) <= 2e-6f * squared))
-            return std::nullopt;
+    const Vec3 radius = transformVector(currentFromOuter, {shape.radius, 0, 0});
     LightElement element = like;
     element.form = LightElement::Form::Sphere;
     element.corner = transformPoint(currentFromOuter, shape.centre);
-    element.edgeA = {std::sqrt(squared), 0, 0};
+    element.edgeA = {length(radius), 0, 0};
     return element;
 }
 

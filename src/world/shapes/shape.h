@@ -25,6 +25,8 @@ struct Shape {
     std::shared_ptr<const Surface> surface;
     Matrix4 outerFromShape, shapeFromOuter;
     Naming naming = Naming::Direct;
+    /// It may be an exact sphere, if it is one: no instance that shines makes an ellipsoid of it.
+    bool mayBeSphere = true;
     /// Every normal that shaders see is that of the element.
     bool flat = false;
     /// Times (p1 - p0) x (p2 - p0) of an element's corners in the outer space (of a sphere, times
@@ -55,6 +57,8 @@ std::optional<Shape> makeShape(std::shared_ptr<const Surface>, const Matrix4 &ou
 /// Index of a numeric variable of the surface by its name, -1 = none.
 int numericVariable(const Surface &, const std::string &name);
 
+/// The matrix leaves spheres spheres.
+bool keepsSpheres(const Matrix4 &);
 /// The whole sphere that the shape is in its outer space, if its surface is one and the matrix
 /// leaves it one.
 struct OuterSphere {
