@@ -119,6 +119,11 @@ LightChoice::LightChoice(std::span<const EmitterBound> bounds,
 
 void LightChoice::choose(int count, const float *const P[3], const float *const N[3], double *u,
                          std::int32_t *source, float *probability, const float *scattered) const {
+    if (isSingle(nullptr, 0)) {
+        std::fill_n(source, count, single());
+        std::fill_n(probability, count, 1.0f);
+        return;
+    }
     if (onlyTree()) {
         tree_.choose(count, P, N, u, source, probability);
         for (int i = 0; i < count; ++i)

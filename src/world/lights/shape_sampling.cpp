@@ -104,7 +104,8 @@ struct SeenSphere {
 /// A rectangle in the frame of its edges with P in the origin, and the angles at its corners as
 /// seen from there (figure and names of the paper, section 4).
 struct SeenRectangle {
-    double lengthA, lengthB, height; ///< Height of P above the plane; 0 = there's nothing to see.
+    double perA, perB;   ///< 1 over the lengths of the edges.
+    double area, height; ///< Height of P above the plane; 0 = there's nothing to see.
     double x0, x1, y0, y1;
     double solidAngle;     ///< 0 where that would lose digits.
     double cosineK, sineK; ///< Of the paper's k.
@@ -131,13 +132,12 @@ constexpr double leastSolidAngle = 1e-4;
 
 [[gnu::always_inline]] inline SeenRectangle seen(Double3 toCorner, Double3 edgeA, Double3 edgeB) {
     SeenRectangle r;
-    r.lengthA = std::sqrt(dot(edgeA, edgeA)), r.lengthB = std::sqrt(dot(edgeB, edgeB));
-    Double3 normal = cross(edgeA, edgeB);
-    double area = std::sqrt(dot(normal, normal));
-    r.height = heightOver(toCorner, normal * (1 / area));
+    double lengthA = std::sqrt(dot(edgeA, edgeA)), lengthB = std::sqrt(dot(edgeB, edgeB));
+    r.area = lengthA * lengthB, r.perA = 1 / lengthA, r.perB = 1 / lengthB;
+    r.height = heightOver(toCorner, cross(edgeA, edgeB) * (r.perA * r.perB));
     double h = r.height, h2 = h * h;
-    double x0 = dot(toCorner, edgeA) / r.lengthA, y0 = dot(toCorner, edgeB) / r.lengthB;
-    double x1 = x0 + r.lengthA, y1 = y0 + r.lengthB;
+    double x0 = dot(toCorner, edgeA) * r.perA, y0 = dot(toCorner, edgeB) * r.perB;
+    double x1 = x0 + lengthA, y1 = y0 + lengthB;
     r.x0 = x0, r.x1 = x1, r.y0 = y0, r.y1 = y1;
     double xx0 = x0 * x0 + h2, xx1 = x1 * x1 + h2, yy0 = y0 * y0, yy1 = y1 * y1;
     // The corners' angles g0 to g3; k = 2 pi - g2 - g3, the solid angle is their sum - 2 pi.
@@ -163,22 +163,25 @@ constexpr double leastSolidAngle = 1e-4;
 }
 
 [[gnu::always_inline]] inline float density(const SeenRectangle &r, Double3 fromP) {
-    double byArea = areaDensity(fromP, r.height, r.lengthA * r.lengthB);
-    float density = rounded(r.solidAngle > 0 ? 1 / r.solidAngle : byArea);
+    double d2 = dot(fromP, fromP); // As areaDensity has it, with one division for both.
+    double weight = r.solidAngle > 0 ? 1 : d2 * std::sqrt(d2);
+    float density = rounded(weight / (r.solidAngle > 0 ? r.solidAngle : r.area * r.height));
     return r.height > 0 ? density : 0.0f;
 }
 
 /// Turns (u,v) to shares of the edges, uniformly by solid angle.
 [[gnu::always_inline]] inline void spread(const SeenRectangle &r, double &u, double &v) {
     double h2 = r.height * r.height;
-    double b0 = -r.y0 / std::sqrt(r.y0 * r.y0 + h2), b1 = r.y1 / std::sqrt(r.y1 * r.y1 + h2);
+    double per0 = 1 / (r.y0 * r.y0 + h2), per1 = 1 / (r.y1 * r.y1 + h2);
+    double b0 = -r.y0 * std::sqrt(per0), b1 = r.y1 * std::sqrt(per1);
     double s, c;
     sinCosOf(u * r.solidAngle, s, c);
     double cosine = c * r.cosineK - s * r.sineK, sine = s * r.cosineK + c * r.sineK;
-    double f = (cosine * b0 - b1) / sine;
-    // 1/cu^2 - 1 of the paper; b0^2 - 1 is written so that it keeps its digits at low heights.
-    double slope2 = f * f - h2 / (r.y0 * r.y0 + h2);
-    double x = std::copysign(r.height / std::sqrt(slope2 > 0 ? slope2 : 0.0), f);
+    // The paper's f is along / sine, and 1/cu^2 - 1 is slope2 / sine^2; b0^2 - 1 is written so that
+    // it keeps its digits at low heights.
+    double along = cosine * b0 - b1, slope2 = along * along - sine * sine * h2 * per0;
+    double x = std::sqrt(h2 * sine * sine / (slope2 > 0 ? slope2 : 0.0));
+    x = std::copysign(x, along * sine);
     x = x > r.x0 ? x : r.x0; // In this form NaN ends, too.
     x = x < r.x1 ? x : r.x1;
     double d2 = x * x + h2;
@@ -187,7 +190,7 @@ constexpr double leastSolidAngle = 1e-4;
     double y = at * std::sqrt(d2 / (rest > 0 ? rest : 0.0));
     y = y > r.y0 ? y : r.y0;
     y = y < r.y1 ? y : r.y1;
-    u = (x - r.x0) / r.lengthA, v = (y - r.y0) / r.lengthB;
+    u = (x - r.x0) * r.perA, v = (y - r.y0) * r.perB;
     u = u < 1 ? u : 1.0, v = v < 1 ? v : 1.0;
 }
 

@@ -2,6 +2,7 @@
 #include "world/rays/ray_world.h"
 
 #include "foundation/base/hot.h"
+#include "foundation/base/scratch.h"
 #include "world/rays/embree_scene.h"
 
 #include <algorithm>
@@ -48,49 +49,74 @@ template <> struct Packet<4> {
 };
 
 /// valid[i] = -1 where ray i is finite, has a direction and reaches beyond its beginning. Others
-/// must reach no kernel, not even masked: those lanes get a harmless ray that is too short.
-CANDELA_HOT void judgeRays(int count, RayPlanes from, int *__restrict valid) {
+/// must reach no kernel, not even masked. True if there are none.
+CANDELA_HOT bool judgeRays(int count, RayPlanes from, int *__restrict valid) {
+    const float *__restrict ox = from.ox, *__restrict oy = from.oy, *__restrict oz = from.oz;
+    const float *__restrict dx = from.dx, *__restrict dy = from.dy, *__restrict dz = from.dz;
+    const float *__restrict tMin = from.tMin, *__restrict tMax = from.tMax;
+    int others = 0;
     for (int i = 0; i < count; ++i) {
         // Infinities and NaN survive the multiplication by zero as NaN.
-        bool finite = (from.ox[i] + from.oy[i] + from.oz[i] + from.dx[i] + from.dy[i] + from.dz[i] +
-                       from.tMin[i]) *
-                          0 ==
-                      0;
+        bool finite = (ox[i] + oy[i] + oz[i] + dx[i] + dy[i] + dz[i] + tMin[i]) * 0 == 0;
         // Beyond this, products of coordinates leave the range of floats.
         constexpr float largest = 1e18f;
-        float size = std::fabs(from.ox[i]) + std::fabs(from.oy[i]) + std::fabs(from.oz[i]);
-        float length = std::fabs(from.dx[i]) + std::fabs(from.dy[i]) + std::fabs(from.dz[i]);
+        float size = std::fabs(ox[i]) + std::fabs(oy[i]) + std::fabs(oz[i]);
+        float length = std::fabs(dx[i]) + std::fabs(dy[i]) + std::fabs(dz[i]);
         bool usable = (size < largest) & (length < largest) & (length > 1 / largest);
-        bool reaches = (from.tMin[i] >= 0) & (from.tMax[i] > from.tMin[i]);
-        valid[i] = finite & usable & reaches ? -1 : 0;
+        bool reaches = (tMin[i] >= 0) & (tMax[i] > tMin[i]);
+        int sound = finite & usable & reaches;
+        valid[i] = -sound;
+        others |= sound ^ 1;
     }
+    return others == 0;
 }
 
-CANDELA_HOT void copyWhere(int count, const int *__restrict valid, const float *__restrict from,
-                           float otherwise, float *__restrict to) {
-    for (int i = 0; i < count; ++i)
-        to[i] = valid[i] ? from[i] : otherwise;
-}
+/// A batch on its way into packets.
+struct JudgedRays {
+    explicit JudgedRays(const RayBatch &rays)
+        : count(rays.count), from{rays.origin[0],    rays.origin[1],    rays.origin[2],
+                                  rays.direction[0], rays.direction[1], rays.direction[2],
+                                  rays.tMin,         rays.tMax} {
+        thread_local Scratch<int> own;
+        const int padded = paddedLanes(count);
+        int *judged = own.get(padded);
+        allValid = judgeRays(count, from, judged);
+        std::fill(judged + count, judged + padded, 0);
+        valid = judged;
+    }
+    const int count;
+    const RayPlanes from;
+    const int *valid; ///< Up to whole blocks of lanes.
+    bool allValid;
+};
 
-template <int width> void load(const RayBatch &rays, int first, Packet<width> &packet, int *valid) {
-    const RayPlanes from{rays.origin[0] + first,    rays.origin[1] + first,
-                         rays.origin[2] + first,    rays.direction[0] + first,
-                         rays.direction[1] + first, rays.direction[2] + first,
-                         rays.tMin + first,         rays.tMax + first};
-    judgeRays(width, from, valid);
-    if (rays.count - first < width)
-        std::fill(valid + (rays.count - first), valid + width, 0);
+/// Lanes that are not to be traced get a harmless ray that is too short.
+template <int width>
+void loadSome(const RayPlanes &from, int first, const int *valid, Packet<width> &packet) {
     auto &to = packet.bundle.ray;
-    bool all = std::all_of(valid, valid + width, [](int v) { return v != 0; });
     auto copy = [&](const float *plane, float otherwise, float *target) {
-        if (all)
-            std::memcpy(target, plane, width * sizeof(float));
-        else
-            copyWhere(width, valid, plane, otherwise, target);
+        for (int i = 0; i < width; ++i)
+            target[i] = valid[i] ? plane[first + i] : otherwise;
     };
     copy(from.ox, 0, to.org_x), copy(from.oy, 0, to.org_y), copy(from.oz, 0, to.org_z);
     copy(from.dx, 1, to.dir_x), copy(from.dy, 1, to.dir_y), copy(from.dz, 1, to.dir_z);
     copy(from.tMin, 1, to.tnear), copy(from.tMax, -1, to.tfar);
+}
+
+/// Fills the packet with the rays from `first` on; valid is Embree's.
+template <int width>
+void load(const JudgedRays &rays, int first, Packet<width> &packet, int *valid) {
+    std::memcpy(valid, rays.valid + first, width * sizeof(int));
+    const RayPlanes &from = rays.from;
+    if (!rays.allValid || rays.count - first < width)
+        return loadSome<width>(from, first, valid, packet);
+    auto &to = packet.bundle.ray;
+    auto copy = [first](const float *plane, float *target) {
+        std::memcpy(target, plane + first, width * sizeof(float));
+    };
+    copy(from.ox, to.org_x), copy(from.oy, to.org_y), copy(from.oz, to.org_z);
+    copy(from.dx, to.dir_x), copy(from.dy, to.dir_y), copy(from.dz, to.dir_z);
+    copy(from.tMin, to.tnear), copy(from.tMax, to.tfar);
 }
 
 /// What is the same in all packets of a call; Embree leaves it as it is.
@@ -109,9 +135,10 @@ void traceNearest(RTCScene scene, RTCIntersectContext &context, unsigned mask, c
     alignas(64) Packet<width> packet;
     alignas(64) int valid[width];
     prime(mask, packet);
+    const JudgedRays judged(rays);
     auto &hit = packet.bundle.hit;
     for (int first = 0; first < rays.count; first += width) {
-        load(rays, first, packet, valid);
+        load(judged, first, packet, valid);
         std::fill_n(hit.geomID, width, noHit);
         std::fill_n(hit.instID[0], width, noHit);
         packet.intersect(valid, scene, &context);
@@ -131,8 +158,9 @@ void traceShadows(RTCScene scene, RTCIntersectContext &context, const RayBatch &
     alignas(64) Packet<width> packet;
     alignas(64) int valid[width];
     prime(opaqueBit, packet);
+    const JudgedRays judged(rays);
     for (int first = 0; first < rays.count; first += width) {
-        load(rays, first, packet, valid);
+        load(judged, first, packet, valid);
         packet.occluded(valid, scene, &context);
         int last = std::min(width, rays.count - first);
         for (int i = 0; i < last; ++i)

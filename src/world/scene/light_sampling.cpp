@@ -379,13 +379,16 @@ void answer(const SceneState &state, Block all, SamplingScratch &own) {
     }
     std::int32_t *bin = own.order.get(2 * std::size_t(all.count)), *order = bin + all.count;
     constexpr int words = sizeof(LightSource) / sizeof(std::int32_t);
-    lookUpBins(all.count, all.source, &table.sources[0].bin, words, bin);
-    if (bin[0] >= 0 && lanes::allEqual(all.count, bin, bin[0])) {
+    const bool oneSource = lanes::allEqual(all.count, all.source, all.source[0]);
+    lookUpBins(oneSource ? 1 : all.count, all.source, &table.sources[0].bin, words, bin);
+    if (bin[0] >= 0 && (oneSource || lanes::allEqual(all.count, bin, bin[0]))) {
         for (int first = 0; first < all.count; first += lightBatchSize)
             sampleBlock(state, table.bins[bin[0]],
                         part(all, first, std::min(lightBatchSize, all.count - first)), own);
         return;
     }
+    if (oneSource)
+        std::fill_n(bin, all.count, bin[0]);
     for (int i = 0; i < all.count; ++i)
         if (bin[i] < 0)
             setBlack(all.out, i);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 #include <numbers>
 
 namespace candela {
@@ -186,7 +187,7 @@ ElementRows::ElementRows(int capacity) : planes(rowWords + 2, capacity), row(1, 
 }
 
 void ElementRows::take(const LightTable &table, int lanes, const std::int32_t *elements) {
-    count = lanes;
+    count = lanes, filledLanes_ = 0;
     float *columns[rowWords];
     for (int c = 0; c < rowWords; ++c)
         columns[c] = planes[c];
@@ -198,8 +199,31 @@ void ElementRows::take(const LightTable &table, int lanes, const std::int32_t *e
         light[i] = table.sources[source[i]].light;
 }
 
+/// Batch after batch may be of one lamp alone: its rows stay as they are.
+void ElementRows::fill(const LightTable &table, int lanes, std::int32_t number) {
+    const LightElement &from = table.elements[number];
+    count = lanes;
+    if (std::memcmp(&from, &filled_, sizeof from) != 0)
+        filled_ = from, filledLanes_ = 0;
+    if (filledLanes_ < lanes) {
+        float words[rowWords];
+        std::memcpy(words, &from, sizeof words);
+        for (int c = 0; c < rowWords; ++c)
+            std::fill_n(planes[c], lanes, words[c]);
+        filledLanes_ = lanes;
+    }
+    std::fill_n(light, lanes, table.sources[from.source].light);
+}
+
 void ElementRows::draw(const LightTable &table, int lanes, const std::int32_t *sources,
                        const float *given) {
+    if (lanes > 0 && sources[0] >= 0 && lanes::allEqual(lanes, sources, sources[0])) {
+        const LightSource &only = table.sources[sources[0]];
+        if (only.members == 1) {
+            std::copy_n(given, lanes, u);
+            return fill(table, lanes, table.members[only.firstMember]);
+        }
+    }
     thread_local Scratch<std::int32_t> own;
     std::int32_t *drawn = own.get(lanes);
     for (int i = 0; i < lanes; ++i) {

@@ -28,6 +28,11 @@ struct ElementRows {
     float *offset, *area;
     std::int32_t *light; ///< The source's.
     float *u;            ///< See draw().
+
+private:
+    void fill(const LightTable &, int count, std::int32_t element);
+    LightElement filled_; ///< What the first filledLanes_ lanes hold.
+    int filledLanes_ = 0;
 };
 
 /// A point a lane, current space.
