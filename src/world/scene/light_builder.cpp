@@ -353,11 +353,7 @@ std::int32_t surroundingSource(const LightTable &table, std::span<const EmitterB
 
 void LightBuilder::prepareChoices() {
     LightTable &table = state_.lights;
-    for (SceneLight &light : table.lights) {
-        light.power = estimatePower(state_, light);
-        if (light.kind == LightKind::Point)
-            light.place = placeOf(state_, light);
-    }
+    estimateLights(state_);
     table.number(state_.points);
     const std::vector<EmitterBound> bounds = boundsOfSources();
     const std::int32_t dome = surroundingSource(table, bounds);
@@ -371,6 +367,7 @@ void LightBuilder::prepareChoices() {
 /// Sources without a place have an empty box, those without any power 0.
 std::vector<EmitterBound> LightBuilder::boundsOfSources() const {
     const LightTable &table = state_.lights;
+    const PointTables &points = state_.points;
     // Estimates may miss a narrow beam: no light counts for nothing.
     double strongest = 0;
     for (const SceneLight &light : table.lights)
@@ -382,11 +379,15 @@ std::vector<EmitterBound> LightBuilder::boundsOfSources() const {
         EmitterBound bound;
         double share = 1;
         if (light.hasGeometry()) {
-            bound = boundOf(table, source);
+            const LightElement &element = table.firstElementOf(source);
+            const Appearance &appearance =
+                points.appearances[points.appearanceOf(element.instance, element.shape)];
+            bound = boundOf(table, source, light.sides, appearance.elementSign);
             share = source.area / light.area;
         } else if (light.kind == LightKind::Point) {
             bound.box = light.place;
-            bound.normalSpread = bound.emissionSpread = std::numbers::pi_v<float>;
+            bound.axis = light.axis;
+            bound.emissionSpread = light.spread, bound.isLoose = true;
         }
         bound.power = float(std::max(light.power, least) * share);
         bounds.push_back(bound);
