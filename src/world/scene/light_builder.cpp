@@ -214,6 +214,8 @@ void LightBuilder::addSource(int index, std::span<const std::int32_t> members) {
     source.light = index;
     source.firstMember = std::int32_t(table.members.size());
     source.members = std::int32_t(members.size());
+    if (const std::uint32_t on = table.elements[members.front()].instance; on != noHit)
+        source.handedness = state_.points.instances[on].handedness;
     for (std::int32_t member : members) {
         source.area += areaOf(table.elements[member]);
         table.members.push_back(member);

@@ -45,6 +45,7 @@ struct LightSource {
     std::int32_t firstMember = 0, members = 0; ///< In LightTable::members; at least one.
     std::int32_t bin = 0;                      ///< Index into LightTable::bins.
     double area = 0;                           ///< m^2; 0 without geometry.
+    float handedness = 1;                      ///< Of the instance that it lies on.
 };
 
 /// What sources that are asked together have in common.
@@ -60,6 +61,7 @@ struct SourceBin {
     const ShaderCode *shader = nullptr; ///< Of the light.
     bool castsShadow = true, si = true, distant = false;
     float elementSign = 1; ///< Appearance::elementSign.
+    float frontSign = 0; ///< RayShape::frontSign: what is seen from one side shines to that alone.
 
     bool operator==(const SourceBin &) const = default;
 };
