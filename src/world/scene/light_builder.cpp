@@ -63,6 +63,18 @@ bool readsOnlyPlace(const ShaderCode &code) {
     return code.variables().empty();
 }
 
+/// A surface sends the same from everywhere to everywhere: what was seen of it is all there is.
+bool emitsAlike(const ShaderCode &code) {
+    const QuestionCode &emission = code.question(ir::Question::Emit);
+    for (int input = 0; input < int(ShaderInput::Count); ++input) {
+        const bool given = (input >= int(ShaderInput::Cs) && input < int(ShaderInput::Cs) + 3) ||
+                           (input >= int(ShaderInput::Os) && input < int(ShaderInput::Os) + 3);
+        if (!given && emission.reads(ShaderInput(input)))
+            return false;
+    }
+    return code.variables().empty();
+}
+
 } // namespace
 
 LightBuilder::LightBuilder(SceneState &state, ShaderLibrary &library)
@@ -391,7 +403,10 @@ std::vector<EmitterBound> LightBuilder::boundsOfSources() const {
             bound.axis = light.axis;
             bound.emissionSpread = light.spread, bound.isLoose = true;
         }
-        bound.power = float(std::max(light.power, least) * share);
+        // Black `constant` surfaces, most of all.
+        const bool black = light.power == 0 && light.kind == LightKind::Emitter &&
+                           emitsAlike(*light.shader.code);
+        bound.power = black ? 0 : float(std::max(light.power, least) * share);
         bounds.push_back(bound);
     }
     return bounds;
