@@ -382,11 +382,15 @@ void LightBuilder::prepareChoices() {
 std::vector<EmitterBound> LightBuilder::boundsOfSources() const {
     const LightTable &table = state_.lights;
     const PointTables &points = state_.points;
-    // Estimates may miss a narrow beam: no light counts for nothing.
-    double strongest = 0;
-    for (const SceneLight &light : table.lights)
+    // Estimates may miss a narrow beam: no light counts for nothing, and those that seem dark share
+    // some samples.
+    constexpr double shareOfDark = 0.02;
+    double strongest = 0, dark = 1;
+    for (const SceneLight &light : table.lights) {
         strongest = std::max(strongest, light.power);
-    const double least = strongest > 0 ? 1e-4 * strongest : 1;
+        dark += light.isSampled() && light.power == 0;
+    }
+    const double least = strongest > 0 ? shareOfDark / dark * strongest : 1;
     std::vector<EmitterBound> bounds;
     for (const LightSource &source : table.sources) {
         const SceneLight &light = table.lights[source.light];
@@ -404,8 +408,8 @@ std::vector<EmitterBound> LightBuilder::boundsOfSources() const {
             bound.emissionSpread = light.spread, bound.isLoose = true;
         }
         // Black `constant` surfaces, most of all.
-        const bool black = light.power == 0 && light.kind == LightKind::Emitter &&
-                           emitsAlike(*light.shader.code);
+        const bool black =
+            light.power == 0 && light.kind == LightKind::Emitter && emitsAlike(*light.shader.code);
         bound.power = black ? 0 : float(std::max(light.power, least) * share);
         bounds.push_back(bound);
     }

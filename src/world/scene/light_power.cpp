@@ -49,11 +49,11 @@ Vec3 vectorL(const LightBatch &batch, int lane) {
     return {batch.L[0][lane], batch.L[1][lane], batch.L[2][lane]};
 }
 
-/// Sum of Cl's color samples.
+/// Sum of Cl's color samples; lights may take away as well.
 double totalCl(const LightBatch &batch, int lane) {
     double total = 0;
     for (int c = 0; c < colorSamples; ++c)
-        total += std::max(0.0f, batch.Cl[c][lane]);
+        total += std::fabs(batch.Cl[c][lane]);
     return total;
 }
 
@@ -248,7 +248,7 @@ private:
         std::vector<std::array<double, 2>> sums(lights());
         forLanes(samples_, [&](int k, int i, int lane) {
             for (int c = 0; c < colorSamples; ++c)
-                sums[k][i % 2] += std::max(0.0f, radiance[c][lane]);
+                sums[k][i % 2] += std::fabs(radiance[c][lane]);
         });
         for (int k = 0; k < lights(); ++k) {
             const auto [front, back] = sums[k];

@@ -81,15 +81,16 @@ std::optional<Shape> makeShape(std::shared_ptr<const Surface> surface,
 }
 
 bool keepsSpheres(const Matrix4 &matrix) {
-    // The rows must be at right angles and of one length.
+    // The rows must be at right angles and of one length, as far as files of five digits say.
+    constexpr float tolerance = 1e-4f;
     Vec3 rows[3];
     for (int row = 0; row < 3; ++row)
         for (int column = 0; column < 3; ++column)
             rows[row][column] = matrix.at(row, column);
     const float squared = dot(rows[0], rows[0]);
     for (int row = 0; row < 3; ++row)
-        if (!(std::fabs(dot(rows[row], rows[row]) - squared) <= 1e-6f * squared) ||
-            !(std::fabs(dot(rows[row], rows[(row + 1) % 3])) <= 1e-6f * squared))
+        if (!(std::fabs(dot(rows[row], rows[row]) - squared) <= tolerance * squared) ||
+            !(std::fabs(dot(rows[row], rows[(row + 1) % 3])) <= tolerance * squared))
             return false;
     return true;
 }
