@@ -80,7 +80,7 @@ void stateMixture(VertexChunk &chunk, bool hemisphereOnly, GatheredLight &gather
 }
 
 /// One light by chance, weighted against the chance that a direction finds it.
-void addLightRow(PathWave &wave, GatheredLight &gathered, int row) {
+void addLightRow(PathWave &wave, GatheredLight &gathered, LightGroup group, int row) {
     VertexChunk &chunk = wave.chunk;
     SurfaceVertices &vertices = chunk.vertices;
     RoundRays &rays = gathered.rays;
@@ -88,6 +88,7 @@ void addLightRow(PathWave &wave, GatheredLight &gathered, int row) {
     LightSamples &samples = gathered.sample.samples;
     const int count = chunk.count();
     vertices.scene().sampleLights(
+        group,
         lightQuery(vertices, chunk.N, gathered.wave ? rays.wanted : nullptr,
                    {numbers.x(lightPair), numbers.x(onLightPair), numbers.y(onLightPair)}),
         samples);
@@ -209,7 +210,7 @@ GatheredLight::GatheredLight(int capacity, std::unique_ptr<PathWave> finder)
     std::fill_n(rays.always, capacity, 1.0f);
     std::fill_n(cones.hemisphere, capacity, 180.0f);
     std::fill_n(cones.one, capacity, 1.0f);
-    rows.reserve(2 * rounds, paddedLanes(capacity));
+    rows.reserve((1 + lightGroups) * rounds, paddedLanes(capacity));
 }
 
 GatheredLight::~GatheredLight() = default;
@@ -229,8 +230,8 @@ void lightGathered(PathWave &wave) {
         for (RoundPair pair : {onLightPair, alongPair, lightPair})
             sobolPairs(count, numbers.pixelKey, numbers.sampleIndex, pair, numbers.x(pair),
                        numbers.y(pair));
-        if (wave.frame.scene.hasLights())
-            addLightRow(wave, gathered, rows++);
+        for (LightGroup group : wave.frame.scene.lightGroupsInUse())
+            addLightRow(wave, gathered, group, rows++);
         if (gathered.wave)
             addDirectionRow(wave, gathered, rows++);
         for (int i = 0; i < count; ++i)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "foundation/base/hot.h"
+#include "foundation/base/lanes.h"
 #include "light/path/split.h"
 #include "light/path/stages.h"
 #include "light/sampling/mis.h"
@@ -34,7 +35,7 @@ CANDELA_HOT void scale(int count, float factor, float *__restrict values) {
 }
 
 /// The samples, and what they are worth beside directions of the mixture.
-void sampleLights(PathWave &wave) {
+void sampleLights(PathWave &wave, LightGroup group) {
     VertexChunk &chunk = wave.chunk;
     DirectLight &direct = chunk.direct;
     LightSamples &samples = direct.sample.samples;
@@ -43,6 +44,7 @@ void sampleLights(PathWave &wave) {
     markShallow(count, chunk.paths.depth, wave.frame.settings.maxDepth,
                 chunk.events.finiteProbability(), direct.wanted, direct.scattered);
     wave.frame.scene.sampleLights(
+        group,
         lightQuery(chunk.vertices, chunk.N, direct.scattered,
                    {numbers.x(lightChoicePair), numbers.x(lightPositionPair),
                     numbers.y(lightPositionPair)}),
@@ -68,17 +70,18 @@ DirectLight::DirectLight(int capacity)
     std::fill_n(answered, integers.lanes(), finiteRequests);
 }
 
-void light(PathWave &wave) {
+namespace {
+
+/// One sample of the group's lights at each vertex.
+void lightFrom(PathWave &wave, LightGroup group) {
     VertexChunk &chunk = wave.chunk;
     SurfaceVertices &vertices = chunk.vertices;
-    if (vertices.Ca(0))
-        chunk.gather({vertices.Ca(0), vertices.Ca(1), vertices.Ca(2)});
-    if (!wave.frame.scene.hasLights())
-        return;
-    sampleLights(wave);
+    sampleLights(wave, group);
     DirectLight &direct = chunk.direct;
     const LightSamples &samples = direct.sample.samples;
     const int count = chunk.count();
+    if (lanes::allEqual(count, samples.light, 0))
+        return;
     std::array<float *, colorSamples> response, contribution;
     for (int c = 0; c < colorSamples; ++c)
         response[c] = direct.response[c], contribution[c] = direct.contribution[c];
@@ -92,6 +95,17 @@ void light(PathWave &wave) {
     wave.frame.statistics.shadowRays +=
         direct.shadow.attenuate(vertices, samples, rays, direct.lanes, contribution.data());
     chunk.gather({contribution[0], contribution[1], contribution[2]});
+}
+
+} // namespace
+
+void light(PathWave &wave) {
+    VertexChunk &chunk = wave.chunk;
+    SurfaceVertices &vertices = chunk.vertices;
+    if (vertices.Ca(0))
+        chunk.gather({vertices.Ca(0), vertices.Ca(1), vertices.Ca(2)});
+    for (LightGroup group : wave.frame.scene.lightGroupsInUse())
+        lightFrom(wave, group);
 }
 
 } // namespace candela

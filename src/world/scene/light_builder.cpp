@@ -337,6 +337,29 @@ void LightBuilder::bindCategories(const ShaderLibrary &library) {
 
 namespace {
 
+/// 1 for sources that shine from far and wide: those without a place, and those of lights that fill
+/// much of the sky above the eye.
+std::vector<std::uint8_t> wideSources(const LightTable &table,
+                                      std::span<const EmitterBound> bounds) {
+    constexpr double leastSolidAngle = 1.5;
+    std::vector<double> solidAngle(table.lights.size());
+    for (std::size_t k = 0; k < bounds.size(); ++k) {
+        if (bounds[k].box.empty())
+            continue;
+        // The eye is the origin. Turned at random, an area shows half of itself.
+        const Vec3 centre = bounds[k].box.centre(), extent = bounds[k].box.extent();
+        const double squared =
+            std::max(double(dot(centre, centre)), double(dot(extent, extent)) / 4);
+        if (squared > 0)
+            solidAngle[table.sources[k].light] += table.sources[k].area / 2 / squared;
+    }
+    std::vector<std::uint8_t> wide;
+    for (std::size_t k = 0; k < bounds.size(); ++k)
+        wide.push_back(bounds[k].box.empty() ||
+                       solidAngle[table.sources[k].light] >= leastSolidAngle);
+    return wide;
+}
+
 /// The sphere within which the eye and all other sources that have a place are; -1 = none.
 std::int32_t surroundingSource(const LightTable &table, std::span<const EmitterBound> bounds) {
     const auto radiusOf = [&](std::size_t k) {
@@ -371,8 +394,15 @@ void LightBuilder::prepareChoices() {
     table.number(state_.points);
     const std::vector<EmitterBound> bounds = boundsOfSources();
     const std::int32_t dome = surroundingSource(table, bounds);
+    const std::vector<std::uint8_t> wide = wideSources(table, bounds);
     for (std::size_t set = 0; set < state_.lightSets.size(); ++set)
-        table.choices.push_back(choiceOf(int(set), bounds, dome));
+        table.choices.push_back({choiceOf(int(set), lampGroup, bounds, wide, dome),
+                                 choiceOf(int(set), wideGroup, bounds, wide, dome)});
+    const bool some[lightGroups] = {std::ranges::count(wide, 0) > 0,
+                                    std::ranges::count(wide, 1) > 0};
+    for (LightGroup group : {lampGroup, wideGroup})
+        if (some[group])
+            table.groups.push_back(group);
     table.isSingle = table.sources.size() <= 1 && std::ranges::all_of(table.isOn, [](auto &on) {
                          return std::ranges::find(on, 0) == on.end();
                      });
@@ -416,9 +446,9 @@ std::vector<EmitterBound> LightBuilder::boundsOfSources() const {
     return bounds;
 }
 
-/// The choice among the sources that are on for a light set; `dome` surrounds them.
-LightChoice LightBuilder::choiceOf(int set, std::span<const EmitterBound> bounds,
-                                   std::int32_t dome) const {
+/// The choice among the sources of a group that are on for a light set; `dome` surrounds them.
+LightChoice LightBuilder::choiceOf(int set, LightGroup group, std::span<const EmitterBound> bounds,
+                                   std::span<const std::uint8_t> wide, std::int32_t dome) const {
     const LightTable &table = state_.lights;
     std::vector<EmitterBound> finite;
     std::vector<std::int32_t> numbers;
@@ -426,7 +456,7 @@ LightChoice LightBuilder::choiceOf(int set, std::span<const EmitterBound> bounds
     std::vector<std::int32_t> surrounding;
     const double disc = std::numbers::pi * state_.radius * state_.radius;
     for (std::int32_t k = 0; k < std::int32_t(bounds.size()); ++k) {
-        if (!table.on(set, table.sources[k].light + 1))
+        if (!table.on(set, table.sources[k].light + 1) || wide[k] != (group == wideGroup))
             continue;
         if (bounds[k].box.empty())
             infinite.push_back({k, float(bounds[k].power / disc), true, {}, 1});

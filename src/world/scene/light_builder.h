@@ -37,7 +37,8 @@ private:
     void finishLights();
     void finishGeometry(int light);
     std::vector<EmitterBound> boundsOfSources() const;
-    LightChoice choiceOf(int lightSet, std::span<const EmitterBound>, std::int32_t dome) const;
+    LightChoice choiceOf(int lightSet, LightGroup, std::span<const EmitterBound>,
+                         std::span<const std::uint8_t> wide, std::int32_t dome) const;
     void fillSwitches();
     bool isPlain(const SceneLight &, int surfaceCode) const;
 

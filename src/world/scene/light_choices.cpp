@@ -50,12 +50,12 @@ void forLightSets(const SceneState &state, const LightQuery &query, Body body) {
 
 } // namespace
 
-void chooseSources(const SceneState &state, const LightQuery &query, double *u,
+void chooseSources(const SceneState &state, LightGroup group, const LightQuery &query, double *u,
                    std::int32_t *source, float *probability) {
     std::fill_n(source, query.count, -1);
     std::fill_n(probability, query.count, 0.0f);
     forLightSets(state, query, [&](int set, const LightQuery &part, const int *lane) {
-        const LightChoice &choice = state.lights.choices[set];
+        const LightChoice &choice = state.lights.choices[set][group];
         if (!lane)
             return choice.choose(part.count, part.P.data(), part.N.data(), u, source, probability,
                                  part.scattered);
@@ -74,11 +74,12 @@ void chooseSources(const SceneState &state, const LightQuery &query, double *u,
     });
 }
 
-void sourceProbabilities(const SceneState &state, const LightQuery &query,
-                         const std::int32_t *source, float *probability) {
-    std::fill_n(probability, query.count, 0.0f);
+namespace {
+
+void findProbabilities(const SceneState &state, LightGroup group, const LightQuery &query,
+                       const std::int32_t *source, float *probability) {
     forLightSets(state, query, [&](int set, const LightQuery &part, const int *lane) {
-        const LightChoice &choice = state.lights.choices[set];
+        const LightChoice &choice = state.lights.choices[set][group];
         if (!lane)
             return choice.probability(part.count, part.P.data(), part.N.data(), source, probability,
                                       part.scattered);
@@ -92,6 +93,20 @@ void sourceProbabilities(const SceneState &state, const LightQuery &query,
         for (int k = 0; k < part.count; ++k)
             probability[lane[k]] = chance[k];
     });
+}
+
+} // namespace
+
+void sourceProbabilities(const SceneState &state, const LightQuery &query,
+                         const std::int32_t *source, float *probability) {
+    thread_local AlignedScratch own;
+    float *ofGroup = own.get(query.count);
+    std::fill_n(probability, query.count, 0.0f);
+    for (LightGroup group : state.lights.groups) {
+        std::fill_n(ofGroup, query.count, 0.0f);
+        findProbabilities(state, group, query, source, ofGroup);
+        lanes::add(query.count, ofGroup, probability); // 0 in all groups but the source's.
+    }
 }
 
 } // namespace candela

@@ -113,8 +113,10 @@ public:
     Estimates at(Vec3 P, Vec3 N, unsigned seed) {
         P_ = P, N_ = N, sums_ = {};
         samples_.draw(seed, P);
-        scene_.sampleLights(samples_.query, samples_.out);
-        addLightSamples();
+        for (LightGroup group : scene_.lightGroupsInUse()) {
+            scene_.sampleLights(group, samples_.query, samples_.out);
+            addLightSamples();
+        }
         addHits();
         const double n = samples_.query.count;
         return {sums_.byLight / n, sums_.byHits / n, sums_.balanced / n};
@@ -227,7 +229,7 @@ TEST(LightPieces, SamplesAndHitsTellOneDensity) {
         world.render([&](const Scene &scene) {
             Samples samples(512);
             samples.draw(9, body.inside);
-            scene.sampleLights(samples.query, samples.out);
+            scene.sampleLights(scene.lightGroupsInUse().front(), samples.query, samples.out);
             RayBatch rays(512);
             HitBatch hits(512);
             rays.count = 512;

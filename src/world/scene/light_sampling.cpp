@@ -413,7 +413,7 @@ Block blockOf(const LightQuery &query, const std::int32_t *source, const float *
 
 } // namespace
 
-void Scene::sampleLights(const LightQuery &query, LightSamples &samples) const {
+void Scene::sampleLights(LightGroup group, const LightQuery &query, LightSamples &samples) const {
     if (query.count == 0)
         return;
     SamplingScratch &own = scratch();
@@ -422,7 +422,7 @@ void Scene::sampleLights(const LightQuery &query, LightSamples &samples) const {
     thread_local Scratch<double> choices;
     double *choice = choices.get(query.count);
     widen(query.count, query.choice, query.position[0], choice);
-    chooseSources(*state_, query, choice, source, probability);
+    chooseSources(*state_, group, query, choice, source, probability);
     answer(*state_, blockOf(query, source, probability, query.position[0], samples), own);
 }
 

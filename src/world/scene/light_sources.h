@@ -5,7 +5,9 @@
 
 #include "world/lights/light_choice.h"
 #include "world/points/point_tables.h"
+#include "world/scene/lights.h"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -103,7 +105,9 @@ struct LightTable {
     std::vector<std::int32_t> members;
     std::vector<double> memberShares;
     std::vector<SourceBin> bins;
-    std::vector<LightChoice> choices;            ///< By light set.
+    /// By light set: among the lights of each group.
+    std::vector<std::array<LightChoice, lightGroups>> choices;
+    std::vector<LightGroup> groups;              ///< Those that have lights.
     std::vector<int> ambient;                    ///< Indices of the ambient lights.
     std::vector<std::vector<std::uint8_t>> isOn; ///< [lightSet][index + 1].
     bool isSingle = false; ///< There is one source at most, on for all: none has to be chosen.

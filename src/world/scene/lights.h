@@ -10,6 +10,11 @@
 
 namespace candela {
 
+/// Lights come in groups, and each point takes a sample of each group: lamps, and what shines from
+/// far and wide (suns, domes, ceilings). So neither leaves the other too few samples.
+inline constexpr int lightGroups = 2;
+enum LightGroup { lampGroup, wideGroup };
+
 /// The points that ask for light.
 struct LightQuery {
     int count = 0;

@@ -14,7 +14,7 @@ namespace {
 /// Irradiance at P with normal N, unoccluded, from n samples.
 double irradiance(const Scene &scene, Samples &samples, unsigned seed, Vec3 P, Vec3 N) {
     samples.draw(seed, P);
-    scene.sampleLights(samples.query, samples.out);
+    scene.sampleLights(scene.lightGroupsInUse().front(), samples.query, samples.out);
     double sum = 0;
     for (int i = 0; i < samples.query.count; ++i) {
         if (samples.out.light[i] == 0)
@@ -113,7 +113,7 @@ TEST(Lights, PowersDecideHowOftenALightIsChosen) {
     world.render([](const Scene &scene) {
         Samples samples(1 << 15);
         samples.draw(3, {0, 0, 0});
-        scene.sampleLights(samples.query, samples.out);
+        scene.sampleLights(scene.lightGroupsInUse().front(), samples.query, samples.out);
         int second = 0;
         for (int i = 0; i < samples.query.count; ++i)
             second += samples.out.light[i] == 2;
@@ -137,7 +137,7 @@ TEST(Lights, SurfacesDrawOnlyFromLightsThatAreOn) {
         samples.draw(3, {0, 0, 0});
         for (int i = 512; i < 1024; ++i)
             samples.integers[0][i] = 1;
-        scene.sampleLights(samples.query, samples.out);
+        scene.sampleLights(scene.lightGroupsInUse().front(), samples.query, samples.out);
         for (int i = 0; i < 1024; ++i)
             EXPECT_EQ(samples.out.light[i], i < 512 ? 38 : 0);
     });
@@ -187,7 +187,7 @@ TEST(Lights, DensitiesOfHitsIntegrateToOne) {
         const double total = sum * 4 * M_PI / (double(rows) * columns);
         Samples samples(1 << 15);
         samples.draw(5, {0, 0, 0});
-        scene.sampleLights(samples.query, samples.out);
+        scene.sampleLights(scene.lightGroupsInUse().front(), samples.query, samples.out);
         int hidden = 0;
         rays.count = 1;
         for (int i = 0; i < samples.query.count; ++i) {
@@ -212,7 +212,7 @@ TEST(Lights, SamplesAndHitsAgree) {
     world.render([](const Scene &scene) {
         Samples samples(64);
         samples.draw(9, {0, 0, 0});
-        scene.sampleLights(samples.query, samples.out);
+        scene.sampleLights(scene.lightGroupsInUse().front(), samples.query, samples.out);
         RayBatch rays(64);
         HitBatch hits(64);
         rays.count = 64;
@@ -273,7 +273,7 @@ TEST(Lights, FaultyAndBareLightsAreDark) {
         EXPECT_EQ(scene.lightCount(), 2);
         Samples samples(2);
         samples.draw(1, {0, 0, 0});
-        scene.sampleLights(samples.query, samples.out);
+        scene.sampleLights(lampGroup, samples.query, samples.out);
         EXPECT_EQ(samples.out.light[0], 0);
         EXPECT_EQ(samples.out.value[0][0], 0);
     });

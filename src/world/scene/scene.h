@@ -65,8 +65,11 @@ public:
     // ---- Light ----
     bool hasLights() const;
     bool hasAmbient() const;
-    /// One sample a point, of one of the lights that are on for it, chosen by what they may bring.
-    void sampleLights(const LightQuery &, LightSamples &) const;
+    /// The groups that have lights: whoever gathers light takes a sample of each.
+    std::span<const LightGroup> lightGroupsInUse() const;
+    /// One sample a point, of one of the group's lights that are on for it, chosen by what they may
+    /// bring.
+    void sampleLights(LightGroup, const LightQuery &, LightSamples &) const;
     /// sampleLights() reads LightQuery::choice: which light, and where on it.
     bool readsLightChoice() const;
     /// `classic`: one sample of light `index` (of lightCount()) at every point, no choice.
