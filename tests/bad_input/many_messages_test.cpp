@@ -46,7 +46,7 @@ TEST_F(BadInput, NumbersAndNamesMakeNoNewKind) {
 TEST_F(BadInput, ManyErrorsOnOneLongLine) {
     std::string shader = "surface broken() { ";
     for (int i = 10; i < 60; ++i)
-        shader += "Ci = Cs * undeclared" + std::to_string(i) + " + color(0.25, 0.5, 1);  ";
+        shader += "Ci = Cs * undeclared" + std::to_string(i) + " + color(0.25, 0.50, 1.00);  ";
     folder_.write("broken.sl", shader + "}\n");
     Outcome run = render(sceneWith("Surface \"broken\" Translate 9 0 5 Sphere 1 -1 1 360"));
     EXPECT_EQ(run.status, 1) << run.text();
