@@ -30,6 +30,7 @@ STRINGS = ['""', '"P"', '"nosuch"', '"uniform float x"', '"varying color Cs"', '
            '"constant string[3] s"', '"uniform float[0] x"', '"uniform float[-1] x"', '"matte"', '"../x"',
            '"%s%n"', '"' + "x" * 3000 + '"', '"\\377\\000"', '"bicubic"', '"periodic"', '"inside"']
 LOOP = re.compile(r"\b(?:for|while)\b")
+SANITIZER = re.compile(r"==\d+==ERROR|.*runtime error:")
 TOO_LONG = "took too long"
 INPUTS_A_PROCESS = 200
 LOOP_SECONDS = 2  # Many more than a shader without an endless loop needs.
@@ -203,11 +204,13 @@ class Trial:
         status = self.renderers.latest.render(folder, seconds, cache)
         said = Path(folder, "said")
         messages = said.read_bytes() if said.is_file() else b""
-        if status == -signal.SIGALRM:
+        if status in (-signal.SIGPROF, -signal.SIGALRM):
             return TOO_LONG
         if status not in (0, 1):
             how = f"signal {-status}" if status < 0 else f"exit status {status}"
-            return f"{how}: " + messages.decode(errors="replace")[-1500:]
+            text = messages.decode(errors="replace")
+            report = SANITIZER.search(text)
+            return f"{how}: " + (text[report.start():][:3000] if report else text[-1500:])
         if len(messages) > FLOOD:
             return f"{len(messages)} bytes of messages"
         return None
@@ -219,7 +222,7 @@ def main():
     parser.add_argument("--first", type=int, default=1, help="the first seed")
     parser.add_argument("--count", type=int, default=500)
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
-    parser.add_argument("--seconds", type=float, default=20, help="for one input")
+    parser.add_argument("--seconds", type=float, default=20, help="of the processor, for one input")
     parser.add_argument("--memory", type=int, default=4096, help="MiB for a process")
     parser.add_argument("--keep", default="fuzz-failures", help="folder for what fails")
     options = parser.parse_args()

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Renders scenes one after the other in this process: starting candela anew for each would take
 // most of a campaign's time. The argument is the MiB of memory that it may take. A line of standard
-// input is a folder with a scene.rib, the seconds that it may take, and the folder of its shader
-// cache (empty: the common one), with tabs between them. For each a line of standard output is the
-// exit status that candela would have; its messages are left in the folder's file "said".
+// input is a folder with a scene.rib, the seconds of the processor that it may take, and the folder
+// of its shader cache (empty: the common one), with tabs between them. For each a line of standard
+// output is the exit status that candela would have; its messages are left in the folder's file
+// "said".
 #include "render/render.h"
 
 #include <cstdio>
@@ -14,6 +15,7 @@
 #include <sstream>
 #include <string>
 #include <sys/resource.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 namespace {
@@ -46,7 +48,15 @@ rlim_t mappedData() {
     return pages[5] * rlim_t(sysconf(_SC_PAGESIZE));
 }
 
-/// The exit status. A scene that takes too long ends the process by SIGALRM.
+/// The process may still take so many seconds of the processor, or ten times as many of the clock:
+/// then SIGPROF or SIGALRM ends it. 0: any.
+void allow(long seconds) {
+    const itimerval processor{{0, 0}, {seconds, 0}}, clock{{0, 0}, {10 * seconds, 0}};
+    setitimer(ITIMER_PROF, &processor, nullptr);
+    setitimer(ITIMER_REAL, &clock, nullptr);
+}
+
+/// The exit status.
 int render(const Task &task, const std::string &commonCache) {
     const int said = creat((task.folder + "/said").c_str(), 0600);
     if (said < 0 || chdir(task.folder.c_str()) != 0)
@@ -60,9 +70,10 @@ int render(const Task &task, const std::string &commonCache) {
     settings.resolution = {8, 8};
     settings.threads = 1;
     settings.quiet = true;
-    alarm(unsigned(std::strtoul(task.seconds.c_str(), nullptr, 10)));
+    const long seconds = std::strtol(task.seconds.c_str(), nullptr, 10);
+    allow(seconds);
     const int status = candela::renderFile("scene.rib", settings);
-    alarm(0);
+    allow(0);
     std::fflush(stdout);
     return status;
 }
