@@ -54,7 +54,7 @@ struct Placement {
     bool bright() const { return visible() && (emitter != oneSided || inward()); }
     /// A dark body is asked for light samples too, which must be dark.
     bool hasLightSamples() const {
-        return visible() && !bright() && !(where == Where::Instance && mirrors());
+        return !bright();
     }
 };
 

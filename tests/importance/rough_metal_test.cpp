@@ -51,14 +51,16 @@ TEST(RoughMetal, GivesBackNoMoreThanItGets) {
         EXPECT_LE(albedo.mean, 1 + sure * albedo.standardError + rounding);
         EXPECT_GT(albedo.mean, .3 - sure * albedo.standardError);
         // Narrow lobes lose nothing, as long as their facets stand in no one's way.
-        if (alpha <= .01 && cosine >= 20 * alpha)
+        if (alpha <= .01 && cosine >= 20 * alpha) {
             EXPECT_GE(albedo.mean, 1 - sure * albedo.standardError - rounding);
+        }
         // Round cones fit a ridge that is as narrow as the cosine but so well; below a width of
         // .003 the largest exponent ends the fit.
         const double relative = albedo.standardError / albedo.mean;
         const double variance = relative * relative * samples * pixels;
-        if (alpha >= .003)
+        if (alpha >= .003) {
             EXPECT_LE(variance, .3 + .3 / cosine);
+        }
     }
 }
 

@@ -112,5 +112,20 @@ std::string nameOf(const testing::TestParamInfo<Setting> &info) {
 
 INSTANTIATE_TEST_SUITE_P(All, OneLampAmongMany, testing::ValuesIn(settings()), nameOf);
 
+/// Lights that take light away are as strong as those that give it.
+TEST(NegativeLamps, CountByTheirStrength) {
+    const std::string two =
+        "LightSource \"pointlight\" 1 \"from\" [0 0 0] \"intensity\" [3.14159265]\n"
+        "LightSource \"pointlight\" 2 \"from\" [0 0 0] \"intensity\" [-1]\n"
+        "Surface \"matte\"\n" +
+        squareAt(1, 5);
+    const SmallPicture classic = takePicture(inClassic, two, 1),
+                       path = takePicture(inPath, two, 256);
+    const MeanAndError expected = meanAndError({classic.red.begin(), classic.red.end()});
+    const MeanAndError seen = meanAndError({path.red.begin(), path.red.end()});
+    EXPECT_LT(seen.standardError, .01 * expected.mean);
+    EXPECT_NEAR(seen.mean, expected.mean, 5 * seen.standardError + 1e-3);
+}
+
 } // namespace
 } // namespace candela::test

@@ -3,6 +3,7 @@
 #include "tests/light/pictures.h"
 #include "tests/support/student.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -82,6 +83,34 @@ TEST(Sheets, FiftyOfThemAddUpByBothIntegrators) {
                 expectOnAverage(picture.red, stack.red(), 2e-3);
                 expectOnAverage(picture.alpha, stack.alpha(), 2e-3);
             }
+}
+
+// No number of surfaces ends a path that goes straight on.
+TEST(Sheets, MoreThanAThousandThinOnesHideLittle) {
+    std::string world = "Surface \"constant\"\nColor [2 0 0]\n" + squareAt(9, 5) +
+                        "Color [0 0 0]\nOpacity [.0002 .0002 .0002]\n";
+    for (int i = 0; i < 1500; ++i)
+        world += squareAt(1 + .001 * i);
+    for (const std::string &integrator : {inClassic, inPath}) {
+        const SmallPicture picture = takePicture(integrator, world, 1);
+        const double expected = 2 * std::pow(.9998, 1500), rounding = 1500 * 4 * 0x1p-24;
+        for (float value : picture.red)
+            EXPECT_NEAR(value, expected, rounding * expected);
+    }
+}
+
+// Black surfaces of `constant` send nothing and are given no light samples: the sheets just above
+// the floor would else be most likely to be chosen.
+TEST(Sheets, BlackOnesTakeNoLightSamples) {
+    std::string world = "LightSource \"pointlight\" 1 \"from\" [0 0 -50] \"intensity\" [7853.98]\n"
+                        "Surface \"constant\"\nColor [0 0 0]\nOpacity [.002 .002 .002]\n";
+    for (int i = 0; i < 200; ++i)
+        world += squareAt(-2 - .001 * i);
+    const SmallPicture picture = takePicture(
+        inPath, world + "Opacity [1 1 1]\nColor [1 1 1]\nSurface \"matte\"\n" + squareAt(1), 1);
+    const auto [darkest, brightest] = std::minmax_element(picture.red.begin(), picture.red.end());
+    EXPECT_GT(*darkest, .98f * *brightest);
+    EXPECT_NEAR(*brightest, std::pow(.998, 200) * 7853.98 / (51 * 51) / M_PI, .02);
 }
 
 // One surface between two media: F = .04 comes back, the rest goes on behind it.

@@ -38,7 +38,7 @@ struct DisplayRecord {
 struct CameraRecord {
     bool perspective = false;
     float fieldOfView = 90; ///< Degrees across the narrower axis of the default screen window.
-    float near = 1e-6f, far = 1e30f;
+    float near = 1e-10f, far = 1e30f;
     Matrix4 cameraFromWorld; ///< The CTM at WorldBegin.
     /// What stood before Projection (RI 3.2, 4.1.1): moves the projected picture, where the screen
     /// window is, and its depth. Affine, invertible, and x and y do not depend on z.

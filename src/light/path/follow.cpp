@@ -9,8 +9,9 @@ namespace candela {
 
 namespace {
 
-/// Paths through stacks of transparent surfaces end here, whatever the depth allows.
-constexpr int mostVertices = 1000;
+/// Paths through stacks of transparent surfaces end here, whatever the depth allows. Each of them
+/// is passed but once, so that paths end without it; it bounds the time of those that don't.
+constexpr int mostVertices = 1 << 20;
 
 constexpr Stage pathStages[] = {meet, emit, ask, see, chooseEvents, light, scatter, deliver};
 constexpr Stage gatheringStages[] = {

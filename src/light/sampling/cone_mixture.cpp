@@ -5,6 +5,7 @@
 #include "foundation/base/lanes.h"
 #include "foundation/base/vec3.h"
 #include "light/sampling/cone.h"
+#include "light/sampling/power.h"
 #include "light/sampling/sincos.h"
 
 #include <algorithm>
@@ -19,11 +20,6 @@ constexpr float pi = float(M_PI);
 /// How far a cone may reach below the hemisphere, as a cosine, before it counts as leaving it.
 constexpr float rimTolerance = 1e-4f;
 
-/// A cone over the hemisphere with exponent 0 (uniform) or 1 (cosine): what most surfaces state.
-inline bool isSimple(float angle, float exponent) {
-    return angle == 180 && (exponent == 0 || exponent == 1);
-}
-
 CANDELA_HOT void normalizeAxes(int count, const float *__restrict x, const float *__restrict y,
                                const float *__restrict z, float *__restrict ax,
                                float *__restrict ay, float *__restrict az) {
@@ -36,19 +32,26 @@ CANDELA_HOT void normalizeAxes(int count, const float *__restrict x, const float
     }
 }
 
-/// share = the importance where the cone is finite, else 0. True if all are simple.
-CANDELA_HOT bool takeImportance(int count, const float *__restrict importance,
-                                const float *__restrict kindAngle, const float *__restrict angle,
-                                const float *__restrict exponent, float *__restrict share) {
-    int others = 0;
+/// What some of the cones are not.
+struct Others {
+    bool simple, hemisphere;
+};
+
+/// share = the importance where the cone is finite, else 0.
+CANDELA_HOT Others takeImportance(int count, const float *__restrict importance,
+                                  const float *__restrict kindAngle, const float *__restrict angle,
+                                  const float *__restrict exponent, float *__restrict share) {
+    int notSimple = 0, notHemisphere = 0;
     for (int i = 0; i < count; ++i) {
         float r = importance[i];
         int finite = (kindAngle[i] > 0) & (angle[i] > 0) & (r > 0) & (r * 0 == 0);
-        int simple = (angle[i] == 180) & ((exponent[i] == 0) | (exponent[i] == 1));
+        int hemisphere = angle[i] == 180;
+        int simple = hemisphere & ((exponent[i] == 0) | (exponent[i] == 1));
         share[i] = finite ? r : 0.0f;
-        others |= finite & (simple ^ 1);
+        notSimple |= finite & (simple ^ 1);
+        notHemisphere |= finite & (hemisphere ^ 1);
     }
-    return others == 0;
+    return {notSimple != 0, notHemisphere != 0};
 }
 
 CANDELA_HOT void markLeavingHemispheres(int count, const float *__restrict share,
@@ -198,6 +201,46 @@ CANDELA_HOT void simpleHeights(int count, const float *__restrict xi,
         tau[i] = exponent[i] == 1 ? 1 - std::sqrt(1 - xi[i]) : xi[i];
 }
 
+/// The largest exponent that lobes have, as ConeLobe limits it.
+constexpr float largestExponent = 1e6f;
+
+/// Of lobes over hemispheres, the others' exponents having any value.
+CANDELA_HOT void powerHeights(int count, const float *__restrict xi, const float *__restrict angle,
+                              const float *__restrict exponent, float *__restrict tau) {
+    for (int i = 0; i < count; ++i) {
+        const bool simple = (exponent[i] == 0) | (exponent[i] == 1);
+        double e = exponent[i] > 0 ? exponent[i] : 0.0f;
+        e = e < largestExponent ? e : largestExponent;
+        const float height = float(1 - expOf(logOf(1 - double(xi[i])) / (e + 1)));
+        tau[i] = simple | (angle[i] != 180) ? tau[i] : height;
+    }
+}
+
+/// Lobes over hemispheres; the simple ones as addSimplePdf has them. Leaves out all others.
+CANDELA_HOT void addPowerPdf(int count, const float *__restrict ax, const float *__restrict ay,
+                             const float *__restrict az, const float *__restrict share,
+                             const float *__restrict angle, const float *__restrict exponent,
+                             const float *__restrict x, const float *__restrict y,
+                             const float *__restrict z, float *__restrict pdf) {
+    for (int i = 0; i < count; ++i) {
+        const float cosine = ax[i] * x[i] + ay[i] * y[i] + az[i] * z[i];
+        const float simple = exponent[i] == 1 ? cosine * (1 / pi) : 1 / (2 * pi);
+        // By the chord: the product would show how far from 1 the lengths are, as which narrow
+        // lobes would take a tenth of their density.
+        const double dx = double(ax[i]) - x[i], dy = double(ay[i]) - y[i];
+        const double dz = double(az[i]) - z[i];
+        const double mu = 1 - (dx * dx + dy * dy + dz * dz) / 2;
+        double e = exponent[i] > 0 ? exponent[i] : 0.0f;
+        e = e < largestExponent ? e : largestExponent;
+        const double power = e * logOf(mu > 1e-30 ? mu : 1e-30);
+        const double lobe = (e + 1) * (0.5 / M_PI) * expOf(power > -80 ? power : -80.0);
+        const float raised = (mu > 0) & (power > -80) ? float(lobe) : 0.0f;
+        const float plain = cosine > 0 ? simple : 0.0f;
+        const float density = (exponent[i] == 0) | (exponent[i] == 1) ? plain : raised;
+        pdf[i] += angle[i] == 180 ? share[i] * density : 0.0f;
+    }
+}
+
 CANDELA_HOT void directionsAbout(int count, const float *__restrict ax, const float *__restrict ay,
                                  const float *__restrict az, const float *__restrict tau,
                                  const float *__restrict v, float *__restrict x,
@@ -282,15 +325,18 @@ void ConeMixture::stateCone(int index, const ConePlanes &stated) {
                   cone.axis(1), cone.axis(2));
     std::copy_n(stated.angle, count_, cone.angle());
     std::copy_n(stated.exponent, count_, cone.exponent());
-    cone.simple = takeImportance(count_, stated.importance, stated.kindAngle, stated.angle,
-                                 stated.exponent, cone.share());
+    const Others others = takeImportance(count_, stated.importance, stated.kindAngle, stated.angle,
+                                         stated.exponent, cone.share());
+    cone.shape = others.hemisphere ? LobeShape::Any
+                 : others.simple   ? LobeShape::Hemisphere
+                                   : LobeShape::Simple;
     lanes::add(count_, cone.share(), total_[0]);
 }
 
 /// A cone that reaches below the facing hemisphere asks for a defensive lobe there too.
 void ConeMixture::markLeavingCones(int index) {
     const Cone &cone = cones_[index];
-    if (cone.simple) {
+    if (cone.shape != LobeShape::Any) {
         markLeavingHemispheres(count_, cone.share(), cone.axis(0), cone.axis(1), cone.axis(2),
                                facing_[0], facing_[1], facing_[2], fullSphere_[0]);
         return;
@@ -338,13 +384,16 @@ void ConeMixture::lobeHeights() {
     const float *xi = chosen_.xi, *angle = chosen_.angle, *exponent = chosen_.exponent;
     float *tau = chosen_.tau;
     simpleHeights(count_, xi, exponent, tau);
-    for (int k = 0; k < coneCount_; ++k)
-        if (!cones_[k].simple) {
-            for (int i = 0; i < count_; ++i)
-                if (!isSimple(angle[i], exponent[i]))
-                    tau[i] = float(ConeLobe(angle[i], exponent[i]).sampleOneMinusMu(xi[i]));
-            return;
-        }
+    auto some = [&](LobeShape shape) {
+        return std::any_of(cones_.begin(), cones_.begin() + coneCount_,
+                           [shape](const Cone &cone) { return cone.shape == shape; });
+    };
+    if (some(LobeShape::Hemisphere) || some(LobeShape::Any))
+        powerHeights(count_, xi, angle, exponent, tau);
+    if (some(LobeShape::Any))
+        for (int i = 0; i < count_; ++i)
+            if (angle[i] != 180)
+                tau[i] = float(ConeLobe(angle[i], exponent[i]).sampleOneMinusMu(xi[i]));
 }
 
 void ConeMixture::pdf(const ConstVec3Planes &w, float *pdf) {
@@ -359,23 +408,23 @@ void ConeMixture::lobesPdf(const ConstVec3Planes &w, float *pdf) {
                  shares_.uniform, shares_.cosine, pdf);
     for (int k = 0; k < coneCount_; ++k) {
         const Cone &cone = cones_[k];
-        if (cone.simple) {
+        if (cone.shape == LobeShape::Simple) {
             addSimplePdf(count_, cone.axis(0), cone.axis(1), cone.axis(2), cone.share(),
                          cone.exponent(), w[0], w[1], w[2], pdf);
             continue;
         }
+        addPowerPdf(count_, cone.axis(0), cone.axis(1), cone.axis(2), cone.share(), cone.angle(),
+                    cone.exponent(), w[0], w[1], w[2], pdf);
+        if (cone.shape == LobeShape::Hemisphere)
+            continue;
         for (int i = 0; i < count_; ++i) {
-            if (cone.share()[i] == 0)
+            if (cone.share()[i] == 0 || cone.angle()[i] == 180)
                 continue;
-            // By the chord: the product would show how far from 1 the lengths are, as which narrow
-            // lobes would take a tenth of their density.
             double chord2 = 0;
             for (int c = 0; c < 3; ++c) {
                 const double across = double(cone.axis(c)[i]) - w[c][i];
                 chord2 += across * across;
             }
-            if (cone.exponent()[i] * chord2 > 80 && cone.angle()[i] == 180)
-                continue; // mu^exponent is below 1e-17.
             const double mu = 1 - chord2 / 2;
             pdf[i] +=
                 cone.share()[i] * float(ConeLobe(cone.angle()[i], cone.exponent()[i]).pdf(mu));

@@ -48,6 +48,8 @@ public:
     void pdf(const ConstVec3Planes &direction, float *pdf);
 
 private:
+    /// Hemispheres are lobes of 180 degrees, simple ones have exponent 0 or 1 besides.
+    enum class LobeShape { Simple, Hemisphere, Any };
     struct Cone {
         explicit Cone(int capacity) : planes(6, capacity) {}
         float *axis(int c) const { return planes[c]; }
@@ -55,7 +57,7 @@ private:
         float *angle() const { return planes[4]; }
         float *exponent() const { return planes[5]; }
         Planes<float> planes;
-        bool simple = true; ///< Every lane: 180 degrees, exponent 0 or 1.
+        LobeShape shape = LobeShape::Simple; ///< Of every lane.
     };
     /// The lobe that a sample falls into, and where in it.
     struct ChosenLobe {

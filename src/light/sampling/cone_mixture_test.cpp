@@ -176,12 +176,13 @@ TEST(ConeMixture, pointsDoNotDependOnTheirNeighbours) {
         if (i % 4 == 2)
             narrow[i] = 40;
     }
-    auto answer = [&](const std::vector<float> &axisX, const std::vector<float> &angle) {
+    auto answer = [&](const std::vector<float> &axisX, const std::vector<float> &angle,
+                      const std::vector<float> &exponent) {
         ConeMixture mixture(count);
         ConstVec3Planes facing{zero.data(), zero.data(), one.data()};
         ConePlanes cone{{axisX.data(), zero.data(), one.data()},
                         angle.data(),
-                        one.data(),
+                        exponent.data(),
                         one.data(),
                         angle.data(),
                         0,
@@ -192,13 +193,17 @@ TEST(ConeMixture, pointsDoNotDependOnTheirNeighbours) {
         mixture.pdf({x.data(), y.data(), z.data()}, pdf.data());
         return std::array{x, y, z, pdf};
     };
-    auto alike = answer(zero, flat), mixed = answer(tilt, narrow);
-    for (int i = 0; i < count; ++i)
-        for (int plane = 0; plane < 4; ++plane) {
-            bool unchanged = tilt[i] == 0 && narrow[i] == 180;
-            if (unchanged) {
-                EXPECT_EQ(alike[plane][i], mixed[plane][i]) << i;
-            }
+    for (float e : {0.f, 1.f, 7.5f, 3000.f})
+        for (float others : {e, 1.f, 20.f}) {
+            std::vector<float> same(count, e), varied(count, e);
+            for (int i = 3; i < count; i += 4)
+                varied[i] = others;
+            auto alike = answer(zero, flat, same), mixed = answer(tilt, narrow, varied);
+            for (int i = 0; i < count; ++i)
+                for (int plane = 0; plane < 4; ++plane)
+                    if (tilt[i] == 0 && narrow[i] == 180 && varied[i] == e) {
+                        EXPECT_EQ(alike[plane][i], mixed[plane][i]) << i << " exponent " << e;
+                    }
         }
 }
 

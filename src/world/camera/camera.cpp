@@ -114,6 +114,11 @@ Camera::Camera(const Options &options) {
         transformVector(projectedFromScreen, {0, (bottom - top) / float(height) / focal_, 0});
     for (int axis = 0; axis < 2; ++axis)
         origin_[axis] = corner[axis], xStep_[axis] = xStep[axis], yStep_[axis] = yStep[axis];
+    for (int axis = 0; axis < 2; ++axis) {
+        const float x = xStep[axis] * float(width), y = yStep[axis] * float(height);
+        low_[axis] = corner[axis] + std::min(x, 0.0f) + std::min(y, 0.0f);
+        high_[axis] = corner[axis] + std::max(x, 0.0f) + std::max(y, 0.0f);
+    }
 
     screenFromCamera_ =
         screenMatrix(perspective_, focal_, near_, far_) * record.screenFromProjected;
@@ -155,6 +160,26 @@ void Camera::rays(int count, const float *x, const float *y, const float *lensU,
 float Camera::pixelSize(float z) const {
     float atOne = std::min(std::hypot(xStep_[0], xStep_[1]), std::hypot(yStep_[0], yStep_[1]));
     return perspective_ ? atOne * std::abs(z) : atOne;
+}
+
+bool Camera::mayShow(const Box3 &box) const {
+    if (!(box.high.z > 0))
+        return false;
+    // The frame's four sides: the box is beyond one if all its corners are. Lenses see more.
+    const auto beyond = [&](int axis, float sign, float limit) {
+        for (float z : {box.low.z, box.high.z}) {
+            const float along = perspective_ ? z : 1;
+            const float blur = hasLens() ? lensRadius_ * (1 + std::abs(z) / focalDistance_) : 0;
+            const float nearest = sign > 0 ? box.low[axis] : box.high[axis];
+            if (!(sign * (nearest - limit * along) > blur))
+                return false;
+        }
+        return true;
+    };
+    for (int axis = 0; axis < 2; ++axis)
+        if (beyond(axis, 1, high_[axis]) || beyond(axis, -1, low_[axis]))
+            return false;
+    return true;
 }
 
 } // namespace candela

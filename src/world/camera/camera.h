@@ -4,6 +4,7 @@
 // (orthographic).
 #pragma once
 
+#include "foundation/base/box3.h"
 #include "foundation/base/matrix4.h"
 #include "interface/ri/options.h"
 #include "world/rays/ray_batch.h"
@@ -31,6 +32,9 @@ public:
     const Matrix4 &rasterFromCamera() const { return rasterFromCamera_; }
     /// Edge length of a pixel, in metres, at depth z: what dicing is measured by.
     float pixelSize(float z) const;
+    /// False where an orthographic camera's frame shows nothing of the box, whatever the crop
+    /// window.
+    bool mayShow(const Box3 &) const;
 
 private:
     Matrix4 screenFromCamera_, ndcFromCamera_, rasterFromCamera_;
@@ -39,6 +43,7 @@ private:
     /// Raster to the plane z = 1 (perspective; orthographic: any z): a row each for the origin, a
     /// step of a pixel in x, and one in y.
     float origin_[2] = {-1, 1}, xStep_[2] = {}, yStep_[2] = {};
+    float low_[2] = {}, high_[2] = {}; ///< Bounds of the frame on that plane.
     float lensRadius_ = 0, focalDistance_ = 0;
     float shutterOpen_ = 0, shutterClose_ = 0;
     float focal_ = 1; ///< Distance of the screen plane for which the screen window is stated.

@@ -45,8 +45,22 @@ inline float larger(float a, float b) { return a > b ? a : b; }
 inline float smaller(float a, float b) { return a < b ? a : b; }
 inline float within(float x, float half) { return smaller(larger(x, -half), half); }
 
-/// Estimates of the irradiances that the children give; 0 only of those that can give none.
-[[gnu::always_inline]] inline void weigh(const Node &n, const Point &p, float *weight) {
+/// 1 or 0: selections are products, since compilers turn others into branches, which don't
+/// vectorise.
+inline float mask(bool condition) { return condition ? 1.0f : 0.0f; }
+inline float pick(float mask, float a, float b) { return mask * a + (1 - mask) * b; }
+
+/// Where a direction is against the normals: cosine and sine of its angle with the nearest one.
+[[gnu::always_inline]] inline void leaveCone(float cosine, float sine, float cosCone, float sinCone,
+                                             float &cosRest, float &sinRest) {
+    const float rest = sine * cosCone - cosine * sinCone;
+    cosRest = pick(mask(rest > 0), cosine * cosCone + sine * sinCone, 1);
+    sinRest = larger(rest, 0);
+}
+
+/// Estimates of the irradiances that the children give a sound point; 0 only of those that can
+/// give none.
+[[gnu::always_inline]] inline void weighSound(const Node &n, const Point &p, float *weight) {
     const float leastFacing = p.horizon ? leastCosine : 1.0f;
 #pragma GCC ivdep
     for (int k = 0; k < Node::width; ++k) {
@@ -63,41 +77,44 @@ inline float within(float x, float half) { return smaller(larger(x, -half), half
         const float reach = std::fabs(p.nx) * hx + std::fabs(p.ny) * hy + std::fabs(p.nz) * hz;
         const float scale = std::fabs(vx) + std::fabs(vy) + std::fabs(vz);
         const float nearHeight = p.nx * wx + p.ny * wy + p.nz * wz;
-        const bool risen = !(height + reach < -heightMargin * scale);
+        const float risen = mask(height + reach >= -heightMargin * scale);
+        const float facingV = larger(height * perD, leastFacing);
+        const float facingW = larger(nearHeight * perNear, leastFacing);
         // The emitter: the angle of v with the axis, less the spread of normals, less the box.
         const float ax = n.axis[0][k], ay = n.axis[1][k], az = n.axis[2][k];
         const float cosNormal = n.cosNormal[k], sinNormal = n.sinNormal[k];
         const float qx = ay * vz - az * vy, qy = az * vx - ax * vz, qz = ax * vy - ay * vx;
-        const float cosAxis = -(ax * vx + ay * vy + az * vz) * perD;
-        const float sinAxis = std::sqrt(qx * qx + qy * qy + qz * qz) * perD;
-        const bool among = cosAxis >= cosNormal;
-        const float c = among ? 1.0f : cosAxis * cosNormal + sinAxis * sinNormal;
-        const float s = among ? 0.0f : sinAxis * cosNormal - cosAxis * sinNormal;
-        const float box2 = smaller(r2 * perD * perD, 1.0f);
-        const float sinBox = std::sqrt(box2), cosBox = std::sqrt(1 - box2);
-        const float nearest = c >= cosBox ? 1.0f : c * cosBox + s * sinBox;
-        const bool shines = (d2 <= r2) | (nearest >= n.cosEmission[k] - margin);
-        // What cosines the two directions have.
+        const float cosV = -(ax * vx + ay * vy + az * vz) * perD;
+        const float sinV = std::sqrt(qx * qx + qy * qy + qz * qz) * perD;
+        const float sine2 = smaller(r2 * perD * perD, 1);
+        const float sinBox = std::sqrt(sine2), cosBox = std::sqrt(1 - sine2);
+        float c, s, nearest, rest;
+        leaveCone(cosV, sinV, cosNormal, sinNormal, c, s);
+        leaveCone(c, s, cosBox, sinBox, nearest, rest);
+        const float shines = larger(mask(d2 <= r2), mask(nearest >= n.cosEmission[k] - margin));
+        // What cosines the two directions have there.
         const float backs = n.backs[k];
-        const float turnedV = larger(cosAxis, -backs * cosAxis);
-        const float sentV = turnedV >= cosNormal ? 1.0f : turnedV * cosNormal + sinAxis * sinNormal;
+        float sentV, sentW;
+        leaveCone(larger(cosV, -backs * cosV), sinV, cosNormal, sinNormal, sentV, rest);
         const float cosW = -(ax * wx + ay * wy + az * wz) * perNear;
-        const float turnedW = larger(cosW, -backs * cosW);
-        const float sinW = std::sqrt(larger(1 - cosW * cosW, 0.0f));
-        const float sentW = turnedW >= cosNormal ? 1.0f : turnedW * cosNormal + sinW * sinNormal;
-        const float cosinesV = larger(sentV, leastCosine) * larger(height * perD, leastFacing);
-        const float cosinesW =
-            larger(sentW, leastCosine) * larger(nearHeight * perNear, leastFacing);
-        const float both = near2 > 0 ? larger(cosinesV, cosinesW) : 1.0f;
-        const float cosines = shines ? both : n.beyond[k] * larger(height * perD, leastFacing);
+        const float sinW = std::sqrt(larger(1 - cosW * cosW, 0));
+        leaveCone(larger(cosW, -backs * cosW), sinW, cosNormal, sinNormal, sentW, rest);
+        const float seen =
+            larger(larger(sentV, leastCosine) * facingV, larger(sentW, leastCosine) * facingW);
+        const float cosines = pick(shines, pick(mask(near2 > 0), seen, 1), n.beyond[k] * facingV);
         // In a box, and near a large one, emitters are nearer than its centre.
         const float intensity = n.intensity[k];
         const float square = larger(larger(d2, r2 * 0.25f), 1e-30f);
-        const float value = larger(intensity / square * cosines, leastWeight);
-        const bool possible = (intensity > 0) & risen & (cosines > 0);
-        const float sound = possible ? value : 0.0f;
-        weight[k] = p.sound ? sound : intensity;
+        const float possible = mask(intensity > 0) * risen * mask(cosines > 0);
+        weight[k] = larger(intensity / square * cosines, leastWeight) * possible;
     }
+}
+
+[[gnu::always_inline]] inline void weigh(const Node &n, const Point &p, float *weight) {
+    if (p.sound)
+        return weighSound(n, p, weight);
+    for (int k = 0; k < Node::width; ++k)
+        weight[k] = n.intensity[k];
 }
 
 /// The sum of the weights, always in the same order.
@@ -113,43 +130,73 @@ inline float rounded(double p) { return p > 0 ? std::max(float(p), 0x1p-126f) : 
 
 /// Moves x to within the share of the child that it falls to, which is returned; -1 = no child.
 [[gnu::always_inline]] inline int descend(const float *weight, double &x, double &product) {
-    const double sum = total(weight);
-    if (!(sum > 0))
-        return -1;
-    const double at = x * sum;
-    int chosen = -1;
-    double low = 0, next = 0;
-    for (int k = 0; k < Node::width; ++k) {
-        const bool here = (weight[k] > 0) & ((chosen < 0) | (at >= next));
-        chosen = here ? k : chosen;
-        low = here ? next : low;
-        next += double(weight[k]);
+    double below[Node::width + 1];
+    below[0] = 0;
+    for (int k = 0; k < Node::width; ++k)
+        below[k + 1] = below[k] + double(weight[k]);
+    const double sum = below[Node::width], at = x * sum;
+    // Children without a weight end where they begin, so x is never within them.
+    int chosen = 0, last = 0;
+    for (int k = 1; k <= Node::width; ++k) {
+        chosen += at >= below[k] ? 1 : 0;
+        last += below[k] < sum ? 1 : 0;
     }
+    chosen = std::min(chosen, last);
     const double share = double(weight[chosen]);
     if (share < sum) // An only child leaves x as it is.
-        x = std::min(std::max((at - low) / share, 0.0), largestBelow1);
-    product *= share / sum;
-    return chosen;
+        x = std::min(std::max((at - below[chosen]) / share, 0.0), largestBelow1);
+    product *= sum > 0 ? share / sum : 0;
+    return sum > 0 ? chosen : -1;
 }
 
-CANDELA_HOT void chooseEmitters(const Node *nodes, int count, const float *const P[3],
-                                const float *const N[3], double *u, std::int32_t *emitter,
-                                float *probability) {
-    for (int i = 0; i < count; ++i) {
-        const Point p = pointAt(P, N, i);
-        float weight[Node::width];
-        double product = 1, x = u[i] >= 0 ? std::min(u[i], largestBelow1) : 0;
-        // A single emitter hangs on the first node.
-        std::int32_t at = nodes[0].link[0] < 0 ? 0 : nodes[0].link[0];
-        do {
-            weigh(nodes[at], p, weight);
-            const int child = descend(weight, x, product);
-            at = child < 0 ? ~std::int32_t(-1) : nodes[at].link[child];
-            product = child < 0 ? 0 : product;
-        } while (product > 0 && at >= 0);
-        u[i] = x;
-        emitter[i] = product > 0 ? ~at : -1;
-        probability[i] = rounded(product);
+/// A point on its way down.
+struct Walk {
+    Point point;
+    double x, product;
+    std::int32_t at; ///< A node, or ~emitter.
+};
+
+/// Points that go down together, level by level: what one waits for, another computes.
+constexpr int together = 32;
+
+CANDELA_HOT void descendAll(const Node *nodes, int count, Walk *walks) {
+    std::int32_t active[together];
+    for (int i = 0; i < count; ++i)
+        active[i] = i;
+    while (count > 0) {
+        int left = 0;
+        for (int k = 0; k < count; ++k) {
+            Walk &walk = walks[active[k]];
+            float weight[Node::width];
+            weigh(nodes[walk.at], walk.point, weight);
+            const int child = descend(weight, walk.x, walk.product);
+            walk.product = child < 0 ? 0 : walk.product;
+            walk.at = nodes[walk.at].link[child < 0 ? 0 : child];
+            active[left] = active[k];
+            left += (walk.at >= 0) & (walk.product > 0);
+        }
+        count = left;
+    }
+}
+
+void chooseEmitters(const Node *nodes, int count, const float *const P[3], const float *const N[3],
+                    double *u, std::int32_t *emitter, float *probability) {
+    Walk walks[together];
+    // A single emitter hangs on the first node.
+    const std::int32_t top = nodes[0].link[0] < 0 ? 0 : nodes[0].link[0];
+    for (int first = 0; first < count; first += together) {
+        const int n = std::min(together, count - first);
+        for (int k = 0; k < n; ++k) {
+            const double x = u[first + k];
+            walks[k] = {pointAt(P, N, first + k), x >= 0 ? std::min(x, largestBelow1) : 0, 1, top};
+        }
+        descendAll(nodes, n, walks);
+        for (int k = 0; k < n; ++k) {
+            const Walk &walk = walks[k];
+            u[first + k] = walk.x;
+            emitter[first + k] = walk.product > 0 ? ~walk.at : -1;
+            probability[first + k] = rounded(walk.product);
+        }
     }
 }
 

@@ -195,6 +195,7 @@ public:
         for (const Branch &branch : branches_)
             strongest = std::max(strongest, intensityOf(branch.bound));
         tree_.unit_ = strongest > 0 ? strongest : 1;
+        tree_.nodes_.reserve(branches_.size() / 8 + 2);
         tree_.nodes_.emplace_back();
         hang(0, 0, 0);
     }

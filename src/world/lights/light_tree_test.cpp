@@ -164,6 +164,56 @@ TEST(LightTree, WhoeverCanShineMayBeChosen) {
     EXPECT_GT(culled, 1000);
 }
 
+/// Behind a loose emitter light is unlikely, not impossible.
+TEST(LightTree, LooseEmittersAreChosenRarelyBeyondTheirSpread) {
+    std::vector<EmitterBound> two;
+    for (float z : {1.0f, -1.0f})
+        two.push_back({{{0, 0, 2}, {0.1f, 0.1f, 2}}, {0, 0, z}, 0, pi / 2, 1, true});
+    const LightTree tree(two);
+    EXPECT_GT(probability(tree, {0, 0, 0}, {}, 0), 1e-3);
+    EXPECT_LT(probability(tree, {0, 0, 0}, {}, 0), 0.02);
+    EXPECT_GT(probability(tree, {0, 0, 4}, {}, 0), 0.98);
+    two[0].isLoose = two[1].isLoose = false;
+    EXPECT_EQ(probability(LightTree(two), {0, 0, 0}, {}, 0), 0);
+    // Nor does joining make them strict.
+    Random random(3);
+    std::vector<EmitterBound> many = spots(50, random);
+    for (EmitterBound &e : many)
+        e.isLoose = true;
+    const LightTree loose(many);
+    for (int i = 0; i < 50; ++i) {
+        const Vec3 p = random.inBox({-8, -8, -8}, {12, 12, 12});
+        for (int e = 0; e < 50; ++e)
+            EXPECT_GT(probability(loose, p, {}, e), 0);
+        EXPECT_NEAR(sumOfProbabilities(loose, p, {}), 1, 1e-5);
+    }
+}
+
+/// Batches are walked together; what they choose is what each point chooses alone.
+TEST(LightTree, BatchesChooseWhatPointsChooseAlone) {
+    Random random(9);
+    const LightTree tree(spots(700, random));
+    constexpr int count = 100;
+    float P[3][count], N[3][count], probabilities[count];
+    double u[count], before[count];
+    std::int32_t emitters[count];
+    for (int i = 0; i < count; ++i) {
+        const Vec3 p = random.inBox({-1, -1, -1}, {5, 5, 5}), n = random.direction();
+        for (int k = 0; k < 3; ++k)
+            P[k][i] = p[k], N[k][i] = i % 3 ? n[k] : 0;
+        before[i] = u[i] = random();
+    }
+    const float *p[3] = {P[0], P[1], P[2]}, *n[3] = {N[0], N[1], N[2]};
+    tree.choose(count, p, n, u, emitters, probabilities);
+    for (int i = 0; i < count; ++i) {
+        const Chosen alone =
+            choose(tree, {P[0][i], P[1][i], P[2][i]}, {N[0][i], N[1][i], N[2][i]}, before[i]);
+        EXPECT_EQ(alone.emitter, emitters[i]);
+        EXPECT_EQ(alone.probability, probabilities[i]);
+        EXPECT_EQ(alone.u, u[i]);
+    }
+}
+
 TEST(LightTree, AllSizesChooseAlike) {
     std::vector<EmitterBound> unit = lamps(100, 1, 3);
     LightTree reference(unit);

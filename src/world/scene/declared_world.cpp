@@ -8,7 +8,7 @@ namespace candela {
 namespace {
 
 /// Objects that instance objects multiply: this is more than memory holds.
-constexpr std::size_t mostPlacements = 50'000'000;
+constexpr std::size_t mostPlacements = 16'000'000;
 
 class Placer {
 public:

@@ -43,6 +43,16 @@ void pointLight(const ShaderArgs *args) {
     });
 }
 
+/// Dark beyond half a radian about the axis.
+void spotLight(const ShaderArgs *args) {
+    forLanes(args, [](Lane lane) {
+        Vec3 from = lane.parameter3(FromX), L = lane.vec3(ShaderInput::Ps) - from;
+        lane.out(0, L);
+        if (dot(normalize(L), normalize(lane.parameter3(ToX) - from)) > std::cos(0.5f))
+            lane.out(3, lane.parameter3(Red) / dot(L, L));
+    });
+}
+
 void distantLight(const ShaderArgs *args) {
     forLanes(args, [](Lane lane) {
         lane.out(0, lane.parameter3(ToX)), lane.out(3, lane.parameter3(Red));
@@ -91,7 +101,7 @@ ir::LoweredShader lowered(const std::string &name, const std::set<std::string> &
         shader.whole.variables.push_back({"Kd", 0});
     if (name == "distantlight")
         shader.lightClass = ir::LightClass::Distant;
-    if (name == "pointlight" || name == "arealight")
+    if (name == "pointlight" || name == "spotlight" || name == "arealight")
         shader.lightClass = ir::LightClass::Local;
     return shader;
 }
@@ -118,6 +128,7 @@ ShaderCode::ShaderCode(ir::LoweredShader shader, ir::LightRule, std::shared_ptr<
     set(ir::Question::Emit, {"Ce"}, glowEmits);
     set(ir::Question::Light, {"L", "Cl"},
         name() == "pointlight"     ? pointLight
+        : name() == "spotlight"    ? spotLight
         : name() == "distantlight" ? distantLight
         : name() == "arealight"    ? areaLight
                                    : ambientLight);

@@ -63,6 +63,18 @@ bool readsOnlyPlace(const ShaderCode &code) {
     return code.variables().empty();
 }
 
+/// A surface sends the same from everywhere to everywhere: what was seen of it is all there is.
+bool emitsAlike(const ShaderCode &code) {
+    const QuestionCode &emission = code.question(ir::Question::Emit);
+    for (int input = 0; input < int(ShaderInput::Count); ++input) {
+        const bool given = (input >= int(ShaderInput::Cs) && input < int(ShaderInput::Cs) + 3) ||
+                           (input >= int(ShaderInput::Os) && input < int(ShaderInput::Os) + 3);
+        if (!given && emission.reads(ShaderInput(input)))
+            return false;
+    }
+    return code.variables().empty();
+}
+
 } // namespace
 
 LightBuilder::LightBuilder(SceneState &state, ShaderLibrary &library)
@@ -214,6 +226,8 @@ void LightBuilder::addSource(int index, std::span<const std::int32_t> members) {
     source.light = index;
     source.firstMember = std::int32_t(table.members.size());
     source.members = std::int32_t(members.size());
+    if (const std::uint32_t on = table.elements[members.front()].instance; on != noHit)
+        source.handedness = state_.points.instances[on].handedness;
     for (std::int32_t member : members) {
         source.area += areaOf(table.elements[member]);
         table.members.push_back(member);
@@ -353,11 +367,7 @@ std::int32_t surroundingSource(const LightTable &table, std::span<const EmitterB
 
 void LightBuilder::prepareChoices() {
     LightTable &table = state_.lights;
-    for (SceneLight &light : table.lights) {
-        light.power = estimatePower(state_, light);
-        if (light.kind == LightKind::Point)
-            light.place = placeOf(state_, light);
-    }
+    estimateLights(state_);
     table.number(state_.points);
     const std::vector<EmitterBound> bounds = boundsOfSources();
     const std::int32_t dome = surroundingSource(table, bounds);
@@ -371,24 +381,36 @@ void LightBuilder::prepareChoices() {
 /// Sources without a place have an empty box, those without any power 0.
 std::vector<EmitterBound> LightBuilder::boundsOfSources() const {
     const LightTable &table = state_.lights;
-    // Estimates may miss a narrow beam: no light counts for nothing.
-    double strongest = 0;
-    for (const SceneLight &light : table.lights)
+    const PointTables &points = state_.points;
+    // Estimates may miss a narrow beam: no light counts for nothing, and those that seem dark share
+    // some samples.
+    constexpr double shareOfDark = 0.02;
+    double strongest = 0, dark = 1;
+    for (const SceneLight &light : table.lights) {
         strongest = std::max(strongest, light.power);
-    const double least = strongest > 0 ? 1e-4 * strongest : 1;
+        dark += light.isSampled() && light.power == 0;
+    }
+    const double least = strongest > 0 ? shareOfDark / dark * strongest : 1;
     std::vector<EmitterBound> bounds;
     for (const LightSource &source : table.sources) {
         const SceneLight &light = table.lights[source.light];
         EmitterBound bound;
         double share = 1;
         if (light.hasGeometry()) {
-            bound = boundOf(table, source);
+            const LightElement &element = table.firstElementOf(source);
+            const Appearance &appearance =
+                points.appearances[points.appearanceOf(element.instance, element.shape)];
+            bound = boundOf(table, source, light.sides, appearance.elementSign);
             share = source.area / light.area;
         } else if (light.kind == LightKind::Point) {
             bound.box = light.place;
-            bound.normalSpread = bound.emissionSpread = std::numbers::pi_v<float>;
+            bound.axis = light.axis;
+            bound.emissionSpread = light.spread, bound.isLoose = true;
         }
-        bound.power = float(std::max(light.power, least) * share);
+        // Black `constant` surfaces, most of all.
+        const bool black =
+            light.power == 0 && light.kind == LightKind::Emitter && emitsAlike(*light.shader.code);
+        bound.power = black ? 0 : float(std::max(light.power, least) * share);
         bounds.push_back(bound);
     }
     return bounds;

@@ -5,6 +5,7 @@
 #include "world/scene/light_choices.h"
 #include "world/scene/source_points.h"
 
+#include <algorithm>
 #include <optional>
 
 namespace candela {
@@ -22,6 +23,8 @@ ElementRows &elementRows(int count) {
 
 void Scene::lightDensity(const LightQuery &query, const ShadingPoints &points,
                          const std::array<const float *, 3> &elementPoint, float *pdf) const {
+    if (state_->lights.elements.empty())
+        return void(std::fill_n(pdf, query.count, 0.0f));
     thread_local Scratch<std::int32_t> sources;
     thread_local AlignedScratch probabilities;
     const int count = query.count;

@@ -179,12 +179,16 @@ private:
     Estimates sums_;
 };
 
-void expectPi(const std::vector<double> &values, const char *what) {
+std::pair<double, double> meanAndError(const std::vector<double> &values) {
     double sum = 0, squares = 0;
     for (double value : values)
         sum += value, squares += value * value;
     const double n = double(values.size()), mean = sum / n;
-    const double error = std::sqrt(std::max(squares / n - mean * mean, 0.0) / (n - 1));
+    return {mean, std::sqrt(std::max(squares / n - mean * mean, 0.0) / (n - 1))};
+}
+
+void expectPi(const std::vector<double> &values, const char *what) {
+    const auto [mean, error] = meanAndError(values);
     EXPECT_LT(error, 0.01 * M_PI) << what;
     EXPECT_NEAR(mean, M_PI, 5 * error + 1e-4) << what; // Student's t, 24 seeds: 5e-5.
 }
@@ -243,6 +247,36 @@ TEST(LightPieces, SamplesAndHitsTellOneDensity) {
             for (std::size_t k = 0; k < order.size(); ++k) {
                 const float ratio = pdf[k] / samples.out.pdfSolidAngle[order[k]];
                 EXPECT_NEAR(ratio, 1, 2e-3) << k; // The hit may be on the next piece's element.
+            }
+        });
+    }
+}
+
+/// Spheres that instances leave spheres, and such as they make ellipsoids of.
+TEST(LightPieces, InstancesOfSpheresShine) {
+    for (float stretch : {1.0f, 2.0f}) {
+        SCOPED_TRACE(stretch);
+        TestWorld world;
+        world.options.named["render:integrator"] = {"integrator", {}, {}, {"path"}};
+        world.attributes.surface =
+            TestWorld::shader("glow", {TestWorld::numbers("intensity", {1})});
+        world.addObject(SphereRecord{0.5f, -0.5f, 0.5f, 360},
+                        {scaling(2, 2, 2 * stretch) * translation(0, 1, 4),
+                         scaling(1, stretch, 1) * translation(0, -2, 3)});
+        world.render([&](const Scene &scene) {
+            Estimator estimator(scene, 1 << 14);
+            std::vector<double> byLight, byHits;
+            for (unsigned seed = 1; seed <= 16; ++seed) {
+                const Estimates e = estimator.at({0, 0, 0}, {0, 0, 1}, seed);
+                byLight.push_back(e.byLight), byHits.push_back(e.byHits);
+            }
+            auto [light, lightError] = meanAndError(byLight);
+            auto [hits, hitsError] = meanAndError(byHits);
+            EXPECT_NEAR(light, hits, 5 * (lightError + hitsError));
+            EXPECT_LT(lightError, 0.005 * light);
+            if (stretch == 1) { // Pi R^2 cos / d^2 each.
+                const double truth = M_PI * (4 / std::pow(17, 1.5) + 0.25 * 3 / std::pow(13, 1.5));
+                EXPECT_NEAR(light, truth, 5 * lightError + 1e-5);
             }
         });
     }

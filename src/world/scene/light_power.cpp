@@ -5,15 +5,21 @@
 #include "world/scene/source_points.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 namespace candela {
 
 namespace {
 
-constexpr int samples = 256;
 constexpr float pi = std::numbers::pi_v<float>;
+constexpr int mostSamples = 256, leastSamples = 16;
+/// Questions to all lights of a group together, beyond which each is asked less often.
+constexpr int questionBudget = 1 << 19;
+/// Questions that tell where a light without geometry stands.
+constexpr int placeSamples = 4;
 
 /// Additive recurrences on powers of the plastic number: four well spread dimensions.
 float quasiRandom(int i, int dimension) {
@@ -28,181 +34,273 @@ Vec3 onSphere(float a, float b) {
     return {r * std::cos(2 * pi * b), r * std::sin(2 * pi * b), z};
 }
 
-void setPs(LightBatch &batch, int i, Vec3 Ps) {
-    for (int c = 0; c < 3; ++c)
-        batch.input(ShaderInput::Ps, c)[i] = Ps[c];
+Vec3 direction(int i) { return onSphere(quasiRandom(i, 0), quasiRandom(i, 1)); }
+
+Vec3 get(const LightBatch &batch, ShaderInput input, int lane) {
+    return {batch.input(input, 0)[lane], batch.input(input, 1)[lane], batch.input(input, 2)[lane]};
 }
 
-/// Sum of Cl's color samples at point i.
-double totalCl(const LightBatch &batch, int i) {
+void set(LightBatch &batch, ShaderInput input, int lane, Vec3 value) {
+    for (int c = 0; c < 3; ++c)
+        batch.input(input, c)[lane] = value[c];
+}
+
+Vec3 vectorL(const LightBatch &batch, int lane) {
+    return {batch.L[0][lane], batch.L[1][lane], batch.L[2][lane]};
+}
+
+/// Sum of Cl's color samples; lights may take away as well.
+double totalCl(const LightBatch &batch, int lane) {
     double total = 0;
     for (int c = 0; c < colorSamples; ++c)
-        total += std::max(0.0f, batch.Cl[c][i]);
+        total += std::fabs(batch.Cl[c][lane]);
     return total;
 }
 
-void prepare(LightBatch &batch, const SceneLight &light) {
-    batch.count = samples;
-    for (int i = 0; i < samples; ++i) {
-        placePointLight(batch, i, light);
-        batch.parameterOffset[i] = light.shader.parameterOffset;
-        batch.objectIndex[i] = 0;
-        for (int c = 0; c < 2; ++c)
-            batch.input(ShaderInput::lightSample, c)[i] = quasiRandom(i, 2 + c);
+/// Asks a few lights at a time, all of one shader; lane k * samples + i is sample i of light k.
+class Estimator {
+public:
+    explicit Estimator(SceneState &state) : state_(state) {}
+
+    void estimate(LightKind kind, std::span<const int> group) {
+        const int share = questionBudget / int(group.size());
+        samples_ = std::clamp(int(std::bit_floor(unsigned(share))), leastSamples, mostSamples);
+        const std::size_t together = lightBatchSize / samples_;
+        for (std::size_t first = 0; first < group.size(); first += together) {
+            group_ = group.subspan(first, std::min(together, group.size() - first));
+            switch (kind) {
+            case LightKind::None:
+            case LightKind::Ambient: break;
+            case LightKind::Area:
+            case LightKind::Emitter: askSurfaces(); break;
+            case LightKind::Distant: askDistant(); break;
+            case LightKind::Point: askPoints(); break;
+            case LightKind::ClassicArea: askClassicAreas(); break;
+            }
+        }
     }
-}
 
-double distantPower(const SceneState &state, const SceneLight &light) {
-    LightBatch batch(samples);
-    prepare(batch, light);
-    for (int i = 0; i < samples; ++i)
-        setPs(batch, i,
-              state.centre + onSphere(quasiRandom(i, 0), quasiRandom(i, 1)) * state.radius);
-    batch.ask(state, *light.shader.code);
-    double sum = 0;
-    for (int i = 0; i < samples; ++i)
-        sum += totalCl(batch, i);
-    return sum / samples * pi * state.radius * state.radius;
-}
+private:
+    SceneLight &light(int k) const { return state_.lights.lights[group_[k]]; }
+    int lights() const { return int(group_.size()); }
 
-/// Asks from all around the scene; where the light stands then is where L comes from.
-void askFromAround(const SceneState &state, const SceneLight &light, LightBatch &batch) {
-    for (int i = 0; i < samples; ++i)
-        setPs(batch, i,
-              state.centre + onSphere(quasiRandom(i, 0), quasiRandom(i, 1)) * state.radius);
-    batch.ask(state, *light.shader.code);
-}
-
-Vec3 vec3(float *const *planes, int i) { return {planes[0][i], planes[1][i], planes[2][i]}; }
-
-Vec3 Ps(const LightBatch &batch, int i) {
-    return {batch.input(ShaderInput::Ps, 0)[i], batch.input(ShaderInput::Ps, 1)[i],
-            batch.input(ShaderInput::Ps, 2)[i]};
-}
-
-/// Intensities over the sphere around the light.
-double pointPower(const SceneState &state, const SceneLight &light, LightBatch &batch) {
-    askFromAround(state, light, batch);
-    for (int i = 0; i < samples; ++i) {
-        const Vec3 L = vec3(batch.L.data(), i);
-        const Vec3 at =
-            dot(L, L) > 0 ? Ps(batch, i) - L : transformPoint(light.currentFromShader, {0, 0, 0});
-        setPs(batch, i, at + onSphere(quasiRandom(i, 0), quasiRandom(i, 1)) * state.radius);
+    /// Calls body(light's number, its sample, lane).
+    template <class Body> void forLanes(int samples, Body body) const {
+        for (int k = 0; k < lights(); ++k)
+            for (int i = 0; i < samples; ++i)
+                body(k, i, k * samples + i);
     }
-    batch.ask(state, *light.shader.code);
-    double sum = 0;
-    for (int i = 0; i < samples; ++i) {
-        const Vec3 L = vec3(batch.L.data(), i);
-        sum += totalCl(batch, i) * (double(L.x) * L.x + double(L.y) * L.y + double(L.z) * L.z);
+
+    void prepare(int samples) {
+        batch_.count = samples * lights();
+        forLanes(samples, [&](int k, int i, int lane) {
+            placePointLight(batch_, lane, light(k));
+            batch_.parameterOffset[lane] = light(k).shader.parameterOffset;
+            batch_.objectIndex[lane] = 0;
+            for (int c = 0; c < 2; ++c)
+                batch_.input(ShaderInput::lightSample, c)[lane] = quasiRandom(i, 2 + c);
+        });
     }
-    return sum / samples * 4 * pi;
-}
 
-std::int32_t codeOf(const SceneState &state, std::int32_t source) {
-    const LightElement &element = state.lights.firstElementOf(state.lights.sources[source]);
-    return state.points.appearances[state.points.appearanceOf(element.instance, element.shape)]
-        .code;
-}
+    void ask() { batch_.ask(state_, *light(0).shader.code); }
 
-/// Points on the light, uniform by area, as shading points of `code`. Where the shapes' codes
-/// differ, those of the first one stand for all.
-void placeSamples(const SceneState &state, const SceneLight &light, const SurfaceCode &code,
-                  ShadingPoints &points) {
-    const std::int32_t first = codeOf(state, light.firstSource);
-    std::int32_t source[samples];
-    float u[samples], v[samples];
-    for (int i = 0; i < samples; ++i) {
-        double choice = (i + 0.5) / samples;
-        source[i] = light.firstSource + chooseByCumulative(light.cumulative, choice);
-        if (codeOf(state, source[i]) != first)
-            source[i] = light.firstSource;
-        u[i] = quasiRandom(i, 0), v[i] = quasiRandom(i, 1);
+    void askFromAround(int samples) {
+        forLanes(samples, [&](int, int i, int lane) {
+            set(batch_, ShaderInput::Ps, lane, state_.centre + direction(i) * state_.radius);
+        });
+        ask();
     }
-    ElementRows rows(samples);
-    SourcePoints drawn(samples);
-    rows.draw(state.lights, samples, source, u);
-    placeOnElements(rows, rows.u, v, drawn);
-    placePoints(rows, drawn, points);
-    for (int c = 0; c < 3; ++c)
-        std::fill_n(points.input(ShaderInput::I, c), samples, 0.0f);
-    evaluatePoints(state.points, state.camera, code, nullptr, points);
-}
 
-/// Points and cosine-distributed directions on both sides; I is set.
-void placeViewers(ShadingPoints &points) {
-    for (int i = 0; i < points.count; ++i) {
-        Vec3 Ng{points.input(int(ShaderInput::Ng))[i], points.input(int(ShaderInput::Ng) + 1)[i],
-                points.input(int(ShaderInput::Ng) + 2)[i]};
-        // A unit vector added to the normal has the cosine distribution about it.
-        Vec3 direction = normalize(Ng) + onSphere(quasiRandom(i, 2), quasiRandom(i, 3));
-        direction = normalize(i % 2 ? -direction : direction);
-        for (int c = 0; c < 3; ++c)
-            points.input(int(ShaderInput::I) + c)[i] = -direction[c];
+    /// Without extent, classic units are what a white diffuser sends.
+    static void setPower(SceneLight &light, double power) {
+        if (!light.finite() && !light.si)
+            power *= pi;
+        light.power = std::isfinite(power) && power > 0 ? power : 0;
     }
-}
 
-/// Radiant exitance of both sides times area.
-double finitePower(const SceneState &state, const SceneLight &light) {
-    ShadingPoints points(samples);
-    Planes<float> planes(colorSamples, samples);
-    float *radiance[colorSamples];
-    for (int c = 0; c < colorSamples; ++c)
-        std::fill_n(radiance[c] = planes[c], samples, 0.0f);
-    const int code = codeOf(state, light.firstSource);
-    placeSamples(state, light, state.points.codes[code], points);
-    placeViewers(points);
-    state.emission(code, points, radiance);
-    double sum = 0;
-    for (int c = 0; c < colorSamples; ++c)
-        for (int i = 0; i < samples; ++i)
-            sum += std::max(0.0f, radiance[c][i]);
-    return sum / samples * 2 * pi * light.area;
-}
+    void askDistant() {
+        prepare(samples_);
+        askFromAround(samples_);
+        std::vector<double> sums(lights());
+        forLanes(samples_, [&](int k, int, int lane) { sums[k] += totalCl(batch_, lane); });
+        for (int k = 0; k < lights(); ++k)
+            setPower(light(k), sums[k] / samples_ * pi * state_.radius * state_.radius);
+    }
 
-/// Classic area lights are told by their shader how to fall off: what arrives at the rim of the
-/// scene counts.
-void placeClassicArea(const SceneState &state, const SceneLight &light, LightBatch &batch) {
-    ShadingPoints points(samples);
-    placeSamples(state, light, SurfaceCode{}, points);
-    for (ShaderInput input : {ShaderInput::P, ShaderInput::N, ShaderInput::Ng})
-        for (int c = 0; c < 3; ++c)
-            std::copy_n(points.input(input, c), samples, batch.input(input, c));
+    /// Where they stand is where L comes from; then from all directions.
+    void askPoints() {
+        std::vector<Vec3> centres(lights());
+        for (int k = 0; k < lights(); ++k) {
+            light(k).place = {};
+            centres[k] = transformPoint(light(k).currentFromShader, {0, 0, 0});
+        }
+        prepare(placeSamples);
+        askFromAround(placeSamples);
+        findPlaces(placeSamples);
+        for (int k = 0; k < lights(); ++k)
+            if (!light(k).place.empty())
+                centres[k] = light(k).place.centre();
+        prepare(samples_);
+        askAbout([&](int k, int) { return centres[k]; });
+        findPlaces(samples_);
+        findBeams();
+    }
+
+    void findPlaces(int samples) {
+        forLanes(samples, [&](int k, int, int lane) {
+            const Vec3 L = vectorL(batch_, lane), at = get(batch_, ShaderInput::Ps, lane) - L;
+            if (dot(L, L) > 0 && isFinite(at))
+                light(k).place.add(at);
+        });
+    }
+
+    /// Intensities over the sphere around each light.
+    template <class Centre> void askAbout(Centre centre) {
+        forLanes(samples_, [&](int k, int i, int lane) {
+            set(batch_, ShaderInput::Ps, lane, centre(k, lane) + direction(i) * state_.radius);
+        });
+        ask();
+        std::vector<double> sums(lights());
+        forLanes(samples_, [&](int k, int, int lane) {
+            const Vec3 L = vectorL(batch_, lane);
+            const double squared = double(L.x) * L.x + double(L.y) * L.y + double(L.z) * L.z;
+            sums[k] += totalCl(batch_, lane) * squared;
+        });
+        for (int k = 0; k < lights(); ++k)
+            setPower(light(k), sums[k] / samples_ * 4 * pi);
+    }
+
+    /// A cone about the directions that are lit, if it is narrow and enough of them are.
+    void findBeams() {
+        constexpr int enough = 6;
+        const float apart = 2.2f / std::sqrt(float(samples_)); // Of neighbouring directions.
+        for (int k = 0; k < lights(); ++k) {
+            Vec3 sum;
+            int lit = 0;
+            auto forLit = [&](auto body) {
+                for (int lane = k * samples_; lane < (k + 1) * samples_; ++lane)
+                    if (totalCl(batch_, lane) > 0)
+                        body(normalize(vectorL(batch_, lane)));
+            };
+            forLit([&](Vec3 d) { sum += d, ++lit; });
+            const Vec3 axis = normalize(sum);
+            float least = 1;
+            forLit([&](Vec3 d) { least = std::min(least, dot(axis, d)); });
+            const float spread = std::acos(std::clamp(least, -1.0f, 1.0f)) + apart;
+            const bool narrow = lit >= enough && spread < pi / 2;
+            light(k).axis = narrow ? axis : Vec3{};
+            light(k).spread = narrow ? spread : pi;
+        }
+    }
+
+    std::int32_t codeOf(const LightSource &source) const {
+        const LightElement &element = state_.lights.firstElementOf(source);
+        const PointTables &points = state_.points;
+        return points.appearances[points.appearanceOf(element.instance, element.shape)].code;
+    }
+
+    /// Points on the lights, uniform by area, as shading points of `code`. Where a light's shapes
+    /// have other codes, those of the first one stand for all.
+    void place(const SurfaceCode &code) {
+        const std::vector<LightSource> &sources = state_.lights.sources;
+        const int count = samples_ * lights();
+        std::int32_t source[lightBatchSize];
+        float u[lightBatchSize], v[lightBatchSize];
+        forLanes(samples_, [&](int k, int i, int lane) {
+            double choice = (i + 0.5) / samples_;
+            const std::int32_t first = light(k).firstSource;
+            source[lane] = first + chooseByCumulative(light(k).cumulative, choice);
+            if (codeOf(sources[source[lane]]) != codeOf(sources[first]))
+                source[lane] = first;
+            u[lane] = quasiRandom(i, 0), v[lane] = quasiRandom(i, 1);
+        });
+        rows_.draw(state_.lights, count, source, u);
+        placeOnElements(rows_, rows_.u, v, drawn_);
+        placePoints(rows_, drawn_, points_);
+        for (ShaderInput input : {ShaderInput::I, ShaderInput::E})
+            for (int c = 0; c < 3; ++c)
+                std::fill_n(points_.input(input, c), count, 0.0f);
+        evaluatePoints(state_.points, state_.camera, code, nullptr, points_);
+    }
+
+    /// Cosine-distributed viewers: even samples in front, odd ones behind.
+    void placeViewers() {
+        forLanes(samples_, [&](int, int i, int lane) {
+            Vec3 Ng;
+            for (int c = 0; c < 3; ++c)
+                Ng[c] = points_.input(ShaderInput::Ng, c)[lane];
+            // A unit vector added to the normal has the cosine distribution about it.
+            const Vec3 way = normalize(Ng + onSphere(quasiRandom(i, 2), quasiRandom(i, 3)));
+            for (int c = 0; c < 3; ++c)
+                points_.input(ShaderInput::I, c)[lane] = i % 2 ? way[c] : -way[c];
+        });
+    }
+
+    /// Radiant exitance of both sides times area.
+    void askSurfaces() {
+        const int code = codeOf(state_.lights.sources[light(0).firstSource]);
+        float *radiance[colorSamples];
+        for (int c = 0; c < colorSamples; ++c)
+            std::fill_n(radiance[c] = radiance_[c], lightBatchSize, 0.0f);
+        place(state_.points.codes[code]);
+        placeViewers();
+        state_.emission(code, points_, radiance);
+        std::vector<std::array<double, 2>> sums(lights());
+        forLanes(samples_, [&](int k, int i, int lane) {
+            for (int c = 0; c < colorSamples; ++c)
+                sums[k][i % 2] += std::fabs(radiance[c][lane]);
+        });
+        for (int k = 0; k < lights(); ++k) {
+            const auto [front, back] = sums[k];
+            setPower(light(k), (front + back) / samples_ * 2 * pi * light(k).area);
+            light(k).sides = front > 0 && back == 0   ? LightSides::Front
+                             : back > 0 && front == 0 ? LightSides::Back
+                                                      : LightSides::Both;
+        }
+    }
+
+    /// Classic area lights are told by their shader how to fall off: what arrives at the rim of the
+    /// scene counts.
+    void askClassicAreas() {
+        prepare(samples_);
+        place(SurfaceCode{});
+        for (ShaderInput input : {ShaderInput::P, ShaderInput::N, ShaderInput::Ng})
+            for (int c = 0; c < 3; ++c)
+                std::copy_n(points_.input(input, c), batch_.count, batch_.input(input, c));
+        askAbout([&](int, int lane) { return get(batch_, ShaderInput::P, lane); });
+    }
+
+    SceneState &state_;
+    std::span<const int> group_;
+    int samples_ = mostSamples;
+    LightBatch batch_{lightBatchSize};
+    ElementRows rows_{lightBatchSize};
+    SourcePoints drawn_{lightBatchSize};
+    ShadingPoints points_{lightBatchSize};
+    Planes<float> radiance_{colorSamples, lightBatchSize};
+};
+
+/// Lights that are asked together have kind and shader in common: that of the surface, if it tells.
+std::pair<LightKind, const void *> groupOf(const SceneState &state, const SceneLight &light) {
+    if (!light.finite())
+        return {light.kind, light.shader.code.get()};
+    const LightElement &element =
+        state.lights.firstElementOf(state.lights.sources[light.firstSource]);
+    const PointTables &points = state.points;
+    const int code = points.appearances[points.appearanceOf(element.instance, element.shape)].code;
+    return {LightKind::Area, &points.codes[code]};
 }
 
 } // namespace
 
-Box3 placeOf(const SceneState &state, const SceneLight &light) {
-    LightBatch batch(samples);
-    prepare(batch, light);
-    askFromAround(state, light, batch);
-    Box3 place;
-    for (int i = 0; i < samples; ++i)
-        if (const Vec3 L = vec3(batch.L.data(), i); dot(L, L) > 0 && isFinite(Ps(batch, i) - L))
-            place.add(Ps(batch, i) - L);
-    return place;
-}
-
-double estimatePower(const SceneState &state, const SceneLight &light) {
-    double power = 0;
-    switch (light.kind) {
-    case LightKind::None:
-    case LightKind::Ambient: return 0;
-    case LightKind::Area:
-    case LightKind::Emitter: power = finitePower(state, light); break;
-    case LightKind::Distant: power = distantPower(state, light); break;
-    case LightKind::Point:
-    case LightKind::ClassicArea: {
-        LightBatch batch(samples);
-        prepare(batch, light);
-        if (light.kind == LightKind::ClassicArea)
-            placeClassicArea(state, light, batch);
-        power = pointPower(state, light, batch);
-    }
-    }
-    bool delta = !light.finite();
-    if (delta && !light.si)
-        power *= pi;
-    return std::isfinite(power) && power > 0 ? power : 0;
+void estimateLights(SceneState &state) {
+    std::map<std::pair<LightKind, const void *>, std::vector<int>> groups;
+    for (std::size_t i = 0; i < state.lights.lights.size(); ++i)
+        if (state.lights.lights[i].isSampled())
+            groups[groupOf(state, state.lights.lights[i])].push_back(int(i));
+    Estimator estimator(state);
+    for (const auto &[key, group] : groups)
+        estimator.estimate(key.first, group);
 }
 
 } // namespace candela

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much a light sends into the scene, roughly: what lights are chosen by.
+// How much lights send into the scene, from where and whither, roughly: what they are chosen by.
 #pragma once
 
 #include "world/scene/scene_state.h"
 
 namespace candela {
 
-/// Mean over 256 quasi-random points and directions, all color samples added up; in W, for
-/// classic units what would be W if Cl were E / pi. Never negative or not finite.
-double estimatePower(const SceneState &, const SceneLight &);
-/// Where a light without geometry stands, as its shader tells points all around; empty if it lights
-/// none of them.
-Box3 placeOf(const SceneState &, const SceneLight &);
+/// Asks all lights, those of one shader together, and fills in SceneLight::power, place, axis,
+/// spread and sides. Of many lights each is asked less often.
+void estimateLights(SceneState &);
 
 } // namespace candela

@@ -82,9 +82,10 @@ void setBlack(LightSamples &samples, int i) {
 using Planes3 = const float *const *;
 
 /// Direction, distance and density of samples that lie on surfaces; light 0 where they aren't to
-/// be had. L ends before the zone in which the light's own elements might stand in the way.
-CANDELA_HOT void aim(int count, Planes3 point, Planes3 normal, const float *__restrict offset,
-                     Planes3 P, const float *__restrict drawnPdf,
+/// be had: those that turn their back where rays do not meet it, for one. L ends before the zone in
+/// which the light's own elements might stand in the way.
+CANDELA_HOT void aim(int count, Planes3 point, Planes3 normal, float frontSign,
+                     const float *__restrict offset, Planes3 P, const float *__restrict drawnPdf,
                      const float *__restrict probability, const std::int32_t *__restrict index,
                      float *const L[3], float *__restrict distance, float *__restrict pdf,
                      std::int32_t *__restrict light) {
@@ -100,12 +101,13 @@ CANDELA_HOT void aim(int count, Planes3 point, Planes3 normal, const float *__re
         const float dx = x[i] - px[i], dy = y[i] - py[i], dz = z[i] - pz[i];
         const float seen = std::sqrt(dx * dx + dy * dy + dz * dz);
         const float size = std::sqrt(nx[i] * nx[i] + ny[i] * ny[i] + nz[i] * nz[i]);
-        const float height = std::fabs(dx * nx[i] + dy * ny[i] + dz * nz[i]) / size;
+        const float along = dx * nx[i] + dy * ny[i] + dz * nz[i], height = std::fabs(along) / size;
         const float ofLamp = larger(std::fabs(x[i]), larger(std::fabs(y[i]), std::fabs(z[i])));
         const float ofP = larger(std::fabs(px[i]), larger(std::fabs(py[i]), std::fabs(pz[i])));
         const float zone = offset[i] + rounding * larger(ofLamp, ofP);
         const float density = drawnPdf[i] * probability[i];
-        const bool sound = (density > 0) & (density <= most) & (seen > 0) & (height > 0);
+        const bool sound = (density > 0) & (density <= most) & (seen > 0) & (height > 0) &
+                           (along * frontSign <= 0);
         const float before = sound ? larger(1 - zone / height, 0.5f) : 0.0f;
         lx[i] = sound ? dx * before : 0.0f;
         ly[i] = sound ? dy * before : 0.0f;
@@ -171,11 +173,11 @@ void take(const Block &block, const SourceBin &bin, float *const *value) {
         out.castsShadow[i] = bin.castsShadow & (out.light[i] != 0);
 }
 
-void aimAtSources(const Block &block, const SamplingScratch &own) {
+void aimAtSources(const Block &block, const SourceBin &bin, const SamplingScratch &own) {
     const LightSamples &out = block.out;
-    aim(block.count, own.drawn.point.data(), own.drawn.normal.data(), own.rows.offset,
-        block.P.data(), own.drawn.pdf, block.probability, own.rows.light, out.L.data(),
-        out.distance, out.pdfSolidAngle, out.light);
+    aim(block.count, own.drawn.point.data(), own.drawn.normal.data(), bin.frontSign,
+        own.rows.offset, block.P.data(), own.drawn.pdf, block.probability, own.rows.light,
+        out.L.data(), out.distance, out.pdfSolidAngle, out.light);
 }
 
 // ---- Questions ----
@@ -201,7 +203,7 @@ void sampleSurfaces(const SceneState &state, const SourceBin &bin, const Block &
     for (int c = 0; c < colorSamples; ++c)
         std::fill_n(radiance[c] = own.radiance[c], block.count, 0.0f);
     state.emission(bin.surfaceCode, own.points, radiance);
-    aimAtSources(block, own);
+    aimAtSources(block, bin, own);
     take(block, bin, radiance);
 }
 
@@ -235,7 +237,7 @@ void samplePlain(const SceneState &state, const SourceBin &bin, const Block &blo
     std::copy_n(block.time, count, batch.input(ShaderInput::time));
     takeLights(state, own.rows, batch);
     batch.ask(state, *bin.shader);
-    aimAtSources(block, own);
+    aimAtSources(block, bin, own);
     take(block, bin, batch.Cl.data());
 }
 

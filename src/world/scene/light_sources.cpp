@@ -12,17 +12,19 @@ SourceBin binOf(const SceneLight &light, const LightElement &element, const Poin
     SourceBin bin;
     bin.castsShadow = light.castsShadow, bin.si = light.si;
     bin.distant = light.kind == LightKind::Distant;
+    const std::int32_t appearance =
+        light.hasGeometry() ? points.appearanceOf(element.instance, element.shape) : 0;
+    if (light.finite() && points.details[appearance].attributes->sides == 1)
+        bin.frontSign = points.appearances[appearance].elementSign < 0 ? -1.0f : 1.0f;
     if (light.finite() && !(light.plain && light.kind == LightKind::Area)) {
         bin.asked = Asked::Surface;
-        bin.surfaceCode =
-            points.appearances[points.appearanceOf(element.instance, element.shape)].code;
+        bin.surfaceCode = points.appearances[appearance].code;
         return bin;
     }
     bin.shader = light.shader.code.get();
     if (light.hasGeometry()) {
         bin.asked = light.finite() ? Asked::PlainShader : Asked::ClassicArea;
-        bin.elementSign =
-            points.appearances[points.appearanceOf(element.instance, element.shape)].elementSign;
+        bin.elementSign = points.appearances[appearance].elementSign;
     }
     return bin;
 }

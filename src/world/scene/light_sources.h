@@ -22,6 +22,9 @@ enum class LightKind : std::uint8_t {
     Emitter,     ///< A shape whose surface shader emits.
 };
 
+/// The sides of its surfaces that a light shines from, as far as samples tell.
+enum class LightSides : std::uint8_t { Both, Front, Back };
+
 /// What rays meet of a light, a triangle or a sphere, or the rectangle that a triangle is half of;
 /// of a light without geometry, nothing. A cache line, read as a row.
 struct alignas(64) LightElement {
@@ -42,6 +45,7 @@ struct LightSource {
     std::int32_t firstMember = 0, members = 0; ///< In LightTable::members; at least one.
     std::int32_t bin = 0;                      ///< Index into LightTable::bins.
     double area = 0;                           ///< m^2; 0 without geometry.
+    float handedness = 1;                      ///< Of the instance that it lies on.
 };
 
 /// What sources that are asked together have in common.
@@ -57,6 +61,7 @@ struct SourceBin {
     const ShaderCode *shader = nullptr; ///< Of the light.
     bool castsShadow = true, si = true, distant = false;
     float elementSign = 1; ///< Appearance::elementSign.
+    float frontSign = 0; ///< RayShape::frontSign: what is seen from one side shines to that alone.
 
     bool operator==(const SourceBin &) const = default;
 };
@@ -75,7 +80,10 @@ struct SceneLight {
     double area = 0;                ///< Of all sources, m^2.
     int surfaceCode = -1;           ///< The code of all its shapes; -1 = they differ.
     Box3 place;                     ///< Without geometry: where it stands; empty = not known.
-    double power = 0;               ///< An estimate; W, or what would be W for classic units.
+    Vec3 axis;                      ///< Without geometry: unit vector, or zero.
+    float spread = 3.14159274f;     ///< Nearly all of its light leaves within this of the axis.
+    LightSides sides = LightSides::Both;
+    double power = 0; ///< An estimate; W, or what would be W for classic units.
 
     bool finite() const { return kind == LightKind::Area || kind == LightKind::Emitter; }
     bool hasGeometry() const { return finite() || kind == LightKind::ClassicArea; }

@@ -174,8 +174,13 @@ private:
             for (const Matrix4 *matrix : {&placement.currentFromObject, &inverted})
                 points_.instanceMatrices.insert(points_.instanceMatrices.end(), matrix->m.begin(),
                                                 matrix->m.end());
-            if (shinesFrom(instance.firstAppearance, shapes.count))
+            if (shinesFrom(instance.firstAppearance, shapes.count)) {
                 known.erase({shapes.first, placement.attributes.get(), placement.turned});
+                // Lights of this form can't be sampled but by triangles.
+                if (!keepsSpheres(placement.currentFromObject))
+                    for (std::uint32_t k = 0; k < shapes.count; ++k)
+                        points_.shapes[shapes.first + k].mayBeSphere = false;
+            }
         }
     }
 
@@ -203,7 +208,6 @@ private:
         for (std::size_t i = 0; i < points_.appearances.size(); ++i)
             if (looks_.shines(std::int32_t(i))) {
                 const std::uint32_t number = looks_.shapes()[i];
-                points_.shapes[number].asTriangles = number >= points_.worldShapes;
                 plan_.makeFine(number, points_.shapes[number]);
             }
     }

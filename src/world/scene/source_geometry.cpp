@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/scene/source_geometry.h"
 
+#include "world/shapes/shape.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -31,9 +33,13 @@ double areaOf(const LightElement &e) {
     return 0;
 }
 
-EmitterBound boundOf(const LightTable &table, const LightSource &source) {
+EmitterBound boundOf(const LightTable &table, const LightSource &source, LightSides sides,
+                     float elementSign) {
     EmitterBound bound;
-    bound.emissionSpread = pi; // To both sides, as far as is known.
+    // The shading normals, by which the lights' shaders go, may be others than the elements'.
+    bound.isLoose = true;
+    bound.emissionSpread = sides == LightSides::Both ? pi : pi / 2;
+    const float side = sides == LightSides::Back ? -elementSign : elementSign;
     const std::span members(table.members.data() + source.firstMember, source.members);
     Vec3 sum;
     for (std::int32_t member : members) {
@@ -50,12 +56,12 @@ EmitterBound boundOf(const LightTable &table, const LightSource &source) {
             bound.box.add(e.corner + e.edgeA + e.edgeB);
         sum += cross(e.edgeA, e.edgeB);
     }
-    bound.axis = normalize(sum);
+    bound.axis = normalize(sum) * side;
     double least = 1;
     for (std::int32_t member : members) {
         const LightElement &e = table.elements[member];
         if (const Vec3 normal = cross(e.edgeA, e.edgeB); dot(normal, normal) > 0)
-            least = std::min<double>(least, dot(normalize(normal), bound.axis));
+            least = std::min<double>(least, dot(normalize(normal) * side, bound.axis));
     }
     if (source.members > 1) // Of floats: a little wider than it seems.
         bound.normalSpread = std::min(float(std::acos(std::max(least, -1.0))) + 1e-3f, pi);
@@ -75,23 +81,13 @@ void setTriangle(LightElement &element, const RayShape &mesh, std::uint32_t numb
 
 std::optional<LightElement> sphereOf(const LightElement &like, const RayShape &shape,
                                      const Matrix4 &currentFromOuter) {
-    if (!(shape.radius > 0))
+    if (!(shape.radius > 0) || !keepsSpheres(currentFromOuter))
         return std::nullopt;
-    Vec3 axes[3];
-    for (int k = 0; k < 3; ++k) {
-        Vec3 axis;
-        axis[k] = shape.radius;
-        axes[k] = transformVector(currentFromOuter, axis);
-    }
-    const float squared = dot(axes[0], axes[0]);
-    for (int k = 0; k < 3; ++k)
-        if (!(std::fabs(dot(axes[k], axes[k]) - squared) <= 2e-6f * squared) ||
-            !(std::fabs(dot(axes[k], axes[(k + 1) % 3])) <= 2e-6f * squared))
-            return std::nullopt;
+    const Vec3 radius = transformVector(currentFromOuter, {shape.radius, 0, 0});
     LightElement element = like;
     element.form = LightElement::Form::Sphere;
     element.corner = transformPoint(currentFromOuter, shape.centre);
-    element.edgeA = {std::sqrt(squared), 0, 0};
+    element.edgeA = {length(radius), 0, 0};
     return element;
 }
 

@@ -12,8 +12,9 @@ namespace candela {
 
 /// Of a triangle, rectangle or sphere, m^2.
 double areaOf(const LightElement &);
-/// What the tree is to know of a source with geometry; its power is left out.
-EmitterBound boundOf(const LightTable &, const LightSource &);
+/// What the tree is to know of a source with geometry; its power is left out. `elementSign` as in
+/// Appearance.
+EmitterBound boundOf(const LightTable &, const LightSource &, LightSides, float elementSign);
 /// Corner and edges of element `number` in current space.
 void setTriangle(LightElement &, const RayShape &, std::uint32_t number,
                  const Matrix4 &currentFromOuter);

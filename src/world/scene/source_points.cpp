@@ -38,7 +38,7 @@ CANDELA_HOT void leaveOutMissing(int count, const std::int32_t *__restrict eleme
 struct Lanes {
     int count = 0;
     std::array<const float *, 3> from{}, corner{}, edgeA{}, edgeB{}, given{};
-    const float *area = nullptr, *u = nullptr, *v = nullptr;
+    const float *area = nullptr, *handedness = nullptr, *u = nullptr, *v = nullptr;
     std::array<float *, 3> point{}, normal{};
     float *pdf = nullptr, *uOut = nullptr, *vOut = nullptr;
 
@@ -47,7 +47,7 @@ struct Lanes {
         for (auto *planes : {&from, &corner, &edgeA, &edgeB, &given})
             for (const float *&plane : *planes)
                 body(plane);
-        body(area), body(u), body(v);
+        body(area), body(handedness), body(u), body(v);
     }
     template <class Body> void forOutputs(Body body) {
         for (auto *planes : {&point, &normal})
@@ -61,13 +61,14 @@ struct Lanes {
 /// else gathered from blocks and put back.
 template <class Body> void forForms(const ElementRows &rows, Lanes all, Body body) {
     all.count = rows.count;
+    all.handedness = rows.handedness;
     all.corner = {rows.corner[0], rows.corner[1], rows.corner[2]};
     all.edgeA = {rows.edgeA[0], rows.edgeA[1], rows.edgeA[2]};
     all.edgeB = {rows.edgeB[0], rows.edgeB[1], rows.edgeB[2]};
     all.area = rows.area;
     if (rows.count > 0 && lanes::allEqual(rows.count, rows.form, rows.form[0]))
         return body(Form(rows.form[0]), all);
-    thread_local Planes<float> own(27, block);
+    thread_local Planes<float> own(28, block);
     int lane[block + laneBlock];
     for (int first = 0; first < rows.count; first += block)
         for (Form form : {Form::Triangle, Form::Rectangle, Form::Sphere}) {
@@ -101,14 +102,14 @@ template <class Body> void forForms(const ElementRows &rows, Lanes all, Body bod
 }
 
 CANDELA_HOT void crossEdges(int count, const float *const a[3], const float *const b[3],
-                            float *const to[3]) {
+                            const float *__restrict handedness, float *const to[3]) {
     const float *ax = a[0], *ay = a[1], *az = a[2], *bx = b[0], *by = b[1], *bz = b[2];
     float *x = to[0], *y = to[1], *z = to[2];
 #pragma GCC ivdep
     for (int k = 0; k < count; ++k) {
-        x[k] = ay[k] * bz[k] - az[k] * by[k];
-        y[k] = az[k] * bx[k] - ax[k] * bz[k];
-        z[k] = ax[k] * by[k] - ay[k] * bx[k];
+        x[k] = (ay[k] * bz[k] - az[k] * by[k]) * handedness[k];
+        y[k] = (az[k] * bx[k] - ax[k] * bz[k]) * handedness[k];
+        z[k] = (ax[k] * by[k] - ay[k] * bx[k]) * handedness[k];
     }
 }
 
@@ -133,7 +134,7 @@ void finishPoints(Form form, const Lanes &b) {
             for (int k = 0; k < b.count; ++k)
                 b.normal[c][k] = b.point[c][k] - b.corner[c][k];
     else
-        crossEdges(b.count, b.edgeA.data(), b.edgeB.data(), b.normal.data());
+        crossEdges(b.count, b.edgeA.data(), b.edgeB.data(), b.handedness, b.normal.data());
     if (form == Form::Triangle)
         findBarycentrics(b);
 }
@@ -170,7 +171,7 @@ Lanes drawnLanes(const float *u, const float *v, SourcePoints &out) {
 
 } // namespace
 
-ElementRows::ElementRows(int capacity) : planes(rowWords + 2, capacity), row(1, capacity) {
+ElementRows::ElementRows(int capacity) : planes(rowWords + 3, capacity), row(1, capacity) {
     auto signedPlane = [&](int plane) { return reinterpret_cast<std::int32_t *>(planes[plane]); };
     auto unsignedPlane = [&](int plane) {
         return reinterpret_cast<std::uint32_t *>(planes[plane]);
@@ -184,6 +185,7 @@ ElementRows::ElementRows(int capacity) : planes(rowWords + 2, capacity), row(1, 
     offset = planes[offsetof(LightElement, offset) / sizeof(float)];
     area = planes[offsetof(LightElement, area) / sizeof(float)];
     light = signedPlane(rowWords), u = planes[rowWords + 1];
+    handedness = planes[rowWords + 2];
 }
 
 void ElementRows::take(const LightTable &table, int lanes, const std::int32_t *elements) {
@@ -195,8 +197,10 @@ void ElementRows::take(const LightTable &table, int lanes, const std::int32_t *e
     lanes::gatherRows(count, reinterpret_cast<const float *>(table.elements.data()), row[0],
                       rowWords, columns);
     leaveOutMissing(count, elements, form);
-    for (int i = 0; i < count; ++i)
+    for (int i = 0; i < count; ++i) {
         light[i] = table.sources[source[i]].light;
+        handedness[i] = table.sources[source[i]].handedness;
+    }
 }
 
 /// Batch after batch may be of one lamp alone: its rows stay as they are.
@@ -213,6 +217,7 @@ void ElementRows::fill(const LightTable &table, int lanes, std::int32_t number) 
         filledLanes_ = lanes;
     }
     std::fill_n(light, lanes, table.sources[from.source].light);
+    std::fill_n(handedness, lanes, table.sources[from.source].handedness);
 }
 
 void ElementRows::draw(const LightTable &table, int lanes, const std::int32_t *sources,

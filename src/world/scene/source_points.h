@@ -26,7 +26,8 @@ struct ElementRows {
     std::uint32_t *instance, *shape, *element;
     std::array<float *, 3> corner, edgeA, edgeB;
     float *offset, *area;
-    std::int32_t *light; ///< The source's.
+    std::int32_t *light; ///< The source's,
+    float *handedness;   ///< and this too.
     float *u;            ///< See draw().
 
 private:
@@ -39,9 +40,11 @@ private:
 struct SourcePoints {
     explicit SourcePoints(int capacity);
     Planes<float> floats;
-    std::array<float *, 3> point, normal; ///< The element's normal, of any length, not yet turned.
-    float *pdf;                           ///< Per steradian from where one looks.
-    float *u, *v;                         ///< Barycentric, on triangles.
+    /// The element's normal, of any length, as hits have it: not yet turned, and carried along as a
+    /// covector by instances.
+    std::array<float *, 3> point, normal;
+    float *pdf;   ///< Per steradian from where one looks.
+    float *u, *v; ///< Barycentric, on triangles.
 };
 
 /// Samples elements as seen `from` points at uniform (u,v): those that are all of their source by

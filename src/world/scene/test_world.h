@@ -50,6 +50,13 @@ public:
         record->shape = std::move(shape), record->variables.all = std::move(variables);
         primitives.push_back({record, std::make_shared<Attributes>(attributes), transform});
     }
+    /// An object of this shape, placed.
+    void addObject(ShapeRecord shape, std::vector<Matrix4> placements) {
+        auto record = std::make_shared<PrimitiveRecord>();
+        record->shape = std::move(shape);
+        objects.push_back(
+            {record, std::make_shared<Attributes>(attributes), std::move(placements)});
+    }
     void addPolygon(const std::vector<Vec3> &corners, std::vector<Parameter> variables = {}) {
         PolygonsRecord polygon{{1}, {int(corners.size())}, {}};
         std::vector<float> P;
@@ -83,6 +90,16 @@ public:
             motion.knots[0].matrix = matrix;
             compiler.primitive(record, state, motion);
         }
+        for (int i = 0; i < int(objects.size()); ++i) {
+            compiler.objectBegin(i);
+            compiler.primitive(objects[i].record, objects[i].attributes, {});
+            compiler.objectEnd();
+            for (const Matrix4 &matrix : objects[i].placements) {
+                MotionTransform motion;
+                motion.knots[0].matrix = matrix;
+                compiler.instance(i, objects[i].attributes, motion);
+            }
+        }
         compiler.worldEnd();
     }
 
@@ -99,6 +116,12 @@ private:
     };
     std::vector<std::shared_ptr<const LightRecord>> lights;
     std::vector<Added> primitives;
+    struct Object {
+        std::shared_ptr<const PrimitiveRecord> record;
+        std::shared_ptr<const Attributes> attributes;
+        std::vector<Matrix4> placements;
+    };
+    std::vector<Object> objects;
 };
 
 } // namespace candela

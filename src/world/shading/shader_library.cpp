@@ -22,6 +22,7 @@ struct ShaderLibrary::State {
     std::shared_ptr<Jit> jit;
     std::shared_ptr<const ShaderMessages> messages;
     std::map<std::string, std::optional<ir::LoweredShader>> lowered; ///< By source and strings.
+    std::map<const ir::LoweredShader *, std::vector<int>> steering;  ///< Of those.
     std::map<std::string, std::shared_ptr<ShaderCode>> codes;        ///< And by folded values.
     std::vector<std::shared_ptr<ShaderCode>> inOrder;
 
@@ -146,7 +147,10 @@ std::optional<ShaderInstance> ShaderLibrary::instance(ShaderKind kind, const Sha
 
     std::vector<float> block = parameterBlock(*lowered, record, options, state_->diagnostics);
     std::vector<ir::FoldedValue> folded;
-    for (int slot : ir::steeringParameters(lowered->whole)) {
+    auto [steering, isNew] = state_->steering.try_emplace(lowered);
+    if (isNew)
+        steering->second = ir::steeringParameters(lowered->whole);
+    for (int slot : steering->second) {
         folded.push_back({slot, block[slot]});
         key += " " + std::to_string(slot) + "=" +
                std::string(reinterpret_cast<const char *>(&block[slot]), sizeof(float));

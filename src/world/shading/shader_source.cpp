@@ -50,6 +50,20 @@ const sl::TypedShader *ShaderSources::find(ShaderKind kind, const std::string &n
 const sl::TypedShader *ShaderSources::findIn(const std::vector<std::string> &folders,
                                              ShaderKind kind, const std::string &name,
                                              const SourceLocation &where) {
+    std::string key = std::to_string(int(kind)) + name;
+    for (const std::string &folder : folders)
+        key += '\n' + folder;
+    if (auto known = found_.find(key); known != found_.end())
+        return known->second;
+    const sl::TypedShader *shader = lookFor(folders, kind, name, where);
+    if (shader)
+        found_.emplace(std::move(key), shader);
+    return shader;
+}
+
+const sl::TypedShader *ShaderSources::lookFor(const std::vector<std::string> &folders,
+                                              ShaderKind kind, const std::string &name,
+                                              const SourceLocation &where) {
     std::string plain = plainShaderName(name);
     const char *kindName = sl::nameOf(languageKind(kind));
     auto reportOnce = [&](const std::string &message) {

@@ -31,12 +31,16 @@ public:
                                   const std::string &name, const SourceLocation &where);
 
 private:
+    const sl::TypedShader *lookFor(const std::vector<std::string> &folders, ShaderKind,
+                                   const std::string &name, const SourceLocation &where);
     const sl::CompiledFront *load(const std::string &path);
 
     std::vector<std::string> folders_;
     DiagnosticSink &diagnostics_;
     std::map<std::string, std::optional<sl::CompiledFront>> files_; ///< By path.
-    std::map<std::string, bool> reported_;                          ///< By kind and name.
+    /// By kind, name and folders: a hundred thousand lights of one shader look for it once.
+    std::map<std::string, const sl::TypedShader *> found_;
+    std::map<std::string, bool> reported_; ///< By kind and name.
 };
 
 } // namespace candela

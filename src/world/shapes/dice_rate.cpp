@@ -52,4 +52,13 @@ float viewingDepth(const Box3 &box) {
     return std::max(length(outside), size);
 }
 
+float viewingPixel(const Camera &camera, const Box3 &box) {
+    const float pixel = camera.pixelSize(viewingDepth(box));
+    if (camera.mayShow(box))
+        return pixel;
+    constexpr float pixelsAcross = 1000;
+    const Vec3 extent = box.extent();
+    return std::max(pixel, std::max({extent.x, extent.y, extent.z}) / pixelsAcross);
+}
+
 } // namespace candela

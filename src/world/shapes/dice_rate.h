@@ -4,6 +4,7 @@
 
 #include "foundation/base/box3.h"
 #include "foundation/base/matrix4.h"
+#include "world/camera/camera.h"
 
 namespace candela {
 
@@ -19,5 +20,7 @@ float largestStretch(const Matrix4 &);
 /// The depth in camera space at which a box is taken to be seen. What lies around or behind the
 /// camera is seen as from a fraction of its own size.
 float viewingDepth(const Box3 &);
+/// The edge of a pixel there. What the camera does not show is diced by its size.
+float viewingPixel(const Camera &, const Box3 &);
 
 } // namespace candela

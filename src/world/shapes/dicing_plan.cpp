@@ -33,7 +33,7 @@ DicingPlan::DicingPlan(const Camera &camera) : camera_(camera) {}
 
 float DicingPlan::nearestPixel(const Box3 &bound, const Matrix4 &currentFromObject) const {
     const float stretch = largestStretch(currentFromObject);
-    const float pixel = camera_.pixelSize(viewingDepth(transformBox(currentFromObject, bound)));
+    const float pixel = viewingPixel(camera_, transformBox(currentFromObject, bound));
     return stretch > 0 ? pixel / stretch : pixel;
 }
 
@@ -42,7 +42,7 @@ static bool isCurved(const Shape &shape) { return !shape.surface->isFlat() && !o
 
 void DicingPlan::add(const Shape &shape, float shadingRate) {
     const Box3 box = transformBox(shape.outerFromShape, shape.surface->bound());
-    add(shape, shadingRate, camera_.pixelSize(viewingDepth(box)));
+    add(shape, shadingRate, viewingPixel(camera_, box));
     wishes_.back().inWorld = true;
 }
 

@@ -80,22 +80,29 @@ std::optional<Shape> makeShape(std::shared_ptr<const Surface> surface,
     return shape;
 }
 
-std::optional<OuterSphere> outerSphere(const Shape &shape) {
-    std::optional<float> radius = shape.surface->wholeSphere();
-    if (!radius || shape.asTriangles)
-        return std::nullopt;
-    // The rows must be at right angles and of one length.
+bool keepsSpheres(const Matrix4 &matrix) {
+    // The rows must be at right angles and of one length, as far as files of five digits say.
+    constexpr float tolerance = 1e-4f;
     Vec3 rows[3];
     for (int row = 0; row < 3; ++row)
         for (int column = 0; column < 3; ++column)
-            rows[row][column] = shape.outerFromShape.at(row, column);
+            rows[row][column] = matrix.at(row, column);
     const float squared = dot(rows[0], rows[0]);
     for (int row = 0; row < 3; ++row)
-        if (!(std::fabs(dot(rows[row], rows[row]) - squared) <= 1e-6f * squared) ||
-            !(std::fabs(dot(rows[row], rows[(row + 1) % 3])) <= 1e-6f * squared))
-            return std::nullopt;
-    return OuterSphere{transformPoint(shape.outerFromShape, {0, 0, 0}),
-                       *radius * std::sqrt(squared)};
+        if (!(std::fabs(dot(rows[row], rows[row]) - squared) <= tolerance * squared) ||
+            !(std::fabs(dot(rows[row], rows[(row + 1) % 3])) <= tolerance * squared))
+            return false;
+    return true;
+}
+
+std::optional<OuterSphere> outerSphere(const Shape &shape) {
+    std::optional<float> radius = shape.surface->wholeSphere();
+    if (!radius || !shape.mayBeSphere || !keepsSpheres(shape.outerFromShape))
+        return std::nullopt;
+    Vec3 row;
+    for (int column = 0; column < 3; ++column)
+        row[column] = shape.outerFromShape.at(0, column);
+    return OuterSphere{transformPoint(shape.outerFromShape, {0, 0, 0}), *radius * length(row)};
 }
 
 RayShape dice(Shape &shape, const DiceRate &rate, const Vec3 *eye) {

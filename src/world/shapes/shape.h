@@ -25,11 +25,10 @@ struct Shape {
     std::shared_ptr<const Surface> surface;
     Matrix4 outerFromShape, shapeFromOuter;
     Naming naming = Naming::Direct;
+    /// It may be an exact sphere, if it is one: no instance that shines makes an ellipsoid of it.
+    bool mayBeSphere = true;
     /// Every normal that shaders see is that of the element.
     bool flat = false;
-    /// A sphere too is to be diced: an instance may make an ellipsoid of it, and as a light it is
-    /// sampled by its elements.
-    bool asTriangles = false;
     /// Times (p1 - p0) x (p2 - p0) of an element's corners in the outer space (of a sphere, times
     /// the outward normal): along the natural normal, carried along as a covector.
     float elementSign = 1;
@@ -58,8 +57,10 @@ std::optional<Shape> makeShape(std::shared_ptr<const Surface>, const Matrix4 &ou
 /// Index of a numeric variable of the surface by its name, -1 = none.
 int numericVariable(const Surface &, const std::string &name);
 
-/// The whole sphere that rays meet in the shape's outer space, if its surface is one, the matrix
-/// leaves it one, and it need not be of triangles.
+/// The matrix leaves spheres spheres.
+bool keepsSpheres(const Matrix4 &);
+/// The whole sphere that the shape is in its outer space, if its surface is one and the matrix
+/// leaves it one.
 struct OuterSphere {
     Vec3 centre;
     float radius;
