@@ -26,9 +26,9 @@ test-long:
 fuzz:
 	@tools/install-packages
 	cmake --preset asan >/dev/null
-	cmake --build --preset asan --target candela
-	CANDELA_CACHE=$(CURDIR)/build-asan/shader-cache CANDELA_TIME_SCALE=10 \
-	    tests/fuzz/fuzz.py --candela build-asan/bin/candela --count 10000 --memory 0 \
+	cmake --build --preset asan --target render_each
+	CANDELA_CACHE=$(CURDIR)/build-asan/shader-cache CANDELA_TIME_SCALE=3 \
+	    tests/fuzz/fuzz.py --program build-asan/bin/render_each --count 10000 \
 	    --keep build-asan/fuzz-failures
 
 bench: build

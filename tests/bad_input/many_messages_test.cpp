@@ -42,6 +42,21 @@ TEST_F(BadInput, NumbersAndNamesMakeNoNewKind) {
     expectDisc();
 }
 
+// A shader that a program wrote may be one line: each error quotes the part that it is about.
+TEST_F(BadInput, ManyErrorsOnOneLongLine) {
+    std::string shader = "surface broken() { ";
+    for (int i = 10; i < 60; ++i)
+        shader += "Ci = Cs * undeclared" + std::to_string(i) + " + color(0.25, 0.50, 1.00);  ";
+    folder_.write("broken.sl", shader + "}\n");
+    Outcome run = render(sceneWith("Surface \"broken\" Translate 9 0 5 Sphere 1 -1 1 360"));
+    EXPECT_EQ(run.status, 1) << run.text();
+    EXPECT_GE(shader.size(), 2500u);
+    EXPECT_LE(run.err.size(), 25u * 500u) << run.text();
+    EXPECT_TRUE(run.says("Ci = Cs * undeclared10 + ")) << run.text();
+    EXPECT_TRUE(run.says("Ci = Cs * undeclared29 + ")) << run.text();
+    expectDisc();
+}
+
 // What is not printed counts all the same, and warnings stay warnings.
 TEST_F(BadInput, SuppressionLeavesTheExitStatus) {
     Outcome run = render(sceneWith("Scale 1 0 1\n" + repeated("Sphere 1 -1 1 360", 100)));

@@ -265,4 +265,18 @@ TEST_F(BadInput, ErrorHandlerAbortHoldsForDisplays) {
     EXPECT_FALSE(folder_.has("out.exr"));
 }
 
+// Skewed until its coordinates are all but multiples of each other, a sphere is millions of slivers
+// in one line, each of which every ray that comes near would try. Flat along an axis it is a disc.
+TEST_F(BadInput, SpheresSkewedToALine) {
+    const std::string sphere = " 0 1 0 0 0 0 1 0 0 0 5 1] Sphere 1 -1 1 360";
+    Outcome run =
+        render(sceneWith("Transform [1e18 1e18 1 0" + sphere), {}, {.secondsAllowed = 60});
+    EXPECT_EQ(run.status, 0) << run.text();
+    EXPECT_TRUE(run.says("Sphere: the transformation is singular")) << run.text();
+    run = render(sceneWith("TransformBegin Translate 9 9 5 Scale 1 1 1e-14 Sphere 1 -1 1 360 "
+                           "TransformEnd"));
+    EXPECT_EQ(run.err, "");
+    expectDisc();
+}
+
 } // namespace candela::test

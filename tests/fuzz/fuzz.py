@@ -7,14 +7,16 @@ swapped. What fails is kept with the command that repeats it. Exit status: 0 non
 did, 2 there is no program to try."""
 import argparse
 import concurrent.futures
+import math
 import os
 import random
 import re
-import resource
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
+import threading
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -28,7 +30,10 @@ STRINGS = ['""', '"P"', '"nosuch"', '"uniform float x"', '"varying color Cs"', '
            '"constant string[3] s"', '"uniform float[0] x"', '"uniform float[-1] x"', '"matte"', '"../x"',
            '"%s%n"', '"' + "x" * 3000 + '"', '"\\377\\000"', '"bicubic"', '"periodic"', '"inside"']
 LOOP = re.compile(r"\b(?:for|while)\b")
+SANITIZER = re.compile(r"==\d+==ERROR|.*runtime error:")
 TOO_LONG = "took too long"
+INPUTS_A_PROCESS = 200
+LOOP_SECONDS = 2  # Many more than a shader without an endless loop needs.
 FLOOD = 100_000  # Bytes of messages: an ordinary scene's few, said once each.
 SHADER_SCENE = """Format 8 8 1
 Display "out.exr" "openexr" "rgba"
@@ -102,74 +107,110 @@ def make_input(seed, corpus):
     return "scene.rib", text
 
 
+class Renderer:
+    """A process (render_each.cpp) that renders one scene after the other, until one ends it."""
+
+    def __init__(self, options):
+        launcher = os.environ.get("CANDELA_LAUNCHER", "").split()
+        environment = dict(os.environ, CANDELA_SHADERS=str(SOURCE / "shaders"))
+        environment["ASAN_OPTIONS"] = "detect_leaks=0:abort_on_error=1"
+        environment["UBSAN_OPTIONS"] = "halt_on_error=1:print_stacktrace=1:abort_on_error=1"
+        self.inputs = 0
+        self.process = subprocess.Popen([*launcher, options.program, str(options.memory)], text=True,
+                                        stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                        env=environment)
+
+    def render(self, folder, seconds, cache):
+        """The exit status for the scene.rib in a folder; below 0 the signal that ended it."""
+        self.inputs += 1
+        print(folder, math.ceil(seconds), cache, sep="\t", file=self.process.stdin, flush=True)
+        answer = self.process.stdout.readline()
+        return int(answer) if answer else self.end()
+
+    def end(self):
+        self.process.stdin.close()
+        self.process.stdout.close()
+        return self.process.wait()
+
+
 class Trial:
     """How inputs are rendered, and what counts as a failure."""
 
     def __init__(self, options):
         self.options = options
         self.scale = max(1.0, float(os.environ.get("CANDELA_TIME_SCALE", "1")))
-        self.launcher = os.environ.get("CANDELA_LAUNCHER", "").split()
         self.corpus = sorted((HERE / "corpus").iterdir())
-        self.environment = dict(os.environ, CANDELA_SHADERS=str(SOURCE / "shaders"))
-        self.environment["ASAN_OPTIONS"] = "detect_leaks=0:hard_rss_limit_mb=6000:abort_on_error=1"
-        self.environment["UBSAN_OPTIONS"] = "halt_on_error=1:print_stacktrace=1:abort_on_error=1"
-
-    def limit(self):
-        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-        resource.setrlimit(resource.RLIMIT_FSIZE, (1 << 28, 1 << 28))
-        if self.options.memory > 0:
-            size = self.options.memory << 20
-            resource.setrlimit(resource.RLIMIT_AS, (size, size))
+        self.renderers = threading.local()
 
     def run(self, seed):
-        """What is wrong with a seed, or none."""
+        """What is wrong with a seed, or none. It is tried again in a new process, to tell whether
+        it is wrong by itself."""
+        problem = self.attempt(seed)
+        if not problem:
+            return None
+        before = self.renderers.latest.inputs
+        self.renew()
+        again = self.attempt(seed)
+        self.renew()
+        return again or f"{problem}\n    but only after the {before - 1} before it"
+
+    def renew(self):
+        if latest := getattr(self.renderers, "latest", None):
+            latest.end()
+        self.renderers.latest = Renderer(self.options)
+
+    def attempt(self, seed):
+        """What is wrong with a seed in the latest process, or none."""
         name, text = make_input(seed, self.corpus)
         with tempfile.TemporaryDirectory(prefix="candela-fuzz-") as folder:
-            scene = Path(folder, "scene.rib")
-            scene.write_text(SHADER_SCENE)
+            Path(folder, "scene.rib").write_text(SHADER_SCENE)
             Path(folder, name).write_text(text, errors="replace")
             for shader in (HERE / "corpus").glob("*.sl"):
                 if shader.name != name:
                     shutil.copy(shader, folder)
-            problem = self.render(scene, folder)
-            if problem == TOO_LONG and name.endswith(".sl") and LOOP.search(text):
-                problem = self.render_loop(scene, folder)
+            if name.endswith(".sl") and LOOP.search(text):
+                problem = self.render_loop(folder)
+            else:
+                problem = self.render(folder)
         if problem:
             kept = Path(self.options.keep, f"{seed}-{name}")
             kept.parent.mkdir(parents=True, exist_ok=True)
             kept.write_text(text, errors="replace")
-            return f"seed {seed} ({kept}): {problem}\n    again: {sys.argv[0]} --candela " \
-                   f"{self.options.candela} --memory {self.options.memory} --first {seed} --count 1"
+            return f"seed {seed} ({kept}): {problem}\n    again: {sys.argv[0]} --program " \
+                   f"{self.options.program} --memory {self.options.memory} --first {seed} --count 1"
         return None
 
-    def render_loop(self, scene, folder):
+    def render_loop(self, folder):
         """A loop may have no end, and runs as it says. Its compilation has to end all the same: it
-        is the only one here, so an object in the cache is its."""
-        scene.write_text(re.sub(r"LightSource.*\n", "", SHADER_SCENE))
+        is the only one of the second try, so an object in the cache is its."""
+        problem = self.render(folder, LOOP_SECONDS)
+        if problem != TOO_LONG:
+            return problem
+        Path(folder, "scene.rib").write_text(re.sub(r"LightSource.*\n", "", SHADER_SCENE))
         cache = Path(folder, "cache")
-        problem = self.render(scene, folder, CANDELA_CACHE=str(cache))
-        compiled = any(path.is_file() for path in cache.rglob("*"))
-        return None if problem == TOO_LONG and compiled else problem
+        for seconds in LOOP_SECONDS, self.options.seconds:
+            problem = self.render(folder, seconds, str(cache))
+            if problem != TOO_LONG:
+                return problem
+            if any(path.is_file() for path in cache.rglob("*")):
+                return None
+        return problem
 
-    def render(self, scene, folder, **environment):
+    def render(self, folder, seconds=None, cache=""):
+        seconds = (seconds or self.options.seconds) * self.scale
+        latest = getattr(self.renderers, "latest", None)
+        if not latest or latest.process.stdin.closed or latest.inputs >= INPUTS_A_PROCESS:
+            self.renew()
+        status = self.renderers.latest.render(folder, seconds, cache)
         said = Path(folder, "said")
-        seconds = self.options.seconds * self.scale
-        with said.open("wb") as stream:
-            process = subprocess.Popen(
-                [*self.launcher, self.options.candela, "--quiet", "--threads", "1", "--format", "8x8",
-                 "--spp", "1", "--output-dir", folder, str(scene)],
-                stdin=subprocess.DEVNULL, stdout=stream, stderr=stream, cwd=folder,
-                env=dict(self.environment, **environment), preexec_fn=self.limit)
-            try:
-                status = process.wait(seconds)
-            except subprocess.TimeoutExpired:
-                process.kill()
-                process.wait()
-                return TOO_LONG
-        messages = said.read_bytes()
+        messages = said.read_bytes() if said.is_file() else b""
+        if status in (-signal.SIGPROF, -signal.SIGALRM):
+            return TOO_LONG
         if status not in (0, 1):
             how = f"signal {-status}" if status < 0 else f"exit status {status}"
-            return f"{how}: " + messages.decode(errors="replace")[-1500:]
+            text = messages.decode(errors="replace")
+            report = SANITIZER.search(text)
+            return f"{how}: " + (text[report.start():][:3000] if report else text[-1500:])
         if len(messages) > FLOOD:
             return f"{len(messages)} bytes of messages"
         return None
@@ -177,17 +218,17 @@ class Trial:
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--candela", default=str(SOURCE / "build/bin/candela"))
+    parser.add_argument("--program", default=str(SOURCE / "build/bin/render_each"))
     parser.add_argument("--first", type=int, default=1, help="the first seed")
     parser.add_argument("--count", type=int, default=500)
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
-    parser.add_argument("--seconds", type=float, default=20, help="for one input")
-    parser.add_argument("--memory", type=int, default=4096, help="MiB of addresses; 0: any")
+    parser.add_argument("--seconds", type=float, default=20, help="of the processor, for one input")
+    parser.add_argument("--memory", type=int, default=4096, help="MiB for a process")
     parser.add_argument("--keep", default="fuzz-failures", help="folder for what fails")
     options = parser.parse_args()
-    options.candela = os.path.abspath(options.candela)
-    if not os.access(options.candela, os.X_OK):
-        print(f"{options.candela} cannot be executed", file=sys.stderr)
+    options.program = os.path.abspath(options.program)
+    if not os.access(options.program, os.X_OK):
+        print(f"{options.program} cannot be executed", file=sys.stderr)
         return 2
     trial = Trial(options)
     failures = 0

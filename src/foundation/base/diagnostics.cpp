@@ -2,6 +2,7 @@
 #include "foundation/base/diagnostics.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace candela {
 
@@ -26,6 +27,28 @@ static const char *nameOf(Severity severity) {
     return "error";
 }
 
+/// So many bytes of a source line, around the column, are printed at most: files that programs
+/// write may be a single line of megabytes.
+static constexpr int quotedLength = 120;
+
+static bool continuesCharacter(char c) { return (c & 0xc0) == 0x80; } // In UTF-8.
+
+/// What is shown of the source line, with dots where the rest is left out, and the column in it,
+/// from 0, that the caret points to.
+static std::pair<std::string, int> quoteOf(const Diagnostic &d) {
+    const std::string &line = d.sourceLine;
+    const int size = int(line.size());
+    const int column = std::clamp(d.where.column - 1, 0, size);
+    int begin = std::clamp(column - quotedLength / 2, 0, std::max(0, size - quotedLength));
+    int end = std::min(size, begin + quotedLength);
+    while (begin > 0 && begin < column && continuesCharacter(line[begin]))
+        ++begin;
+    while (end < size && end > column && continuesCharacter(line[end]))
+        --end;
+    const std::string before = begin > 0 ? "..." : "", after = end < size ? "..." : "";
+    return {before + line.substr(begin, end - begin) + after, int(before.size()) + column - begin};
+}
+
 std::string format(const Diagnostic &d) {
     std::string result = d.where.text();
     if (!result.empty())
@@ -33,12 +56,14 @@ std::string format(const Diagnostic &d) {
     result += std::string(nameOf(d.severity)) + ": " + d.message;
     if (d.sourceLine.empty())
         return result;
+    const auto [line, column] = quoteOf(d);
     // The caret's margin repeats the line's tabs, so that it stays below its place.
-    std::string margin;
-    for (int i = 0; i + 1 < d.where.column && i < int(d.sourceLine.size()); ++i)
-        margin += d.sourceLine[i] == '\t' ? '\t' : ' ';
-    return result + "\n    " + d.sourceLine + "\n    " + margin + "^" +
-           std::string(std::max(0, d.caretLength - 1), '~');
+    std::string margin = line.substr(0, column);
+    for (char &c : margin)
+        c = c == '\t' ? '\t' : ' ';
+    const int room = std::max(1, int(line.size()) - column);
+    return result + "\n    " + line + "\n    " + margin + "^" +
+           std::string(std::max(0, std::min(d.caretLength, room) - 1), '~');
 }
 
 void DiagnosticSink::error(SourceLocation where, std::string message) {

@@ -24,6 +24,19 @@ static bool isFiniteAsFloats(const Matrix4d &matrix) {
     return isFinite(inDouble(matrix.rounded()));
 }
 
+/// Space loses a dimension, or so nearly that the rounding of coordinates is all that is left of
+/// it: a volume of 1e-12 of what the stretches of the three coordinates would give at right angles.
+static bool flattens(const Matrix4d &matrix) {
+    const auto at = [&](int row, int column) { return matrix.at(row, column); };
+    double volume = 0, box = 1;
+    for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        volume += at(0, i) * (at(1, j) * at(2, k) - at(1, k) * at(2, j));
+        box *= std::hypot(at(0, i), at(1, i), at(2, i));
+    }
+    return !(std::fabs(volume) > 1e-12 * box) || !inverse(matrix.rounded());
+}
+
 void StateHandlers::setTransform(const SourceLocation &where, const char *request,
                                  const Matrix4d &matrix) {
     std::optional<Matrix4d> kept = affine(matrix);
@@ -32,7 +45,7 @@ void StateHandlers::setTransform(const SourceLocation &where, const char *reques
                  std::string(request) + ": this version has no perspective but that of Projection; "
                                         "requests that make things taper are left out");
     else if (kept && isFiniteAsFloats(*kept))
-        ctm_ = {*kept, !inverse(kept->rounded())};
+        ctm_ = {*kept, flattens(*kept)};
     else
         error(where, request,
               "the transformation would not be finite, or a projection onto a plane; the request "

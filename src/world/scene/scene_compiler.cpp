@@ -99,10 +99,9 @@ void SceneCompiler::worldEnd() {
     auto start = std::chrono::steady_clock::now();
     RayGeometry geometry = buildShapes(declared, *state, state_->library, state_->sink);
     // Lights without geometry have some "object" space too.
-    if (state->points.shapeMatrices.empty())
-        for (int copy = 0; copy < 2; ++copy)
-            state->points.shapeMatrices.insert(state->points.shapeMatrices.end(),
-                                               Matrix4{}.m.begin(), Matrix4{}.m.end());
+    if (std::vector<float> &matrices = state->points.shapeMatrices; matrices.empty())
+        for (const Matrix4 &identity : {Matrix4{}, Matrix4{}})
+            matrices.insert(matrices.end(), identity.m.begin(), identity.m.end());
     state->statistics.secondsDicing = secondsSince(start);
 
     start = std::chrono::steady_clock::now();
