@@ -12,7 +12,11 @@ constexpr int quotedLength = 120; // Bytes of a line that are shown at most.
 
 /// The second and the third line of what is printed: the quoted one and the caret's.
 std::pair<std::string, std::string> quoted(const std::string &line, int column, int length = 1) {
-    std::istringstream text(format({Severity::Error, {nullptr, 1, column}, "m", line, length}));
+    Diagnostic diagnostic;
+    diagnostic.severity = Severity::Error;
+    diagnostic.where.line = 1, diagnostic.where.column = column;
+    diagnostic.message = "m", diagnostic.sourceLine = line, diagnostic.caretLength = length;
+    std::istringstream text(format(diagnostic));
     std::string message, quote, caret;
     std::getline(text, message);
     std::getline(text, quote);
