@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lamps that a surface must not hear, by linking or by category: its picture is that of a world in
 // which they do not shine.
+#include "tests/light/linked_lamps.h"
 #include "tests/light/pictures.h"
 #include "tests/support/student.h"
 
@@ -10,24 +11,6 @@
 namespace candela::test {
 namespace {
 
-/// How one of two lamps is kept from a surface.
-struct Linking {
-    const char *name;
-    const char *surface;  ///< Its shader.
-    const char *heardTag; ///< Parameters of the lamp that it hears,
-    const char *otherTag; ///< and of the other.
-    bool switchedOff;     ///< The other is off for the surface.
-};
-
-constexpr Linking linkings[] = {
-    {"OffForADiffuseSurface", "matte", "", "", true},
-    {"OffForAGlossySurface", "glossy", "", "", true},
-    {"Nondiffuse", "matte", "", "\"float __nondiffuse\" [1]", false},
-    {"Nonspecular", "glossy", "", "\"float __nonspecular\" [1]", false},
-    {"Category", "choosy", "\"string __category\" [\"wanted\"]",
-     "\"string __category\" [\"unwanted\"]", false},
-};
-
 struct Setting {
     Linking linking;
     bool path; ///< Else `classic`.
@@ -36,25 +19,13 @@ struct Setting {
 
 enum class Other { Shines, IsDark };
 
-/// A lamp before the surface, which stands at z = 3, to one side of the eye's view.
-std::string lamp(int number, double x, double size, double radiance, const std::string &tags) {
-    const double a = size / 2;
-    auto corner = [&](double dx, double dy) {
-        return std::to_string(x + dx) + " " + std::to_string(dy) + " 1.5 ";
-    };
-    return "AttributeBegin\nAreaLightSource \"taggedlamp\" " + std::to_string(number) +
-           " \"float radiance\" [" + std::to_string(radiance) + "] " + tags +
-           "\nSurface \"matte\" \"float Kd\" [0] \"float Ka\" [0]\nPolygon \"P\" [" +
-           corner(-a, -a) + corner(a, -a) + corner(a, a) + corner(-a, a) +
-           "]\nAttributeEnd\nIlluminate " + std::to_string(number) + " 1\n";
-}
-
+/// The lamps stand before the surface, which is at z = 3, to both sides of the eye's view.
 MeanAndError picture(const Setting &setting, Other other) {
     const Linking &linking = setting.linking;
     const double radiance = 1 / (setting.size * setting.size), at = .15 + setting.size / 2;
-    std::string world =
-        lamp(1, at, setting.size, radiance, linking.heardTag) +
-        lamp(2, -at, setting.size, other == Other::Shines ? 3 * radiance : 0, linking.otherTag);
+    std::string world = taggedLamp(1, at, 0, setting.size, radiance, linking.heardTag) +
+                        taggedLamp(2, -at, 0, setting.size,
+                                   other == Other::Shines ? 3 * radiance : 0, linking.otherTag);
     if (linking.switchedOff)
         world += "Illuminate 2 0\n";
     world += "Surface \"" + std::string(linking.surface) + "\"\nColor [1 1 1]\n" + squareAt(3, 4);

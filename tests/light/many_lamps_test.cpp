@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // One lamp that a surface hears among 99 that it does not: neither the light nor the noise of a
 // world without those.
+#include "tests/light/linked_lamps.h"
 #include "tests/light/pictures.h"
 #include "tests/support/student.h"
 
@@ -10,52 +11,23 @@
 namespace candela::test {
 namespace {
 
-/// What keeps a surface from the 99.
-struct Deaf {
-    const char *name;
-    const char *surface;
-    const char *heardTag, *otherTag;
-    bool switchedOff;
-};
-
-constexpr Deaf deaf[] = {
-    {"Off", "matte", "", "", true},
-    {"OffForAGlossySurface", "glossy", "", "", true},
-    {"Nondiffuse", "matte", "", "\"float __nondiffuse\" [1]", false},
-    {"Nonspecular", "glossy", "", "\"float __nonspecular\" [1]", false},
-    {"Category", "choosy", "\"string __category\" [\"wanted\"]",
-     "\"string __category\" [\"unwanted\"]", false},
-};
-
 struct Setting {
-    Deaf deaf;
+    Linking linking;
     bool path, instance;
 };
 
-std::string lamp(int number, double x, double y, const std::string &tags, double radiance) {
-    auto corner = [&](double dx, double dy) {
-        return std::to_string(x + dx) + " " + std::to_string(y + dy) + " 1.5 ";
-    };
-    constexpr double a = .1;
-    return "AttributeBegin\nAreaLightSource \"taggedlamp\" " + std::to_string(number) +
-           " \"float radiance\" [" + std::to_string(radiance) + "] " + tags +
-           "\nSurface \"matte\" \"float Kd\" [0] \"float Ka\" [0]\nPolygon \"P\" [" +
-           corner(-a, -a) + corner(a, -a) + corner(a, a) + corner(-a, a) +
-           "]\nAttributeEnd\nIlluminate " + std::to_string(number) + " 1\n";
-}
-
 /// The heard lamp stands at one side, a field of others at the other.
 std::string world(const Setting &setting, bool others) {
-    const Deaf &deaf = setting.deaf;
-    std::string text = lamp(1, .3, 0, deaf.heardTag, 1);
+    const Linking &linking = setting.linking;
+    std::string text = taggedLamp(1, .3, 0, .2, 1, linking.heardTag);
     for (int i = 0; i < 99 && others; ++i) {
         const int number = i + 2;
-        text += lamp(number, -.3 - .25 * (i % 9), .25 * (i / 9 - 5), deaf.otherTag, 5);
-        if (deaf.switchedOff)
+        text += taggedLamp(number, -.3 - .25 * (i % 9), .25 * (i / 9 - 5), .2, 5, linking.otherTag);
+        if (linking.switchedOff)
             text += "Illuminate " + std::to_string(number) + " 0\n";
     }
     const std::string look =
-        "Surface \"" + std::string(deaf.surface) + "\"\nColor [1 1 1]\nTranslate 0 0 3\n";
+        "Surface \"" + std::string(linking.surface) + "\"\nColor [1 1 1]\nTranslate 0 0 3\n";
     const std::string square = squareAt(0, 4);
     if (!setting.instance)
         return text + look + square;
@@ -97,7 +69,7 @@ TEST_P(OneLampAmongMany, GivesTheLightAndTheNoiseOfItselfAlone) {
 
 std::vector<Setting> settings() {
     std::vector<Setting> all;
-    for (const Deaf &each : deaf)
+    for (const Linking &each : linkings)
         for (bool path : {true, false})
             for (bool instance : {false, true})
                 all.push_back({each, path, instance});
@@ -106,7 +78,7 @@ std::vector<Setting> settings() {
 
 std::string nameOf(const testing::TestParamInfo<Setting> &info) {
     const Setting &setting = info.param;
-    return std::string(setting.deaf.name) + (setting.path ? "Path" : "Classic") +
+    return std::string(setting.linking.name) + (setting.path ? "Path" : "Classic") +
            (setting.instance ? "Instance" : "");
 }
 

@@ -20,15 +20,15 @@ namespace {
 using Values = Builder::Values;
 constexpr int loopLine = 10, trickLine = 20;
 
-/// The sum over light of what `term` gives for each channel, over the hemisphere about N.
-Values gather(Builder &b, const std::function<ValueId(const Triple &L, ValueId Cl)> &term) {
+/// The sum over light of what `term` gives for each channel, over the hemisphere about the axis.
+Values gatherAbout(Builder &b, const Triple &axis,
+                   const std::function<ValueId(const Triple &L, ValueId Cl)> &term) {
     LightRequest request;
     request.form = ConeForm::Classic;
     request.coneCount = 1;
-    Triple N = b.input3(ShaderInput::N);
     b.setLine(loopLine);
     return b.lightLoop(b.addRequest(request), b.input3(ShaderInput::P),
-                       {N[0], N[1], N[2], b.number(std::numbers::pi_v<float> / 2)},
+                       {axis[0], axis[1], axis[2], b.number(std::numbers::pi_v<float> / 2)},
                        Values(colorSamples, b.number(0)),
                        [&](const Triple &L, const Values &Cl, const Values &carried) {
                            Values sum;
@@ -36,6 +36,10 @@ Values gather(Builder &b, const std::function<ValueId(const Triple &L, ValueId C
                                sum.push_back(b.add(carried[k], term(L, Cl[k])));
                            return sum;
                        });
+}
+
+Values gather(Builder &b, const std::function<ValueId(const Triple &L, ValueId Cl)> &term) {
+    return gatherAbout(b, b.input3(ShaderInput::N), term);
 }
 
 ValueId cosineNL(Builder &b, const Triple &L) {
@@ -341,20 +345,8 @@ TEST(Importance, ExactLobesAreTheWholeAnswer) {
     };
     for (const Case &test : cases) {
         const SurfaceFacts facts = surfaceFacts(surface([&](Builder &b) {
-            const Triple N = b.normalize(b.input3(ShaderInput::N));
-            LightRequest request;
-            request.kind = LightRequest::Kind::Loop;
-            request.form = ConeForm::Classic;
-            request.coneCount = 1;
-            return b.lightLoop(b.addRequest(request), b.input3(ShaderInput::P),
-                               {N[0], N[1], N[2], b.number(std::numbers::pi_v<float> / 2)},
-                               Values(colorSamples, b.number(0)),
-                               [&](const Triple &L, const Values &Cl, const Values &carried) {
-                                   Values sum;
-                                   for (int k = 0; k < colorSamples; ++k)
-                                       sum.push_back(b.add(carried[k], test.term(b, L, Cl[k])));
-                                   return sum;
-                               });
+            return gatherAbout(b, b.normalize(b.input3(ShaderInput::N)),
+                               [&](const Triple &L, ValueId Cl) { return test.term(b, L, Cl); });
         }));
         ASSERT_EQ(facts.cones.size(), 1u) << test.name;
         EXPECT_EQ(facts.cones[0].exact, test.exact) << test.name;

@@ -32,8 +32,7 @@ public:
     const Matrix4 &rasterFromCamera() const { return rasterFromCamera_; }
     /// Edge length of a pixel, in metres, at depth z: what dicing is measured by.
     float pixelSize(float z) const;
-    /// False where an orthographic camera's frame shows nothing of the box, whatever the crop
-    /// window.
+    /// False where the frame shows nothing of the box, whatever the crop window.
     bool mayShow(const Box3 &) const;
 
 private:

@@ -117,6 +117,15 @@ LightChoice::LightChoice(std::span<const EmitterBound> bounds,
         places_[source] = std::int32_t(tree_.size() + infinite_.size());
 }
 
+LightChoice::Shares LightChoice::sharesAt(const float *const P[3], const float *const N[3],
+                                          bool found) const {
+    double finite;
+    const double infinite = irradiance(infinite_, normalAt(N, 0));
+    tree_.irradiance(1, P, N, &finite);
+    return {infinite, shareOfSurrounding(!surrounding_.empty(), infinite + finite, found),
+            infiniteShare(infinite, finite)};
+}
+
 void LightChoice::choose(int count, const float *const P[3], const float *const N[3], double *u,
                          std::int32_t *source, float *probability, const float *scattered) const {
     if (isSingle(nullptr, 0)) {
@@ -137,11 +146,7 @@ void LightChoice::choose(int count, const float *const P[3], const float *const 
         }
         const float *const p[3] = {P[0] + i, P[1] + i, P[2] + i};
         const float *const n[3] = {N[0] + i, N[1] + i, N[2] + i};
-        Normal normal = normalAt(N, i);
-        double finite, infinite = irradiance(infinite_, normal);
-        tree_.irradiance(1, p, n, &finite);
-        const double around = shareOfSurrounding(!surrounding_.empty(), infinite + finite,
-                                                 scattered && scattered[i] > 0);
+        const auto [infinite, around, share] = sharesAt(p, n, scattered && scattered[i] > 0);
         u[i] = u[i] >= 0 ? std::min(u[i], largestBelow1) : 0;
         if (u[i] < around) {
             u[i] = stretched(u[i], 0, around) * double(surrounding_.size());
@@ -152,11 +157,10 @@ void LightChoice::choose(int count, const float *const P[3], const float *const 
             continue;
         }
         u[i] = stretched(u[i], around, 1 - around);
-        double share = infiniteShare(infinite, finite);
         if (u[i] < share) {
             double within = 0;
             u[i] = stretched(u[i], 0, share);
-            source[i] = infinite_[pick(infinite_, normal, infinite, u[i], within)].source;
+            source[i] = infinite_[pick(infinite_, normalAt(N, i), infinite, u[i], within)].source;
             probability[i] = rounded((1 - around) * (share * within));
             continue;
         }
@@ -189,18 +193,13 @@ void LightChoice::probability(int count, const float *const P[3], const float *c
             continue;
         const float *const p[3] = {P[0] + i, P[1] + i, P[2] + i};
         const float *const n[3] = {N[0] + i, N[1] + i, N[2] + i};
-        Normal normal = normalAt(N, i);
-        double finite, infinite = irradiance(infinite_, normal);
-        tree_.irradiance(1, p, n, &finite);
-        const double around = shareOfSurrounding(!surrounding_.empty(), infinite + finite,
-                                                 scattered && scattered[i] > 0);
-        double share = infiniteShare(infinite, finite);
+        const auto [infinite, around, share] = sharesAt(p, n, scattered && scattered[i] > 0);
         if (place >= others) {
             probability[i] = rounded(around / double(surrounding_.size()));
             continue;
         }
         if (place >= tree_.size()) {
-            double one = irradiance(infinite_[place - tree_.size()], normal);
+            double one = irradiance(infinite_[place - tree_.size()], normalAt(N, i));
             probability[i] = infinite > 0 ? rounded((1 - around) * (share * (one / infinite))) : 0;
             continue;
         }

@@ -42,6 +42,13 @@ public:
                      const float *scattered = nullptr) const;
 
 private:
+    /// What a point chooses between: irradiance of the infinite ones, the share of what surrounds,
+    /// and of the rest that of the infinite ones.
+    struct Shares {
+        double infinite, around, share;
+    };
+    /// One point's; `found`: scattered rays find what surrounds.
+    Shares sharesAt(const float *const P[3], const float *const N[3], bool found) const;
     /// True if one finite source is all that point i may pick.
     bool isSingle(const float *scattered, int i) const {
         return tree_.size() == 1 && infinite_.empty() &&

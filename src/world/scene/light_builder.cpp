@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 
 namespace candela {
@@ -48,31 +49,37 @@ LightKind kindOf(const LightRecord &record, ir::LightClass lightClass) {
     return record.units == LightUnits::Si ? LightKind::Area : LightKind::ClassicArea;
 }
 
-/// The inputs that elements tell: position and normals, besides who asks and when.
-bool readsOnlyPlace(const ShaderCode &code) {
+/// Consecutive inputs.
+struct Inputs {
+    ShaderInput first;
+    int components;
+};
+
+/// True if code reads no inputs but these.
+template <class Code> bool readsOnly(const Code &code, std::initializer_list<Inputs> given) {
     for (int input = 0; input < int(ShaderInput::Count); ++input) {
-        auto within = [input](ShaderInput first, int components) {
-            return input >= int(first) && input < int(first) + components;
-        };
-        bool given = within(ShaderInput::P, 3) || within(ShaderInput::N, 3) ||
-                     within(ShaderInput::Ng, 3) || within(ShaderInput::Ps, 3) ||
-                     within(ShaderInput::time, 1);
-        if (!given && code.reads(ShaderInput(input)))
+        const bool known = std::ranges::any_of(given, [input](const Inputs &inputs) {
+            return input >= int(inputs.first) && input < int(inputs.first) + inputs.components;
+        });
+        if (!known && code.reads(ShaderInput(input)))
             return false;
     }
-    return code.variables().empty();
+    return true;
+}
+
+/// The inputs that elements tell: position and normals, besides who asks and when.
+bool readsOnlyPlace(const ShaderCode &code) {
+    return code.variables().empty() && readsOnly(code, {{ShaderInput::P, 3},
+                                                        {ShaderInput::N, 3},
+                                                        {ShaderInput::Ng, 3},
+                                                        {ShaderInput::Ps, 3},
+                                                        {ShaderInput::time, 1}});
 }
 
 /// A surface sends the same from everywhere to everywhere: what was seen of it is all there is.
 bool emitsAlike(const ShaderCode &code) {
-    const QuestionCode &emission = code.question(ir::Question::Emit);
-    for (int input = 0; input < int(ShaderInput::Count); ++input) {
-        const bool given = (input >= int(ShaderInput::Cs) && input < int(ShaderInput::Cs) + 3) ||
-                           (input >= int(ShaderInput::Os) && input < int(ShaderInput::Os) + 3);
-        if (!given && emission.reads(ShaderInput(input)))
-            return false;
-    }
-    return code.variables().empty();
+    return code.variables().empty() && readsOnly(code.question(ir::Question::Emit),
+                                                 {{ShaderInput::Cs, 3}, {ShaderInput::Os, 3}});
 }
 
 } // namespace

@@ -173,7 +173,6 @@ Vec3 Scene::offsetOrigin(Vec3 P, Vec3 Ng, Vec3 direction, float offset) {
 
 std::span<const LightGroup> Scene::lightGroupsInUse() const { return state_->lights.groups; }
 
-bool Scene::hasLights() const { return !state_->lights.sources.empty(); }
 bool Scene::hasAmbient() const { return !state_->lights.ambient.empty(); }
 bool Scene::readsLightChoice() const { return !state_->lights.isSingle; }
 int Scene::lightCount() const { return int(state_->lights.lights.size()); }

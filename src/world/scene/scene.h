@@ -63,7 +63,6 @@ public:
     static Vec3 offsetOrigin(Vec3 P, Vec3 Ng, Vec3 direction, float offset);
 
     // ---- Light ----
-    bool hasLights() const;
     bool hasAmbient() const;
     /// The groups that have lights: whoever gathers light takes a sample of each.
     std::span<const LightGroup> lightGroupsInUse() const;
@@ -75,9 +74,9 @@ public:
     /// `classic`: one sample of light `index` (of lightCount()) at every point, no choice.
     int lightCount() const;
     void sampleLight(int index, const LightQuery &, LightSamples &) const;
-    /// pdf[i] per steradian with which sampleLights(), asked by `query` (of which count, P, N and
-    /// lightSet are read), would have sent to the points, which rays from query.P have met on
-    /// elements at `elementPoint`. 0 where the point is no light, or off.
+    /// pdf[i] per steradian with which sampleLights(), asked by `query` (of which count, P, N,
+    /// lightSet and scattered are read), would have sent to the points, which rays from query.P
+    /// have met on elements at `elementPoint`. 0 where the point is no light, or off.
     void lightDensity(const LightQuery &query, const ShadingPoints &,
                       const std::array<const float *, 3> &elementPoint, float *pdf) const;
     /// radiance[c][i] that area lights (si) and emitting surfaces send from the points to the
