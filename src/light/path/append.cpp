@@ -54,11 +54,11 @@ ActivePaths &roomFor(PathWave &wave, int count) {
     return wave.next;
 }
 
-void leaveSurface(VertexChunk &chunk, int count, int first, RayBatch &rays) {
+void leaveSurface(VertexChunk &chunk, const ConstVec3Planes &direction, int count, int first,
+                  RayBatch &rays) {
     const int *lane = chunk.way.lane;
-    const MutableVec3Planes direction = chunk.events.direction();
     const MutableVec3Planes origin{chunk.way.origin[0], chunk.way.origin[1], chunk.way.origin[2]};
-    chunk.vertices.rayOrigins({direction[0], direction[1], direction[2]}, origin);
+    chunk.vertices.rayOrigins(direction, origin);
     for (int c = 0; c < 3; ++c) {
         lanes::take(count, lane, origin[c], rays.origin[c] + first);
         lanes::take(count, lane, direction[c], rays.direction[c] + first);
@@ -122,13 +122,13 @@ CANDELA_HOT void spreadOfDirections(int count, const float *__restrict pdf,
         spread[i] = spreadOf(pdf[i]);
 }
 
-void append(PathWave &wave, int count) {
+void append(PathWave &wave, const ConstVec3Planes &direction, int count) {
     VertexChunk &chunk = wave.chunk;
     ScatterPlanes &way = chunk.way;
     ActivePaths &next = roomFor(wave, count);
     const int first = next.count, *lane = way.lane;
     next.count += count;
-    leaveSurface(chunk, count, first, next.rays);
+    leaveSurface(chunk, direction, count, first, next.rays);
     leaveFootprints(count, lane, chunk.rays.data(), wave.hits.t, wave.active.rays.width,
                     wave.active.rays.spread, way.pdf, next.rays.width + first,
                     next.rays.spread + first);
@@ -141,7 +141,7 @@ void append(PathWave &wave, int count) {
     lanes::take(count, lane, chunk.paths.sampleIndex, next.sampleIndex + first);
     takeDepths(count, lane, chunk.paths.depth, next.depth + first);
     std::fill_n(next.seen + first, count, 0);
-    if (chunk.events.needsChoice())
+    if (!chunk.events.finite())
         correctSpecialEvents(wave, count, first);
 }
 

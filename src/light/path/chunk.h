@@ -86,7 +86,7 @@ struct VertexChunk {
     ScatteringEvents events;
     ConeMixture mixture; ///< Of the finite lobes; not stated where all their light is given.
     ConstVec3Planes N{}; ///< LightQuery::N.
-    Planes<float> normals, noFiniteLobe;
+    Planes<float> normals;
     HemisphereCone hemisphere;
     EmissionPlanes emission;
     DirectLight direct;

@@ -13,8 +13,8 @@ namespace candela {
 
 namespace {
 
-/// Paths follow all their branches at so many vertices, as long as they carry more than this;
-/// then they choose one by chance.
+/// Paths follow all their branches at so many vertices, as long as they carry more than this; then
+/// roulette keeps few of them.
 constexpr int splittingVertices = 8;
 constexpr float leastToSplit = 1.0f / 256;
 
@@ -22,16 +22,6 @@ CANDELA_HOT void weighRow(int count, const float *__restrict value, const float 
                           const std::int32_t *__restrict light, float *__restrict Cl) {
     for (int i = 0; i < count; ++i)
         Cl[i] = light[i] != 0 ? value[i] * factor[i] : 0.0f;
-}
-
-CANDELA_HOT void markSplitting(int count, const float *__restrict red,
-                               const float *__restrict green, const float *__restrict blue,
-                               int *__restrict split) {
-    for (int i = 0; i < count; ++i) {
-        float most = red[i] > green[i] ? red[i] : green[i];
-        most = blue[i] > most ? blue[i] : most;
-        split[i] = most > leastToSplit;
-    }
 }
 
 /// One sample of a light at every vertex, with its shadow.
@@ -44,8 +34,8 @@ void sampleRow(PathWave &wave, int light) {
     const float *u = numbers.x(lightPositionPair), *v = numbers.y(lightPositionPair);
     wave.frame.scene.sampleLight(light, lightQuery(chunk.vertices, chunk.N, nullptr, {u, u, v}),
                                  samples);
-    lightSampleFactors(count, samples.pdfSolidAngle, classic.none[0], classic.none[0],
-                       classic.wanted, classic.factor);
+    lightSampleFactors(count, samples.pdfSolidAngle, classic.none[0], classic.wanted,
+                       classic.factor);
     const MutableVec3Planes L = classic.rows.L(light);
     for (int c = 0; c < 3; ++c)
         std::copy_n(samples.L[c], count, L[c]);
@@ -81,23 +71,10 @@ void lightClassic(PathWave &wave) {
 }
 
 void branch(PathWave &wave) {
-    VertexChunk &chunk = wave.chunk;
-    ScatteringEvents &events = chunk.events;
-    const int count = chunk.count();
-    int *split = wave.classic->split;
-    std::fill_n(split, count, 0);
-    const Planes<float> &throughput = chunk.paths.throughput;
-    if (wave.vertex < splittingVertices)
-        markSplitting(count, throughput[0], throughput[1], throughput[2], split);
-    if (!lanes::allEqual(count, split, 1)) {
-        chooseBesidesFiniteLobes(wave);
-        events.end(count, split);
-        goOn(wave, leastToSplit);
-    }
-    events.look(chunk.vertices);
-    for (int kind = 0; kind < events.kinds(); ++kind)
-        if (events.takeAll(chunk.vertices, kind, split))
-            goOn(wave, leastToSplit);
+    const float below = wave.vertex < splittingVertices ? leastToSplit : 1;
+    wave.chunk.events.look(wave.chunk.vertices);
+    beginEvents(wave);
+    followEvents(wave, {below, below});
 }
 
 } // namespace candela

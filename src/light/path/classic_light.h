@@ -11,9 +11,9 @@ struct ClassicLight {
     explicit ClassicLight(int capacity)
         : sample(capacity), shadow(capacity), Ci(colorSamples, capacity),
           Oi(colorSamples, capacity), none(1, capacity), floats(2, capacity),
-          integers(3, capacity) {
+          integers(2, capacity) {
         wanted = floats[0], factor = floats[1];
-        inShadow = integers[0], lanes = integers[1], split = integers[2];
+        inShadow = integers[0], lanes = integers[1];
     }
 
     LightSampleStorage sample;
@@ -25,7 +25,6 @@ struct ClassicLight {
     float *wanted, *factor;
     Planes<int> integers;
     int *inShadow, *lanes; ///< Those in need of shadow rays.
-    int *split;            ///< 1 for paths that follow all their branches.
 };
 
 } // namespace candela

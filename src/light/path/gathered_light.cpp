@@ -99,8 +99,7 @@ void addLightRow(PathWave &wave, GatheredLight &gathered, LightGroup group, int 
         gathered.mixture.pdf({unit[0], unit[1], unit[2]}, rays.pdf);
         leaveToLightSampling(vertices.code(), count, samples.light, rays.pdf);
     }
-    lightSampleFactors(count, samples.pdfSolidAngle, rays.pdf, rays.always, rays.wanted,
-                       rays.factor);
+    lightSampleFactors(count, samples.pdfSolidAngle, rays.pdf, rays.wanted, rays.factor);
     const MutableVec3Planes L = gathered.rows.L(row);
     for (int c = 0; c < 3; ++c)
         std::copy_n(samples.L[c], count, L[c]);
@@ -207,7 +206,6 @@ GatheredLight::GatheredLight(int capacity, std::unique_ptr<PathWave> finder)
     : wave(std::move(finder)), mixture(capacity), cones(capacity), numbers(capacity),
       rays(capacity), sample(capacity), shadow(capacity), Ci(colorSamples, capacity),
       Oi(colorSamples, capacity), darkness(colorSamples, capacity) {
-    std::fill_n(rays.always, capacity, 1.0f);
     std::fill_n(cones.hemisphere, capacity, 180.0f);
     std::fill_n(cones.one, capacity, 1.0f);
     rows.reserve((1 + lightGroups) * rounds, paddedLanes(capacity));

@@ -57,13 +57,13 @@ struct GatheringCones {
 /// The rays of a round, and what weighs them.
 struct RoundRays {
     explicit RoundRays(int capacity)
-        : direction(3, capacity), origin(3, capacity), floats(6, capacity), integers(4, capacity) {
-        wanted = floats[0], always = floats[1], pdf = floats[2], factor = floats[3];
-        width = floats[4], spread = floats[5];
+        : direction(3, capacity), origin(3, capacity), floats(5, capacity), integers(4, capacity) {
+        wanted = floats[0], pdf = floats[1], factor = floats[2];
+        width = floats[3], spread = floats[4];
         x = integers[0], y = integers[1], inShadow = integers[2], shadowed = integers[3];
     }
     Planes<float> direction, origin, floats;
-    float *wanted, *always, *pdf, *factor, *width, *spread;
+    float *wanted, *pdf, *factor, *width, *spread;
     Planes<int> integers;
     int *x, *y, *inShadow, *shadowed;
     std::vector<int> lanes; ///< Those that want light.

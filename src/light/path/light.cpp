@@ -20,18 +20,20 @@ CANDELA_HOT void weighSamples(int count, const float *__restrict g, const float 
 
 /// Where light is wanted, and where rays are scattered along finite lobes, too.
 CANDELA_HOT void markShallow(int count, const int *__restrict depth, int maxDepth,
-                             const float *__restrict finiteProbability, float *__restrict wanted,
+                             const float *__restrict finiteTotal, float *__restrict wanted,
                              float *__restrict scattered) {
     for (int i = 0; i < count; ++i) {
         const bool shallow = depth[i] < maxDepth;
         wanted[i] = shallow ? 1.0f : 0.0f;
-        scattered[i] = shallow & (finiteProbability[i] > 0) ? 1.0f : 0.0f;
+        scattered[i] = shallow & (finiteTotal[i] > 0) ? 1.0f : 0.0f;
     }
 }
 
-CANDELA_HOT void scale(int count, float factor, float *__restrict values) {
+/// Of all `directions` together; none where the mixture is empty.
+CANDELA_HOT void densityOfAll(int count, float directions, const float *__restrict finiteTotal,
+                              float *__restrict pdf) {
     for (int i = 0; i < count; ++i)
-        values[i] *= factor;
+        pdf[i] = finiteTotal[i] > 0 ? pdf[i] * directions : 0.0f;
 }
 
 /// The samples, and what they are worth beside directions of the mixture.
@@ -42,7 +44,7 @@ void sampleLights(PathWave &wave, LightGroup group) {
     const int count = chunk.count();
     const VertexNumbers &numbers = chunk.numbers;
     markShallow(count, chunk.paths.depth, wave.frame.settings.maxDepth,
-                chunk.events.finiteProbability(), direct.wanted, direct.scattered);
+                chunk.mixture.total(), direct.wanted, direct.scattered);
     wave.frame.scene.sampleLights(
         group,
         lightQuery(chunk.vertices, chunk.N, direct.scattered,
@@ -52,11 +54,10 @@ void sampleLights(PathWave &wave, LightGroup group) {
     unitDirections(count, samples.L[0], samples.L[1], samples.L[2], direct.unit[0], direct.unit[1],
                    direct.unit[2]);
     chunk.mixture.pdf({direct.unit[0], direct.unit[1], direct.unit[2]}, direct.directionPdf);
-    if (const int directions = directionsAt(wave); directions > 1)
-        scale(count, float(directions), direct.directionPdf);
+    densityOfAll(count, float(directionsAt(wave)), chunk.mixture.total(), direct.directionPdf);
     leaveToLightSampling(chunk.vertices.code(), count, samples.light, direct.directionPdf);
-    lightSampleFactors(count, samples.pdfSolidAngle, direct.directionPdf,
-                       chunk.events.finiteProbability(), direct.wanted, direct.factor);
+    lightSampleFactors(count, samples.pdfSolidAngle, direct.directionPdf, direct.wanted,
+                       direct.factor);
 }
 
 } // namespace

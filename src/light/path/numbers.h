@@ -6,9 +6,9 @@
 
 namespace candela {
 
-/// The dimension pairs of a path: three for the camera, then four a vertex.
+/// The dimension pairs of a path: three for the camera, then three a vertex.
 enum CameraPair { filterPair, lensPair, timePair, cameraPairs };
-enum VertexPair { lightPositionPair, directionPair, lightChoicePair, eventPair, vertexPairs };
+enum VertexPair { lightPositionPair, directionPair, lightChoicePair, vertexPairs };
 
 /// The numbers of a chunk's vertices. Those that nothing reads are not drawn.
 struct VertexNumbers {

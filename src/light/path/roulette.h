@@ -9,10 +9,18 @@ namespace candela {
 /// from the third vertex on with the root of the throughput itself.
 inline constexpr int rouletteDepth = 2;
 inline constexpr float rouletteBelow = 0.4f;
+/// Where the first vertex is left by several kinds of events, they play below this part of it.
+inline constexpr float firstRouletteShare = 1.0f / 32;
+
+/// Throughputs below which paths play: those that were scattered before, and others.
+struct RouletteThresholds {
+    float later, first;
+};
 
 /// survives[i] != 0 for paths that go on, whose throughput is then to be multiplied by gain.
-/// `brightest` is the largest channel of the throughput; paths above `below` all go on.
-void playRoulette(int count, const float *brightest, const int *depth, float below,
+/// `brightest` is the largest channel of the throughput, `depth` how often the path was scattered
+/// before; `chance` is uniform in [0,1).
+void playRoulette(int count, const float *brightest, const int *depth, RouletteThresholds,
                   const float *chance, int *survives, float *gain);
 
 } // namespace candela

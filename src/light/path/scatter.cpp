@@ -15,19 +15,18 @@ namespace {
 
 constexpr float pi = float(M_PI);
 
-/// What the chosen event makes of a unit of light: 1/(pi pdf) for finite lobes, 1/q else; and
-/// the density that the direction carries, 0 for events without a choice of direction. Several
-/// `directions` are as many times as dense.
+/// What the events make of a unit of light: 1/(pi pdf) for finite lobes, else 1; and the density
+/// that the direction carries, 0 for events without a choice of direction. Several `directions` are
+/// as many times as dense.
 CANDELA_HOT void eventScales(int count, const std::int32_t *__restrict event,
-                             const float *__restrict probability,
                              const float *__restrict mixturePdf, float directions,
                              const int *__restrict depth, int maxDepth, float *__restrict scale,
                              float *__restrict pdf) {
     for (int i = 0; i < count; ++i) {
         bool finite = event[i] == finiteRequests, through = event[i] == straightThrough;
         bool goesOn = (event[i] != pathEnds) & (through | (depth[i] < maxDepth));
-        float density = finite ? mixturePdf[i] * probability[i] * directions : 0.0f;
-        float divisor = finite ? pi * density : probability[i];
+        float density = finite ? mixturePdf[i] * directions : 0.0f;
+        float divisor = finite ? pi * density : 1.0f;
         pdf[i] = density;
         scale[i] = goesOn & (divisor > 0) ? 1 / (divisor > 0 ? divisor : 1.0f) : 0.0f;
     }
@@ -61,40 +60,28 @@ CANDELA_HOT void nextThroughput(int count, const std::array<const float *, color
     }
 }
 
-CANDELA_HOT void chooseDirections(int count, const std::int32_t *__restrict event,
-                                  const float *__restrict finite, float *__restrict direction) {
-    for (int i = 0; i < count; ++i)
-        direction[i] = event[i] == finiteRequests ? finite[i] : direction[i];
-}
-
-/// Directions of finite lobes, and the density of the mixture.
-void sampleDirections(VertexChunk &chunk) {
-    const int count = chunk.count();
-    if (!chunk.events.any(finiteRequests, count))
-        return;
-    const MutableVec3Planes direction = chunk.events.direction();
+/// Directions of finite lobes, and their density.
+ConstVec3Planes sampleDirections(VertexChunk &chunk) {
     const Planes<float> &sampled = chunk.way.sampled;
     chunk.mixture.sample(chunk.numbers.x(directionPair), chunk.numbers.y(directionPair),
                          {sampled[0], sampled[1], sampled[2]});
-    for (int c = 0; c < 3; ++c)
-        chooseDirections(count, chunk.events.event(), sampled[c], direction[c]);
-    chunk.mixture.pdf({direction[0], direction[1], direction[2]}, chunk.way.mixturePdf);
+    const ConstVec3Planes direction{sampled[0], sampled[1], sampled[2]};
+    chunk.mixture.pdf(direction, chunk.way.mixturePdf);
+    return direction;
 }
 
 /// way.throughput and way.brightest, 0 for those that end.
-void respond(PathWave &wave) {
+void respond(PathWave &wave, const ConstVec3Planes &direction) {
     VertexChunk &chunk = wave.chunk;
     ScatterPlanes &way = chunk.way;
     SurfaceVertices &vertices = chunk.vertices;
     const int count = chunk.count();
-    const MutableVec3Planes direction = chunk.events.direction();
     float *g[colorSamples];
     for (int c = 0; c < colorSamples; ++c)
         g[c] = way.response[c];
-    vertices.scatter({direction[0], direction[1], direction[2]}, chunk.events.event(), nullptr, g);
-    eventScales(count, chunk.events.event(), chunk.events.probability(), way.mixturePdf,
-                float(directionsAt(wave)), chunk.paths.depth, wave.frame.settings.maxDepth,
-                way.scale, way.pdf);
+    vertices.scatter(direction, chunk.events.event(), nullptr, g);
+    eventScales(count, chunk.events.event(), way.mixturePdf, float(directionsAt(wave)),
+                chunk.paths.depth, wave.frame.settings.maxDepth, way.scale, way.pdf);
     const Planes<float> &before = chunk.paths.throughput, &after = way.throughput;
     nextThroughput(count, {before[0], before[1], before[2]}, {g[0], g[1], g[2]},
                    {vertices.Oi(0), vertices.Oi(1), vertices.Oi(2)}, chunk.events.event(),
@@ -108,61 +95,100 @@ void respond(PathWave &wave) {
         }
 }
 
+/// The paths go on along chunk.events, of these directions.
+void goOn(PathWave &wave, const ConstVec3Planes &direction, RouletteThresholds thresholds) {
+    VertexChunk &chunk = wave.chunk;
+    ScatterPlanes &way = chunk.way;
+    respond(wave, direction);
+    playRoulette(chunk.count(), way.brightest, chunk.paths.depth, thresholds,
+                 chunk.numbers.roulette(), way.survives, way.gain);
+    const int count = lanes::compactUnequal(chunk.count(), way.survives, 0, way.lane);
+    append(wave, direction, count);
+}
+
+/// Another uniform number for the next kind of event.
+CANDELA_HOT void turnNumbers(int count, float *__restrict numbers) {
+    constexpr float goldenSection = 0.618034f;
+    for (int i = 0; i < count; ++i) {
+        const float turned = numbers[i] + goldenSection;
+        numbers[i] = turned < 1 ? turned : turned - 1;
+    }
+}
+
+CANDELA_HOT void numberDirections(int count, const std::uint32_t *__restrict sample, int k,
+                                  std::uint32_t *__restrict number) {
+    for (int i = 0; i < count; ++i)
+        number[i] = directionNumber(sample[i], k);
+}
+
+/// The paths go on along directions of the finite lobes.
+void followDirections(PathWave &wave, RouletteThresholds thresholds) {
+    VertexChunk &chunk = wave.chunk;
+    if (!chunk.events.takeFinite(chunk.count(), chunk.mixture.total()))
+        return;
+    const int directions = directionsAt(wave);
+    for (int k = 0; k < directions; ++k) {
+        if (directions > 1) {
+            numberDirections(chunk.count(), chunk.way.sample[0], k, chunk.paths.sampleIndex);
+            drawNumbers(wave, directionPair);
+        }
+        goOn(wave, sampleDirections(chunk), thresholds);
+    }
+}
+
+/// Of camera paths the directions carry shares; it is the path whose weight counts.
+RouletteThresholds thresholdsOf(const PathWave &wave) {
+    const float below =
+        wave.purpose == Purpose::Camera ? rouletteBelow / cameraDirections : rouletteBelow;
+    return {below, wave.chunk.events.kinds() > 0 ? below * firstRouletteShare : 0};
+}
+
 } // namespace
 
 CANDELA_HOT void playRoulette(int count, const float *__restrict brightest,
-                              const int *__restrict depth, float below,
+                              const int *__restrict depth, RouletteThresholds thresholds,
                               const float *__restrict chance, int *__restrict survives,
                               float *__restrict gain) {
     for (int i = 0; i < count; ++i) {
-        float root = std::sqrt((brightest[i] > 0 ? brightest[i] : 0.0f) * (1 / below));
-        float odds = (depth[i] + 1 >= rouletteDepth) & (root < 1) ? root : 1.0f;
-        survives[i] = (brightest[i] > 0) & (chance[i] < odds);
+        const float below = depth[i] + 1 >= rouletteDepth ? thresholds.later : thresholds.first;
+        const float weight = brightest[i] > 0 ? brightest[i] : 0.0f;
+        const float odds = weight < below ? std::sqrt(weight / below) : 1.0f;
+        survives[i] = (weight > 0) & (chance[i] < odds);
         gain[i] = 1 / (odds > 0 ? odds : 1.0f);
     }
 }
 
-void goOn(PathWave &wave, float rouletteThreshold) {
+void beginEvents(PathWave &wave) {
     VertexChunk &chunk = wave.chunk;
-    ScatterPlanes &way = chunk.way;
-    respond(wave);
-    playRoulette(chunk.count(), way.brightest, chunk.paths.depth, rouletteThreshold,
-                 chunk.numbers.roulette(), way.survives, way.gain);
-    const int count = lanes::compactUnequal(chunk.count(), way.survives, 0, way.lane);
-    append(wave, count);
+    std::copy_n(chunk.paths.sampleIndex, chunk.count(), chunk.way.sample[0]);
+    if (chunk.events.kinds() > 0)
+        drawNumbers(wave, lightChoicePair);
 }
 
-namespace {
-
-/// Branch k of the vertices' paths. Events without a choice of direction belong to the first.
-void takeBranch(VertexChunk &chunk, int k) {
-    const std::int32_t *event = chunk.events.event();
-    const std::uint32_t *sample = chunk.way.sample[0];
-    for (int i = 0; i < chunk.count(); ++i)
-        chunk.paths.sampleIndex[i] =
-            event[i] == finiteRequests ? branchNumber(sample[i], k) : unbranchedNumber(sample[i]);
-    if (k == 1)
-        chunk.events.endAllBut(finiteRequests, chunk.count());
+void followEvents(PathWave &wave, RouletteThresholds thresholds) {
+    VertexChunk &chunk = wave.chunk;
+    ScatteringEvents &events = chunk.events;
+    for (int kind = 0; kind < events.kinds(); ++kind) {
+        if (!events.takeKind(chunk.vertices, kind))
+            continue;
+        for (int i = 0; i < chunk.count(); ++i)
+            chunk.paths.sampleIndex[i] = eventNumber(chunk.way.sample[0][i], wave.vertex, kind);
+        turnNumbers(chunk.count(), chunk.numbers.roulette());
+        const MutableVec3Planes direction = events.direction();
+        goOn(wave, {direction[0], direction[1], direction[2]}, thresholds);
+    }
 }
-
-} // namespace
 
 void scatter(PathWave &wave) {
-    VertexChunk &chunk = wave.chunk;
-    const int directions = directionsAt(wave);
-    // Branches carry a share of their path; it is the path whose weight counts.
-    const float below =
-        wave.purpose == Purpose::Camera ? rouletteBelow / cameraDirections : rouletteBelow;
-    if (directions > 1)
-        std::copy_n(chunk.paths.sampleIndex, chunk.count(), chunk.way.sample[0]);
-    for (int k = 0; k < directions; ++k) {
-        if (k > 0 && !chunk.events.any(finiteRequests, chunk.count()))
-            return;
-        if (directions > 1)
-            takeBranch(chunk, k), drawNumbers(wave, directionPair);
-        sampleDirections(chunk);
-        goOn(wave, below);
-    }
+    beginEvents(wave);
+    const RouletteThresholds thresholds = thresholdsOf(wave);
+    followDirections(wave, thresholds);
+    followEvents(wave, thresholds);
+}
+
+void scatterBesidesFiniteLobes(PathWave &wave) {
+    beginEvents(wave);
+    followEvents(wave, thresholdsOf(wave));
 }
 
 } // namespace candela

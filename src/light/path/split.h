@@ -3,6 +3,7 @@
 // is paid once for several directions. Light that comes straight from lamps makes little noise.
 #pragma once
 
+#include "foundation/base/hash.h"
 #include "light/path/wave.h"
 
 namespace candela {
@@ -19,12 +20,16 @@ inline int directionsAt(const PathWave &wave) {
                : 1;
 }
 
-/// The number of a path within its pixel: branch k of sample s, which has `cameraDirections` of
-/// them; and one for paths that leave their first vertex without a choice of direction. No two
-/// paths of a pixel share one, and both kinds are consecutive.
-inline std::uint32_t branchNumber(std::uint32_t sample, int k) {
+/// The number of a path within its pixel: direction k of sample s, which has `cameraDirections` of
+/// them.
+inline std::uint32_t directionNumber(std::uint32_t sample, int k) {
     return sample * std::uint32_t(cameraDirections) + std::uint32_t(k);
 }
-inline std::uint32_t unbranchedNumber(std::uint32_t sample) { return sample + (1u << 30); }
+/// That of a path that leaves a vertex by an event of one direction, `kind` as ScatteringEvents
+/// counts them: consecutive samples stay so, in another part of the sequence.
+inline std::uint32_t eventNumber(std::uint32_t sample, int vertex, int kind) {
+    const std::uint64_t branch = std::uint64_t(vertex) << 32 | std::uint32_t(kind + 1);
+    return sample ^ (std::uint32_t(mixBits(branch) >> 32) & 0xffff0000u);
+}
 
 } // namespace candela

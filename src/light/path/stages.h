@@ -32,20 +32,19 @@ void emit(PathWave &);
 void ask(PathWave &);
 /// What the camera sees at first hand: opacity, and the channels of the first surface.
 void see(PathWave &);
-/// Chooses the event by which each path goes on.
-void chooseEvents(PathWave &);
-/// The same where all finite light has been given: trace() and what shines through are left.
-void chooseBesidesFiniteLobes(PathWave &);
+/// The density of directions, from the cones that the shader has stated.
+void stateLobes(PathWave &);
 /// Ambient light, and one light by chance.
 void light(PathWave &);
 /// Every light at once, as RI 3.1 has it.
 void lightClassic(PathWave &);
 /// Many samples at once, for shaders that no single one can be asked about.
 void lightGathered(PathWave &);
-/// The paths go on along their events.
+/// The paths go on along finite lobes, trace() and what shines through.
 void scatter(PathWave &);
-/// The paths go on along trace() and what shines through, along all of them as long as they carry
-/// much: no noise.
+/// The same where all finite light has been given: along trace() and what shines through alone,
+void scatterBesidesFiniteLobes(PathWave &);
+/// and without noise as long as the paths carry much.
 void branch(PathWave &);
 /// The light gathered joins what the paths have.
 void deliver(PathWave &);

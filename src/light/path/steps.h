@@ -2,6 +2,7 @@
 // Steps that several stages share.
 #pragma once
 
+#include "light/path/roulette.h"
 #include "light/path/wave.h"
 
 namespace candela {
@@ -14,11 +15,15 @@ void stateLightNormals(VertexChunk &, const ConeMixture &);
 bool slotsAreConsecutive(const PathWave &);
 /// Tells of a value that is not finite at vertex i of the chunk.
 void reportNonFinite(PathWave &, int i);
-/// The paths go on along chunk.events; those whose throughput is below the threshold play roulette.
-void goOn(PathWave &, float rouletteThreshold);
+/// Numbers for events of one direction and for roulette between them; must come first.
+void beginEvents(PathWave &);
+/// The paths go on along each event of one direction that chunk.events has; those of small
+/// throughput play roulette.
+void followEvents(PathWave &, RouletteThresholds);
 /// Of rays along directions of these densities (RayBatch::spread).
 void spreadOfDirections(int count, const float *pdf, float *spread);
-/// Puts the paths of vertices way.lane[0..count) behind those in `next`.
-void append(PathWave &, int count);
+/// Puts the paths of vertices way.lane[0..count), which go on along chunk.events in these
+/// directions, behind those in `next`.
+void append(PathWave &, const ConstVec3Planes &direction, int count);
 
 } // namespace candela

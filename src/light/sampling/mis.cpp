@@ -9,10 +9,9 @@ namespace candela {
 
 CANDELA_HOT void lightSampleFactors(int count, const float *__restrict lightPdf,
                                     const float *__restrict directionPdf,
-                                    const float *__restrict directionChance,
                                     const float *__restrict wanted, float *__restrict factor) {
     for (int i = 0; i < count; ++i) {
-        const float pl = lightPdf[i], pd = directionPdf[i] * directionChance[i];
+        const float pl = lightPdf[i], pd = directionPdf[i];
         const float shared = misWeight(pl, pd) / (float(M_PI) * (pl > 0 ? pl : 1.0f));
         factor[i] = wanted[i] > 0 ? (pl > 0 ? shared : 1.0f) : 0.0f;
     }

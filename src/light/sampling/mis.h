@@ -20,10 +20,10 @@ inline float misWeight(float own, float other) {
 }
 
 /// factor[i] = what the radiance of a light sample is worth as Cl: weight / (pi lightPdf), weighted
-/// against finding the same direction with density directionPdf * directionChance. Delta lights
+/// against finding the same direction with density directionPdf. Delta lights
 /// (lightPdf = 0) come as they are. 0 where `wanted` is 0.
 void lightSampleFactors(int count, const float *lightPdf, const float *directionPdf,
-                        const float *directionChance, const float *wanted, float *factor);
+                        const float *wanted, float *factor);
 
 /// weight[i] of emission that a direction of density directionPdf has hit, against light sampling
 /// of density lightPdf; 1 for directions without a choice (directionPdf = 0).

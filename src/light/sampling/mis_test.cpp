@@ -41,9 +41,9 @@ TEST(MisWeight, OfWhatTheOtherCannotFindIsOne) {
 TEST(LightSampleFactors, AreFiniteAtExtremesAndPartnersOfEmissionWeights) {
     for (float pl : densities)
         for (float pd : densities) {
-            const float chance = 1, wanted = 1;
+            const float wanted = 1;
             float factor, weight;
-            lightSampleFactors(1, &pl, &pd, &chance, &wanted, &factor);
+            lightSampleFactors(1, &pl, &pd, &wanted, &factor);
             emissionWeights(1, &pd, &pl, &weight);
             EXPECT_TRUE(std::isfinite(weight));
             if (pl > 1e-38f && pl < 1e38f) {
@@ -53,11 +53,10 @@ TEST(LightSampleFactors, AreFiniteAtExtremesAndPartnersOfEmissionWeights) {
 }
 
 TEST(LightSampleFactors, LeaveDeltaLightsAndUnwantedLanesAlone) {
-    const std::vector<float> lightPdf{0, 0, 2}, directionPdf{5, 0, 5}, chance{1, 1, 1};
+    const std::vector<float> lightPdf{0, 0, 2}, directionPdf{5, 0, 5};
     const std::vector<float> wanted{1, 1, 0};
     std::vector<float> factor(3);
-    lightSampleFactors(3, lightPdf.data(), directionPdf.data(), chance.data(), wanted.data(),
-                       factor.data());
+    lightSampleFactors(3, lightPdf.data(), directionPdf.data(), wanted.data(), factor.data());
     EXPECT_EQ(factor, (std::vector<float>{1, 1, 0}));
 }
 

@@ -23,16 +23,15 @@ CANDELA_HOT void addTransmission(int count, const float *__restrict opacity, flo
     }
 }
 
-/// Where the finite lobes are all there is.
-CANDELA_HOT void followFiniteLobes(int count, const float *__restrict total,
-                                   std::int32_t *__restrict event, float *__restrict probability,
-                                   float *__restrict finiteProbability) {
+CANDELA_HOT bool followFiniteLobes(int count, const float *__restrict total,
+                                   std::int32_t *__restrict event) {
+    int some = 0;
     for (int i = 0; i < count; ++i) {
-        bool goesOn = total[i] > 0;
+        const int goesOn = total[i] > 0;
         event[i] = goesOn ? finiteRequests : pathEnds;
-        probability[i] = goesOn ? 1.0f : 0.0f;
-        finiteProbability[i] = goesOn ? 1.0f : 0.0f;
+        some |= goesOn;
     }
+    return some != 0;
 }
 
 /// The weight of a cone's request as a delta request.
@@ -44,8 +43,7 @@ float deltaWeight(const ConePlanes &cone, int i) {
 } // namespace
 
 ScatteringEvents::ScatteringEvents(int capacity)
-    : events_(1, capacity), probability_(1, capacity), finiteProbability_(1, capacity),
-      direction_(3, capacity), transmission_(1, capacity) {}
+    : events_(1, capacity), direction_(3, capacity), transmission_(1, capacity) {}
 
 void ScatteringEvents::look(const SurfaceVertices &vertices) {
     const int count = vertices.count();
@@ -58,7 +56,6 @@ void ScatteringEvents::look(const SurfaceVertices &vertices) {
         if (cone.first && !lanes::allPositive(count, cone.kindAngle))
             deltas_.push_back(k);
     }
-    mayBeDelta_ = !deltas_.empty();
     if (opaque_)
         return;
     std::fill_n(transmission_[0], count, 0.0f);
@@ -66,80 +63,25 @@ void ScatteringEvents::look(const SurfaceVertices &vertices) {
         addTransmission(count, vertices.Oi(c), luminanceWeights[c], transmission_[0]);
 }
 
-void ScatteringEvents::choose(SurfaceVertices &vertices, const float *finiteTotal, const float *u) {
-    const int count = vertices.count();
-    if (!needsChoice()) {
-        followFiniteLobes(count, finiteTotal, events_[0], probability_[0], finiteProbability_[0]);
-        return;
-    }
-    if (opaque_)
-        std::fill_n(transmission_[0], count, 0.0f);
-    ConstVec3Planes incident = vertices.input(ShaderInput::I);
-    for (int i = 0; i < count; ++i) {
-        float total = finiteTotal[i] + transmission_[0][i];
-        for (int k : deltas_)
-            total += deltaWeight(vertices.cones()[k], i);
-        events_[0][i] = pathEnds;
-        probability_[0][i] = finiteProbability_[0][i] = 0;
-        if (!(total > 0))
-            continue;
-        float scale = 1 / total, left = u[i] * total;
-        finiteProbability_[0][i] = finiteTotal[i] * scale;
-        auto take = [&](std::int32_t event, float weight) {
-            if (weight <= 0 || events_[0][i] != pathEnds)
-                return false;
-            left -= weight;
-            if (left >= 0)
-                return false;
-            events_[0][i] = event;
-            probability_[0][i] = weight * scale;
-            return true;
-        };
-        take(finiteRequests, finiteTotal[i]);
-        for (int k : deltas_) {
-            const ConePlanes &cone = vertices.cones()[k];
-            if (take(cone.request, deltaWeight(cone, i)))
-                for (int c = 0; c < 3; ++c)
-                    direction_[c][i] = cone.axis[c][i];
-        }
-        if (take(straightThrough, transmission_[0][i]))
-            for (int c = 0; c < 3; ++c)
-                direction_[c][i] = incident[c][i];
-        // Rounding may leave a sliver above the last weight: the path ends there, unweighted,
-        // with a probability below 1e-7.
-    }
+bool ScatteringEvents::takeFinite(int count, const float *total) {
+    finite_ = true;
+    return followFiniteLobes(count, total, events_[0]);
 }
 
-bool ScatteringEvents::takeAll(SurfaceVertices &vertices, int kind, const int *wanted) {
+bool ScatteringEvents::takeKind(SurfaceVertices &vertices, int kind) {
+    finite_ = false;
     const bool delta = kind < int(deltas_.size());
     const ConePlanes *cone = delta ? &vertices.cones()[deltas_[kind]] : nullptr;
     const ConstVec3Planes along = delta ? cone->axis : vertices.input(ShaderInput::I);
     bool some = false;
     for (int i = 0; i < vertices.count(); ++i) {
-        const float weight = delta ? deltaWeight(*cone, i) : transmission_[0][i];
-        const bool taken = wanted[i] != 0 && weight > 0;
+        const bool taken = (delta ? deltaWeight(*cone, i) : transmission_[0][i]) > 0;
         events_[0][i] = taken ? delta ? cone->request : straightThrough : pathEnds;
-        probability_[0][i] = taken ? 1 : 0;
-        finiteProbability_[0][i] = 0;
         for (int c = 0; c < 3; ++c)
             direction_[c][i] = along[c][i];
         some |= taken;
     }
     return some;
-}
-
-void ScatteringEvents::end(int count, const int *marked) {
-    for (int i = 0; i < count; ++i)
-        events_[0][i] = marked[i] != 0 ? pathEnds : events_[0][i];
-}
-
-void ScatteringEvents::endAllBut(std::int32_t event, int count) {
-    for (int i = 0; i < count; ++i)
-        events_[0][i] = events_[0][i] == event ? event : pathEnds;
-}
-
-bool ScatteringEvents::any(std::int32_t event, int count) const {
-    return std::find(events_[0], events_[0] + count, event) != events_[0] + count;
 }
 
 } // namespace candela

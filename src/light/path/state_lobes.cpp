@@ -49,22 +49,11 @@ void stateLightNormals(VertexChunk &chunk, const ConeMixture &mixture) {
     }
 }
 
-void chooseEvents(PathWave &wave) {
+void stateLobes(PathWave &wave) {
     VertexChunk &chunk = wave.chunk;
     chunk.events.look(chunk.vertices);
     stateMixture(chunk, wave.frame.settings.hemisphereOnly);
     stateLightNormals(chunk, chunk.mixture);
-    if (chunk.events.needsChoice())
-        drawNumbers(wave, eventPair);
-    chunk.events.choose(chunk.vertices, chunk.mixture.total(), chunk.numbers.x(eventPair));
-}
-
-void chooseBesidesFiniteLobes(PathWave &wave) {
-    VertexChunk &chunk = wave.chunk;
-    std::fill_n(chunk.noFiniteLobe[0], chunk.count(), 0.0f);
-    chunk.events.look(chunk.vertices);
-    drawNumbers(wave, eventPair);
-    chunk.events.choose(chunk.vertices, chunk.noFiniteLobe[0], chunk.numbers.x(eventPair));
 }
 
 } // namespace candela
