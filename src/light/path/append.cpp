@@ -34,10 +34,9 @@ CANDELA_HOT void leaveFootprints(int count, const int *__restrict lane, const in
     }
 }
 
-CANDELA_HOT void takeDepths(int count, const int *__restrict lane, const int *__restrict depth,
-                            int *__restrict next) {
+CANDELA_HOT void deepen(int count, int *__restrict depth) {
     for (int k = 0; k < count; ++k)
-        next[k] = depth[lane[k]] + 1;
+        ++depth[k];
 }
 
 /// The page to append to: what is full waits.
@@ -59,23 +58,26 @@ void leaveSurface(VertexChunk &chunk, int count, int first, RayBatch &rays) {
     const MutableVec3Planes direction = chunk.events.direction();
     const MutableVec3Planes origin{chunk.way.origin[0], chunk.way.origin[1], chunk.way.origin[2]};
     chunk.vertices.rayOrigins({direction[0], direction[1], direction[2]}, origin);
-    for (int c = 0; c < 3; ++c) {
-        lanes::take(count, lane, origin[c], rays.origin[c] + first);
-        lanes::take(count, lane, direction[c], rays.direction[c] + first);
-    }
-    lanes::take(count, lane, chunk.vertices.points.input(int(ShaderInput::time)),
-                rays.time + first);
+    lanes::take(count, lane,
+                {{origin[0], rays.origin[0] + first},
+                 {origin[1], rays.origin[1] + first},
+                 {origin[2], rays.origin[2] + first},
+                 {direction[0], rays.direction[0] + first},
+                 {direction[1], rays.direction[1] + first},
+                 {direction[2], rays.direction[2] + first},
+                 {chunk.vertices.points.input(int(ShaderInput::time)), rays.time + first}});
     std::fill_n(rays.tMin + first, count, 0.0f);
     std::fill_n(rays.tMax + first, count, INFINITY);
 }
 
 /// What finite events leave on their rays.
 void rememberVertex(const VertexChunk &chunk, int count, int first, RayOrigins &left) {
-    const int *lane = chunk.way.lane;
-    lanes::take(count, lane, chunk.way.pdf, left.pdf + first);
-    for (int c = 0; c < 3; ++c)
-        lanes::take(count, lane, chunk.N[c], left.N[c] + first);
-    lanes::take(count, lane, chunk.vertices.points.lightSet, left.lightSet + first);
+    lanes::take(count, chunk.way.lane,
+                {{chunk.way.pdf, left.pdf + first},
+                 {chunk.N[0], left.N[0] + first},
+                 {chunk.N[1], left.N[1] + first},
+                 {chunk.N[2], left.N[2] + first},
+                 {chunk.vertices.points.lightSet, left.lightSet + first}});
     std::fill_n(left.code + first, count, chunk.code);
 }
 
@@ -133,13 +135,16 @@ void append(PathWave &wave, int count) {
                     wave.active.rays.spread, way.pdf, next.rays.width + first,
                     next.rays.spread + first);
     rememberVertex(chunk, count, first, next.left);
-    for (int c = 0; c < colorSamples; ++c) {
+    for (int c = 0; c < colorSamples; ++c)
         lanes::multiply(chunk.count(), way.gain, way.throughput[c]);
-        lanes::take(count, lane, way.throughput[c], next.throughput[c] + first);
-    }
-    lanes::take(count, lane, chunk.paths.slot, next.slot + first);
-    lanes::take(count, lane, chunk.paths.sampleIndex, next.sampleIndex + first);
-    takeDepths(count, lane, chunk.paths.depth, next.depth + first);
+    lanes::take(count, lane,
+                {{way.throughput[0], next.throughput[0] + first},
+                 {way.throughput[1], next.throughput[1] + first},
+                 {way.throughput[2], next.throughput[2] + first},
+                 {chunk.paths.slot, next.slot + first},
+                 {chunk.paths.depth, next.depth + first},
+                 {chunk.paths.sampleIndex, next.sampleIndex + first}});
+    deepen(count, next.depth + first);
     std::fill_n(next.seen + first, count, 0);
     if (chunk.events.needsChoice())
         correctSpecialEvents(wave, count, first);

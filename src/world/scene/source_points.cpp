@@ -81,7 +81,7 @@ template <class Body> void forForms(const ElementRows &rows, Lanes all, Body bod
             part.forInputs([&](const float *&input) {
                 float *to = own[plane++];
                 if (input)
-                    lanes::take(part.count, lane, input + first, to), input = to;
+                    lanes::take(part.count, lane, {{input + first, to}}), input = to;
             });
             part.forOutputs([&](float *&output) {
                 float *to = own[plane++];
