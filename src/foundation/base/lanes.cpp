@@ -3,6 +3,7 @@
 
 #include "foundation/base/hot.h"
 
+#include <algorithm>
 #include <cstring>
 #include <immintrin.h>
 #include <span>
@@ -83,9 +84,12 @@ CANDELA_WIDE void gatherTable(int count, const float *table, const int *row, int
         alignas(64) int rows[16] = {};
         std::memcpy(rows, row + i, sizeof(int) * std::size_t(count - i < 16 ? count - i : 16));
         for (int c = 0; c < columns; c += 4) {
+            const int wanted = columns - c < 4 ? columns - c : 4;
+            if (std::all_of(planes + c, planes + c + wanted, [](float *p) { return !p; }))
+                continue;
             __m512 column[4];
             transposeColumns(table + c, rows, column);
-            for (int k = 0; k < 4 && c + k < columns; ++k)
+            for (int k = 0; k < wanted; ++k)
                 if (planes[c + k])
                     _mm512_store_ps(planes[c + k] + i, column[k]);
         }
@@ -155,6 +159,16 @@ CANDELA_HOT void gather(int count, const int *__restrict order,
                         const std::uint32_t *__restrict from, std::uint32_t *__restrict to) {
     for (int i = 0; i < count; ++i)
         to[i] = from[order[i]];
+}
+
+CANDELA_HOT void fill(int count, float value, float *__restrict to) {
+    for (int i = 0; i < count; ++i)
+        to[i] = value;
+}
+
+CANDELA_HOT void fill(int count, int value, int *__restrict to) {
+    for (int i = 0; i < count; ++i)
+        to[i] = value;
 }
 
 CANDELA_HOT void add(int count, const float *__restrict b, float *__restrict a) {

@@ -26,6 +26,9 @@ void take(int count, const int *increasing, std::initializer_list<Move>);
 /// null plane is left out. Planes are aligned to 64 bytes and may be written up to whole vectors
 /// of 16.
 void gatherRows(int count, const float *table, const int *row, int columns, float *const *planes);
+/// to[i] = value
+void fill(int count, float value, float *to);
+void fill(int count, int value, int *to);
 /// a[i] += b[i]
 void add(int count, const float *b, float *a);
 /// a[i] *= b[i]

@@ -67,7 +67,7 @@ void leaveSurface(VertexChunk &chunk, int count, int first, RayBatch &rays) {
                  {direction[2], rays.direction[2] + first},
                  {chunk.vertices.points.input(int(ShaderInput::time)), rays.time + first}});
     std::fill_n(rays.tMin + first, count, 0.0f);
-    std::fill_n(rays.tMax + first, count, INFINITY);
+    lanes::fill(count, INFINITY, rays.tMax + first);
 }
 
 /// What finite events leave on their rays.
@@ -78,7 +78,7 @@ void rememberVertex(const VertexChunk &chunk, int count, int first, RayOrigins &
                  {chunk.N[1], left.N[1] + first},
                  {chunk.N[2], left.N[2] + first},
                  {chunk.vertices.points.lightSet, left.lightSet + first}});
-    std::fill_n(left.code + first, count, chunk.code);
+    lanes::fill(count, chunk.code, left.code + first);
 }
 
 /// What passes straight on keeps its ray beyond what it has met, and has not been scattered.
@@ -131,9 +131,10 @@ void append(PathWave &wave, int count) {
     const int first = next.count, *lane = way.lane;
     next.count += count;
     leaveSurface(chunk, count, first, next.rays);
-    leaveFootprints(count, lane, chunk.rays.data(), wave.hits.t, wave.active.rays.width,
-                    wave.active.rays.spread, way.pdf, next.rays.width + first,
-                    next.rays.spread + first);
+    if (wave.frame.scene.readsFootprints())
+        leaveFootprints(count, lane, chunk.rays.data(), wave.hits.t, wave.active.rays.width,
+                        wave.active.rays.spread, way.pdf, next.rays.width + first,
+                        next.rays.spread + first);
     rememberVertex(chunk, count, first, next.left);
     for (int c = 0; c < colorSamples; ++c)
         lanes::multiply(chunk.count(), way.gain, way.throughput[c]);

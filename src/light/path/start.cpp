@@ -39,7 +39,7 @@ void takePaths(PathWave &wave) {
     ActivePaths &active = wave.active;
     active.rays.count = active.count = wave.slots;
     for (int c = 0; c < colorSamples; ++c)
-        std::fill_n(active.throughput[c], wave.slots, 1.0f);
+        lanes::fill(wave.slots, 1.0f, active.throughput[c]);
     std::fill_n(active.left.pdf, wave.slots, 0.0f);
     for (int c = 0; c < 3; ++c)
         std::fill_n(active.left.N[c], wave.slots, 0.0f);
@@ -47,7 +47,7 @@ void takePaths(PathWave &wave) {
     std::fill_n(active.left.code, wave.slots, -1);
     std::iota(active.slot, active.slot + wave.slots, 0);
     std::fill_n(active.depth, wave.slots, 0);
-    std::fill_n(active.seen, wave.slots, 1);
+    lanes::fill(wave.slots, 1, active.seen);
     std::copy_n(wave.results.sampleIndex, wave.slots, reinterpret_cast<int *>(active.sampleIndex));
 }
 
@@ -115,8 +115,8 @@ void startGathering(PathWave &wave, int count, const int *lane, const GatheringR
                  {from.lightSet, left.lightSet},
                  {from.depth, active.depth}});
     std::fill_n(rays.tMin, count, 0.0f);
-    std::fill_n(rays.tMax, count, INFINITY);
-    std::fill_n(left.code, count, from.code);
+    lanes::fill(count, INFINITY, rays.tMax);
+    lanes::fill(count, from.code, left.code);
     std::fill_n(active.seen, count, 0);
     for (int i = 0; i < count; ++i)
         ++active.depth[i];

@@ -62,7 +62,7 @@ int ShadowRays::attenuate(SurfaceVertices &vertices, const LightSamples &samples
         transmittance[c] = transmittance_[c];
     const bool colored = vertices.scene().transmittance(rays_, transmittance.data());
     float *factor = factor_[0];
-    std::fill_n(factor, all, 1.0f);
+    lanes::fill(all, 1.0f, factor);
     for (int c = 0; c < colorSamples; ++c) {
         if (c == 0 || colored)
             for (int ray = 0; ray < count; ++ray)

@@ -27,13 +27,14 @@ CANDELA_HOT void walk(int count, const float *__restrict t, const Vec3Planes &P,
     }
 }
 
+/// `missed` is the entry of rays that have met nothing; noHit is beyond it.
 CANDELA_HOT void lookUpBins(int count, const std::uint32_t *__restrict shape,
-                            const int *__restrict binOfAppearance, int *__restrict bin) {
-    for (int i = 0; i < count; ++i) {
-        bool hit = shape[i] != noHit;
-        int found = binOfAppearance[hit ? int(shape[i]) : 0];
-        bin[i] = hit ? found : -1;
-    }
+                            const int *__restrict binOfAppearance, std::uint32_t missed,
+                            int *__restrict bin) {
+    for (int i = 0; i < count; ++i)
+        bin[i] = int(shape[i] < missed ? shape[i] : missed);
+    for (int i = 0; i < count; ++i) // Apart, as in one loop it would become a jump.
+        bin[i] = binOfAppearance[bin[i]];
 }
 
 /// What the rays tell of where they have met elements: P, Ng, I and the rest.
@@ -104,16 +105,19 @@ int Scene::escapedBin() const { return state_->binOfAppearance.back(); }
 
 void Scene::bins(int count, const HitBatch &hits, int *bin) const {
     const PointTables &points = state_->points;
+    const std::vector<int> &binOfAppearance = state_->binOfAppearance;
     if (points.instances.empty())
-        return lookUpBins(count, hits.shape, state_->binOfAppearance.data(), bin);
+        return lookUpBins(count, hits.shape, binOfAppearance.data(),
+                          std::uint32_t(binOfAppearance.size() - 1), bin);
     for (int i = 0; i < count; ++i)
-        bin[i] =
-            hits.shape[i] == noHit
-                ? -1
-                : state_->binOfAppearance[points.appearanceOf(hits.instance[i], hits.shape[i])];
+        bin[i] = hits.shape[i] == noHit
+                     ? escapedBin()
+                     : binOfAppearance[points.appearanceOf(hits.instance[i], hits.shape[i])];
 }
 
 void SceneState::numberBins() {
+    for (const SurfaceCode &code : points.codes)
+        readsFootprints |= code.wanted.footprint;
     std::map<std::pair<int, bool>, int> known;
     for (const Appearance &appearance : points.appearances) {
         auto [place, isNew] =
@@ -184,6 +188,7 @@ Vec3 Scene::offsetOrigin(Vec3 P, Vec3 Ng, Vec3 direction, float offset) {
 
 std::span<const LightGroup> Scene::lightGroupsInUse() const { return state_->lights.groups; }
 
+bool Scene::readsFootprints() const { return state_->readsFootprints; }
 bool Scene::hasAmbient() const { return !state_->lights.ambient.empty(); }
 bool Scene::readsLightChoice() const { return !state_->lights.isSingle; }
 int Scene::lightCount() const { return int(state_->lights.lights.size()); }
