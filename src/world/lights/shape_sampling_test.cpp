@@ -261,7 +261,7 @@ TEST(ShapeSampling, SphereDensityTimesSolidAngleIsOne) {
 
 TEST(ShapeSampling, RectangleSamplesAreWorthTheSolidAngleAndHardlyDiffer) {
     std::vector<View> views = flatViews(Kind::Rectangle);
-    for (float size : {1e-9f, 1.0f, 1e9f}) // Lines along which breadths differ most.
+    for (float size : {1e-15f, 1.0f, 1e15f}) // Lines along which breadths differ most.
         for (float height : {1e-4f, 1e-3f, 1e-2f})
             for (float x : {1.03f, 0.5f, -0.03f})
                 for (float y : {0.005f, -0.005f, -0.05f})
