@@ -3,8 +3,10 @@
 
 #include "foundation/base/hot.h"
 
+#include <algorithm>
 #include <cstring>
 #include <immintrin.h>
+#include <span>
 
 namespace candela::lanes {
 
@@ -31,29 +33,31 @@ CANDELA_WIDE int compactLanes(int count, const int *keys, int key, bool equal, i
 }
 
 /// Sixteen increasing indices mostly span fewer than 32 lanes: two loads and a permutation.
-CANDELA_WIDE void takeLanes(int count, const int *order, const void *from, void *to) {
-    const int *source = static_cast<const int *>(from);
-    int *target = static_cast<int *>(to);
-    int i = 0;
-    for (; i + 16 <= count; i += 16) {
-        const __m512i index = _mm512_loadu_si512(order + i);
-        const int first = order[i], span = order[i + 15] - first;
-        __m512i taken;
-        if (span < 32) {
-            // No further than the last: planes may end there.
-            const auto beyond = __mmask16(span >= 16 ? (2u << (span - 16)) - 1 : 0);
-            const __m512i low = _mm512_loadu_si512(source + first);
-            const __m512i high = _mm512_maskz_loadu_epi32(beyond, source + first + 16);
-            const __m512i place = _mm512_sub_epi32(index, _mm512_set1_epi32(first));
-            taken = _mm512_permutex2var_epi32(low, place, high);
-        } else {
-            taken = _mm512_mask_i32gather_epi32(_mm512_setzero_si512(), 0xffff, index, source, 4);
+CANDELA_WIDE void takeLanes(int count, const int *order, std::span<const Move> moves) {
+    for (int i = 0; i < count; i += 16) {
+        const int lanes = count - i < 16 ? count - i : 16;
+        const auto there = __mmask16((1u << lanes) - 1);
+        const __m512i index = _mm512_maskz_loadu_epi32(there, order + i);
+        const int first = order[i], span = order[i + lanes - 1] - first;
+        const __m512i place = _mm512_sub_epi32(index, _mm512_set1_epi32(first));
+        // No further than the last: planes may end there.
+        const auto within = __mmask16(span < 16 ? (2u << span) - 1 : 0xffff);
+        const auto beyond = __mmask16(span < 16 ? 0 : (2u << (span & 15)) - 1);
+        for (const Move &move : moves) {
+            const int *source = static_cast<const int *>(move.from);
+            int *target = static_cast<int *>(move.to) + i;
+            __m512i taken = _mm512_maskz_loadu_epi32(within, source + first);
+            if (span >= 32) {
+                taken = _mm512_mask_i32gather_epi32(taken, there, index, source, 4);
+            } else if (span >= lanes) {
+                const __m512i high = _mm512_maskz_loadu_epi32(beyond, source + first + 16);
+                taken = _mm512_permutex2var_epi32(taken, place, high);
+            } // Else they are consecutive.
+            _mm512_mask_storeu_epi32(target, there, taken);
         }
-        _mm512_storeu_si512(target + i, taken);
     }
-    for (; i < count; ++i)
-        target[i] = source[order[i]];
 }
+
 /// Four columns of sixteen rows: four rows to a vector, then transposed within its quarters. Many
 /// times as fast as gathering each column.
 CANDELA_WIDE inline void transposeColumns(const float *table, const int *row, __m512 *column) {
@@ -80,21 +84,15 @@ CANDELA_WIDE void gatherTable(int count, const float *table, const int *row, int
         alignas(64) int rows[16] = {};
         std::memcpy(rows, row + i, sizeof(int) * std::size_t(count - i < 16 ? count - i : 16));
         for (int c = 0; c < columns; c += 4) {
+            const int wanted = columns - c < 4 ? columns - c : 4;
+            if (std::all_of(planes + c, planes + c + wanted, [](float *p) { return !p; }))
+                continue;
             __m512 column[4];
             transposeColumns(table + c, rows, column);
-            for (int k = 0; k < 4 && c + k < columns; ++k)
+            for (int k = 0; k < wanted; ++k)
                 if (planes[c + k])
                     _mm512_store_ps(planes[c + k] + i, column[k]);
         }
-    }
-}
-
-CANDELA_WIDE void lookUpLanes(int count, const float *table, const int *index, float *to) {
-    const __m512 values = _mm512_loadu_ps(table);
-    for (int i = 0; i < count; i += 16) {
-        const __mmask16 there = count - i >= 16 ? 0xffff : __mmask16((1u << (count - i)) - 1);
-        const __m512i places = _mm512_maskz_loadu_epi32(there, index + i);
-        _mm512_store_ps(to + i, _mm512_maskz_permutexvar_ps(0xffff, places, values));
     }
 }
 #endif
@@ -108,11 +106,13 @@ CANDELA_PLAIN int compactLanes(int count, const int *keys, int key, bool equal, 
     return kept;
 }
 
-CANDELA_PLAIN void takeLanes(int count, const int *order, const void *from, void *to) {
-    const char *source = static_cast<const char *>(from);
-    char *target = static_cast<char *>(to);
-    for (int i = 0; i < count; ++i)
-        std::memcpy(target + 4 * std::size_t(i), source + 4 * std::size_t(order[i]), 4);
+CANDELA_PLAIN void takeLanes(int count, const int *order, std::span<const Move> moves) {
+    for (const Move &move : moves) {
+        const char *source = static_cast<const char *>(move.from);
+        char *target = static_cast<char *>(move.to);
+        for (int i = 0; i < count; ++i)
+            std::memcpy(target + 4 * std::size_t(i), source + 4 * std::size_t(order[i]), 4);
+    }
 }
 
 CANDELA_PLAIN void gatherTable(int count, const float *table, const int *row, int columns,
@@ -123,16 +123,7 @@ CANDELA_PLAIN void gatherTable(int count, const float *table, const int *row, in
                 planes[c][i] = table[row[i] + c];
 }
 
-CANDELA_PLAIN void lookUpLanes(int count, const float *table, const int *index, float *to) {
-    for (int i = 0; i < count; ++i)
-        to[i] = table[index[i]];
-}
-
 } // namespace
-
-void lookUp(int count, const float *table, const int *index, float *to) {
-    lookUpLanes(count, table, index, to);
-}
 
 void gatherRows(int count, const float *table, const int *row, int columns, float *const *planes) {
     gatherTable(count, table, row, columns, planes);
@@ -146,16 +137,8 @@ int compactUnequal(int count, const int *key, int unwanted, int *lanes) {
     return compactLanes(count, key, unwanted, false, lanes);
 }
 
-void take(int count, const int *increasing, const float *from, float *to) {
-    takeLanes(count, increasing, from, to);
-}
-
-void take(int count, const int *increasing, const int *from, int *to) {
-    takeLanes(count, increasing, from, to);
-}
-
-void take(int count, const int *increasing, const std::uint32_t *from, std::uint32_t *to) {
-    takeLanes(count, increasing, from, to);
+void take(int count, const int *increasing, std::initializer_list<Move> moves) {
+    takeLanes(count, increasing, {moves.begin(), moves.size()});
 }
 
 // ---- What compilers make vectors of ----
@@ -176,6 +159,16 @@ CANDELA_HOT void gather(int count, const int *__restrict order,
                         const std::uint32_t *__restrict from, std::uint32_t *__restrict to) {
     for (int i = 0; i < count; ++i)
         to[i] = from[order[i]];
+}
+
+CANDELA_HOT void fill(int count, float value, float *__restrict to) {
+    for (int i = 0; i < count; ++i)
+        to[i] = value;
+}
+
+CANDELA_HOT void fill(int count, int value, int *__restrict to) {
+    for (int i = 0; i < count; ++i)
+        to[i] = value;
 }
 
 CANDELA_HOT void add(int count, const float *__restrict b, float *__restrict a) {

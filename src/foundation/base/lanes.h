@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 
 namespace candela::lanes {
 
@@ -10,16 +11,24 @@ namespace candela::lanes {
 void gather(int count, const int *order, const float *from, float *to);
 void gather(int count, const int *order, const int *from, int *to);
 void gather(int count, const int *order, const std::uint32_t *from, std::uint32_t *to);
-/// The same for increasing orders: faster, as what is wanted lies close together.
-void take(int count, const int *increasing, const float *from, float *to);
-void take(int count, const int *increasing, const int *from, int *to);
-void take(int count, const int *increasing, const std::uint32_t *from, std::uint32_t *to);
+/// A plane of words to take lanes from, and where they go; the two don't overlap.
+struct Move {
+    template <class Word> Move(const Word *from, Word *to) : from(from), to(to) {
+        static_assert(sizeof(Word) == 4);
+    }
+    const void *from;
+    void *to;
+};
+/// to[i] = from[increasing[i]] for all of the planes: as what is wanted lies close together, and is
+/// the same in each, faster than gathering.
+void take(int count, const int *increasing, std::initializer_list<Move>);
 /// planes[c][i] = table[row[i] + c], for columns c of rows of 16 words, `row` counting words; a
 /// null plane is left out. Planes are aligned to 64 bytes and may be written up to whole vectors
 /// of 16.
 void gatherRows(int count, const float *table, const int *row, int columns, float *const *planes);
-/// to[i] = table[index[i]] for tables of 16 values, which stay in a register. `to` as above.
-void lookUp(int count, const float *table, const int *index, float *to);
+/// to[i] = value
+void fill(int count, float value, float *to);
+void fill(int count, int value, int *to);
 /// a[i] += b[i]
 void add(int count, const float *b, float *a);
 /// a[i] *= b[i]

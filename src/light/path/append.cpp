@@ -34,10 +34,9 @@ CANDELA_HOT void leaveFootprints(int count, const int *__restrict lane, const in
     }
 }
 
-CANDELA_HOT void takeDepths(int count, const int *__restrict lane, const int *__restrict depth,
-                            int *__restrict next) {
+CANDELA_HOT void deepen(int count, int *__restrict depth) {
     for (int k = 0; k < count; ++k)
-        next[k] = depth[lane[k]] + 1;
+        ++depth[k];
 }
 
 /// The page to append to: what is full waits.
@@ -59,24 +58,27 @@ void leaveSurface(VertexChunk &chunk, const ConstVec3Planes &direction, int coun
     const int *lane = chunk.way.lane;
     const MutableVec3Planes origin{chunk.way.origin[0], chunk.way.origin[1], chunk.way.origin[2]};
     chunk.vertices.rayOrigins(direction, origin);
-    for (int c = 0; c < 3; ++c) {
-        lanes::take(count, lane, origin[c], rays.origin[c] + first);
-        lanes::take(count, lane, direction[c], rays.direction[c] + first);
-    }
-    lanes::take(count, lane, chunk.vertices.points.input(int(ShaderInput::time)),
-                rays.time + first);
+    lanes::take(count, lane,
+                {{origin[0], rays.origin[0] + first},
+                 {origin[1], rays.origin[1] + first},
+                 {origin[2], rays.origin[2] + first},
+                 {direction[0], rays.direction[0] + first},
+                 {direction[1], rays.direction[1] + first},
+                 {direction[2], rays.direction[2] + first},
+                 {chunk.vertices.points.input(int(ShaderInput::time)), rays.time + first}});
     std::fill_n(rays.tMin + first, count, 0.0f);
-    std::fill_n(rays.tMax + first, count, INFINITY);
+    lanes::fill(count, INFINITY, rays.tMax + first);
 }
 
 /// What finite events leave on their rays.
 void rememberVertex(const VertexChunk &chunk, int count, int first, RayOrigins &left) {
-    const int *lane = chunk.way.lane;
-    lanes::take(count, lane, chunk.way.pdf, left.pdf + first);
-    for (int c = 0; c < 3; ++c)
-        lanes::take(count, lane, chunk.N[c], left.N[c] + first);
-    lanes::take(count, lane, chunk.vertices.points.lightSet, left.lightSet + first);
-    std::fill_n(left.code + first, count, chunk.code);
+    lanes::take(count, chunk.way.lane,
+                {{chunk.way.pdf, left.pdf + first},
+                 {chunk.N[0], left.N[0] + first},
+                 {chunk.N[1], left.N[1] + first},
+                 {chunk.N[2], left.N[2] + first},
+                 {chunk.vertices.points.lightSet, left.lightSet + first}});
+    lanes::fill(count, chunk.code, left.code + first);
 }
 
 /// What passes straight on keeps its ray beyond what it has met, and has not been scattered.
@@ -95,7 +97,7 @@ void passOn(const ActivePaths &from, const HitBatch &hits, int i, ActivePaths &t
 }
 
 /// Mirrors leave directions of any length and no memory of their vertex.
-void correctSpecialEvents(PathWave &wave, int count, int first) {
+void correctSpecialEvents(PathWave &wave, const ConstVec3Planes &direction, int count, int first) {
     const VertexChunk &chunk = wave.chunk;
     ActivePaths &to = wave.next;
     for (int k = 0; k < count; ++k) {
@@ -103,9 +105,8 @@ void correctSpecialEvents(PathWave &wave, int count, int first) {
         const std::int32_t event = chunk.events.event()[i];
         if (event == straightThrough)
             passOn(wave.active, wave.hits, chunk.rays[i], to, at);
-        if (event == finiteRequests || event == straightThrough)
+        if (event == straightThrough)
             continue;
-        const MutableVec3Planes direction = chunk.events.direction();
         const Vec3 unit = normalize(Vec3{direction[0][i], direction[1][i], direction[2][i]});
         to.rays.direction[0][at] = unit.x, to.rays.direction[1][at] = unit.y;
         to.rays.direction[2][at] = unit.z;
@@ -129,20 +130,24 @@ void append(PathWave &wave, const ConstVec3Planes &direction, int count) {
     const int first = next.count, *lane = way.lane;
     next.count += count;
     leaveSurface(chunk, direction, count, first, next.rays);
-    leaveFootprints(count, lane, chunk.rays.data(), wave.hits.t, wave.active.rays.width,
-                    wave.active.rays.spread, way.pdf, next.rays.width + first,
-                    next.rays.spread + first);
+    if (wave.frame.scene.readsFootprints())
+        leaveFootprints(count, lane, chunk.rays.data(), wave.hits.t, wave.active.rays.width,
+                        wave.active.rays.spread, way.pdf, next.rays.width + first,
+                        next.rays.spread + first);
     rememberVertex(chunk, count, first, next.left);
-    for (int c = 0; c < colorSamples; ++c) {
+    for (int c = 0; c < colorSamples; ++c)
         lanes::multiply(chunk.count(), way.gain, way.throughput[c]);
-        lanes::take(count, lane, way.throughput[c], next.throughput[c] + first);
-    }
-    lanes::take(count, lane, chunk.paths.slot, next.slot + first);
-    lanes::take(count, lane, chunk.paths.sampleIndex, next.sampleIndex + first);
-    takeDepths(count, lane, chunk.paths.depth, next.depth + first);
+    lanes::take(count, lane,
+                {{way.throughput[0], next.throughput[0] + first},
+                 {way.throughput[1], next.throughput[1] + first},
+                 {way.throughput[2], next.throughput[2] + first},
+                 {chunk.paths.slot, next.slot + first},
+                 {chunk.paths.depth, next.depth + first},
+                 {chunk.paths.sampleIndex, next.sampleIndex + first}});
+    deepen(count, next.depth + first);
     std::fill_n(next.seen + first, count, 0);
     if (!chunk.events.finite())
-        correctSpecialEvents(wave, count, first);
+        correctSpecialEvents(wave, direction, count, first);
 }
 
 } // namespace candela

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The vertices that stages work on: up to 1024 hits on surfaces of one shader, and what each stage
+// The vertices that stages work on: up to 512 hits on surfaces of one shader, and what each stage
 // hands to the next. Planes that one stage alone uses are its own record.
 #pragma once
 
@@ -68,7 +68,7 @@ struct HemisphereCone {
 };
 
 struct VertexChunk {
-    static constexpr int capacity = 1024;
+    static constexpr int capacity = 512;
     VertexChunk();
 
     int count() const { return vertices.count(); }

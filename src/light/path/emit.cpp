@@ -16,13 +16,17 @@ void takeOrigins(const PathWave &wave, EmissionPlanes &emission) {
     const int *ray = wave.chunk.rays.data(), count = wave.chunk.count();
     const RayOrigins &from = wave.active.left;
     RayOrigins &to = emission.left;
-    lanes::take(count, ray, from.pdf, to.pdf);
-    lanes::take(count, ray, from.lightSet, to.lightSet);
-    lanes::take(count, ray, from.code, to.code);
-    for (int c = 0; c < 3; ++c) {
-        lanes::take(count, ray, from.N[c], to.N[c]);
-        lanes::take(count, ray, wave.active.rays.origin[c], emission.origin[c]);
-    }
+    const std::array<float *, 3> &origin = wave.active.rays.origin;
+    lanes::take(count, ray,
+                {{from.pdf, to.pdf},
+                 {from.lightSet, to.lightSet},
+                 {from.code, to.code},
+                 {from.N[0], to.N[0]},
+                 {from.N[1], to.N[1]},
+                 {from.N[2], to.N[2]},
+                 {origin[0], emission.origin[0]},
+                 {origin[1], emission.origin[1]},
+                 {origin[2], emission.origin[2]}});
 }
 
 /// Directions bring nothing of lamps that are off for the vertex they left, or that its shader

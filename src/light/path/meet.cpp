@@ -15,15 +15,18 @@ namespace {
 void takePaths(const PathWave &wave, PathsAtVertices &paths) {
     const int *ray = wave.chunk.rays.data(), count = wave.chunk.count();
     const ActivePaths &active = wave.active;
-    for (int c = 0; c < colorSamples; ++c) {
-        lanes::take(count, ray, active.throughput[c], paths.throughput[c]);
-        std::fill_n(paths.light[c], count, 0.0f);
-    }
-    lanes::take(count, ray, active.slot, paths.slot);
-    lanes::take(count, ray, active.depth, paths.depth);
-    lanes::take(count, ray, active.seen, paths.seen);
+    static_assert(colorSamples == 3);
+    lanes::take(count, ray,
+                {{active.throughput[0], paths.throughput[0]},
+                 {active.throughput[1], paths.throughput[1]},
+                 {active.throughput[2], paths.throughput[2]},
+                 {active.slot, paths.slot},
+                 {active.depth, paths.depth},
+                 {active.seen, paths.seen},
+                 {active.sampleIndex, paths.sampleIndex}});
     lanes::gather(count, paths.slot, wave.results.keys[0], paths.pixelKey);
-    lanes::take(count, ray, active.sampleIndex, paths.sampleIndex);
+    for (int c = 0; c < colorSamples; ++c)
+        std::fill_n(paths.light[c], count, 0.0f);
 }
 
 } // namespace

@@ -39,7 +39,7 @@ void takePaths(PathWave &wave) {
     ActivePaths &active = wave.active;
     active.rays.count = active.count = wave.slots;
     for (int c = 0; c < colorSamples; ++c)
-        std::fill_n(active.throughput[c], wave.slots, 1.0f);
+        lanes::fill(wave.slots, 1.0f, active.throughput[c]);
     std::fill_n(active.left.pdf, wave.slots, 0.0f);
     for (int c = 0; c < 3; ++c)
         std::fill_n(active.left.N[c], wave.slots, 0.0f);
@@ -47,7 +47,7 @@ void takePaths(PathWave &wave) {
     std::fill_n(active.left.code, wave.slots, -1);
     std::iota(active.slot, active.slot + wave.slots, 0);
     std::fill_n(active.depth, wave.slots, 0);
-    std::fill_n(active.seen, wave.slots, 1);
+    lanes::fill(wave.slots, 1, active.seen);
     std::copy_n(wave.results.sampleIndex, wave.slots, reinterpret_cast<int *>(active.sampleIndex));
 }
 
@@ -85,29 +85,38 @@ void startCamera(PathWave &wave, int pixels, const int *x, const int *y, int fir
 
 void startGathering(PathWave &wave, int count, const int *lane, const GatheringRays &from) {
     wave.slots = count;
-    auto take = [&](const auto *plane, auto *to) { lanes::take(count, lane, plane, to); };
     PathResults &results = wave.results;
     for (int c = 0; c < colorSamples; ++c)
         std::fill_n(results.radiance[c], count, 0.0f);
-    take(from.x, results.x), take(from.y, results.y);
-    take(reinterpret_cast<const int *>(from.sampleIndex), results.sampleIndex);
+    lanes::take(count, lane,
+                {{from.x, results.x},
+                 {from.y, results.y},
+                 {reinterpret_cast<const int *>(from.sampleIndex), results.sampleIndex},
+                 {from.pixelKey, results.keys[0]}});
     takePaths(wave);
-    take(from.pixelKey, results.keys[0]);
 
     ActivePaths &active = wave.active;
     RayBatch &rays = active.rays;
-    for (int c = 0; c < 3; ++c) {
-        take(from.origin[c], rays.origin[c]), take(from.direction[c], rays.direction[c]);
-        take(from.N[c], active.left.N[c]);
-    }
-    take(from.time, rays.time);
+    RayOrigins &left = active.left;
+    lanes::take(count, lane,
+                {{from.origin[0], rays.origin[0]},
+                 {from.origin[1], rays.origin[1]},
+                 {from.origin[2], rays.origin[2]},
+                 {from.direction[0], rays.direction[0]},
+                 {from.direction[1], rays.direction[1]},
+                 {from.direction[2], rays.direction[2]},
+                 {from.N[0], left.N[0]},
+                 {from.N[1], left.N[1]},
+                 {from.N[2], left.N[2]},
+                 {from.time, rays.time},
+                 {from.width, rays.width},
+                 {from.spread, rays.spread},
+                 {from.pdf, left.pdf},
+                 {from.lightSet, left.lightSet},
+                 {from.depth, active.depth}});
     std::fill_n(rays.tMin, count, 0.0f);
-    std::fill_n(rays.tMax, count, INFINITY);
-    take(from.width, rays.width), take(from.spread, rays.spread);
-    take(from.pdf, active.left.pdf);
-    take(from.lightSet, active.left.lightSet);
-    std::fill_n(active.left.code, count, from.code);
-    take(from.depth, active.depth);
+    lanes::fill(count, INFINITY, rays.tMax);
+    lanes::fill(count, from.code, left.code);
     std::fill_n(active.seen, count, 0);
     for (int i = 0; i < count; ++i)
         ++active.depth[i];

@@ -49,13 +49,17 @@ inline std::uint32_t sobolSecondReversed(std::uint32_t i) {
     return i ^ ((i & 0xffff0000u) >> 16);
 }
 
+/// The sequence of the third and fourth dimensions begins anew after 2^16 points, scrambled
+/// differently.
+constexpr int columnsKept = 16;
+
 /// The columns of a generator matrix, bit-reversed: of the dimension with the primitive polynomial
 /// x^degree + ... + 1, whose inner coefficients are the bits of `inner`, and the initial direction
 /// numbers m (Joe and Kuo 2008).
-constexpr std::array<std::uint32_t, 32> reversedColumns(int degree, std::uint32_t inner,
-                                                        std::array<std::uint32_t, 3> initial) {
-    std::array<std::uint32_t, 32> m{}, columns{};
-    for (int k = 0; k < 32; ++k) {
+constexpr std::array<std::uint32_t, columnsKept>
+reversedColumns(int degree, std::uint32_t inner, std::array<std::uint32_t, 3> initial) {
+    std::array<std::uint32_t, columnsKept> m{}, columns{};
+    for (int k = 0; k < columnsKept; ++k) {
         if (k < degree) {
             m[k] = initial[k];
             continue;
@@ -65,7 +69,7 @@ constexpr std::array<std::uint32_t, 32> reversedColumns(int degree, std::uint32_
             if (inner >> (degree - 1 - j) & 1)
                 m[k] ^= m[k - j] << j;
     }
-    for (int k = 0; k < 32; ++k)
+    for (int k = 0; k < columnsKept; ++k)
         for (int bit = 0; bit <= k; ++bit)
             columns[k] |= (m[k] >> bit & 1) << (k - bit);
     return columns;
@@ -74,9 +78,10 @@ constexpr std::array<std::uint32_t, 32> reversedColumns(int degree, std::uint32_
 constexpr auto thirdDimension = reversedColumns(2, 1, {1, 3});
 constexpr auto fourthDimension = reversedColumns(3, 1, {1, 3, 1});
 
-inline std::uint32_t multiply(const std::array<std::uint32_t, 32> &columns, std::uint32_t index) {
+inline std::uint32_t multiply(const std::array<std::uint32_t, columnsKept> &columns,
+                              std::uint32_t index) {
     std::uint32_t product = 0;
-    for (int k = 0; k < 32; ++k)
+    for (int k = 0; k < columnsKept; ++k)
         product ^= (0u - (index >> k & 1)) & columns[k];
     return product;
 }
@@ -86,8 +91,10 @@ inline std::uint32_t shuffleSeed(std::uint32_t key, std::uint32_t pair) {
     return mix(key ^ (pair * 0x9e3779b9u + 0x85ebca6bu));
 }
 
-inline std::uint32_t shuffledIndex(std::uint32_t sample, std::uint32_t shuffle) {
-    return reverseBits(scrambleReversed(reverseBits(sample), shuffle));
+/// The sample's number as a pair shuffles them, bit-reversed: nested uniform scrambling, so this is
+/// a scrambled first coordinate, too.
+inline std::uint32_t shuffledReversed(std::uint32_t sample, std::uint32_t shuffle) {
+    return scrambleReversed(reverseBits(sample), shuffle);
 }
 
 inline float unitFloat(std::uint32_t bits) { return float(std::int32_t(bits >> 8)) * 0x1p-24f; }
@@ -104,10 +111,10 @@ CANDELA_HOT void sobolPairs(int count, const std::uint32_t *__restrict key,
                             float *__restrict x, float *__restrict y) {
     for (int i = 0; i < count; ++i) {
         std::uint32_t shuffle = shuffleSeed(key[i], pair);
-        std::uint32_t xSeed = shuffle * 0x68bc21ebu, ySeed = shuffle * 0x02e5be93u;
-        std::uint32_t index = shuffledIndex(sample[i], shuffle);
-        x[i] = unitFloat(reverseBits(scrambleReversed(index, xSeed)));
-        y[i] = unitFloat(reverseBits(scrambleReversed(sobolSecondReversed(index), ySeed)));
+        std::uint32_t reversed = shuffledReversed(sample[i], shuffle);
+        std::uint32_t second = sobolSecondReversed(reverseBits(reversed));
+        x[i] = unitFloat(reversed);
+        y[i] = unitFloat(reverseBits(scrambleReversed(second, shuffle * 0x02e5be93u)));
     }
 }
 
@@ -116,8 +123,9 @@ CANDELA_HOT void sobolFollowingPairs(int count, const std::uint32_t *__restrict 
                                      float *__restrict x, float *__restrict y) {
     for (int i = 0; i < count; ++i) {
         std::uint32_t shuffle = shuffleSeed(key[i], pair);
-        std::uint32_t xSeed = shuffle * 0x967a889bu, ySeed = shuffle * 0x5d1b1c4fu;
-        std::uint32_t index = shuffledIndex(sample[i], shuffle);
+        std::uint32_t index = reverseBits(shuffledReversed(sample[i], shuffle));
+        std::uint32_t seed = shuffle + (index >> columnsKept) * 0x9e3779b9u;
+        std::uint32_t xSeed = seed * 0x967a889bu, ySeed = seed * 0x5d1b1c4fu;
         x[i] = unitFloat(reverseBits(scrambleReversed(multiply(thirdDimension, index), xSeed)));
         y[i] = unitFloat(reverseBits(scrambleReversed(multiply(fourthDimension, index), ySeed)));
     }

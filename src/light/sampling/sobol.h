@@ -17,7 +17,8 @@ void sobolPairs(int count, const std::uint32_t *pixelKey, const std::uint32_t *s
                 std::uint32_t pair, float *x, float *y);
 
 /// The third and fourth coordinates of the points whose first two are sobolPairs(): the four are
-/// stratified together, which pays for the two directions that matter most to a path.
+/// stratified together, which pays for the two directions that matter most to a path. Of more than
+/// 2^16 samples, each 2^16 are so.
 void sobolFollowingPairs(int count, const std::uint32_t *pixelKey, const std::uint32_t *sampleIndex,
                          std::uint32_t pair, float *x, float *y);
 

@@ -63,6 +63,16 @@ TEST(Sobol, followingPairsAreStratifiedTogether) {
     }
 }
 
+TEST(Sobol, followingPairsDoNotRepeat) {
+    Points first = pointsOf(64, pixelKey(5, 3, 7), 1, 0, sobolFollowingPairs);
+    Points later = pointsOf(64, pixelKey(5, 3, 7), 1, 1 << 16, sobolFollowingPairs);
+    std::set<float> x(first.x.begin(), first.x.end()), y(first.y.begin(), first.y.end());
+    int common = 0;
+    for (int i = 0; i < 64; ++i)
+        common += int(x.count(later.x[i]) + y.count(later.y[i]));
+    EXPECT_EQ(common, 0);
+}
+
 TEST(Sobol, valuesAreUniformOverPixels) {
     // Owen scrambling: each single point is uniform over keys. Chi-square over 16 x 16 cells;
     // 255 degrees of freedom, 1e-4 quantile 345.

@@ -47,19 +47,22 @@ int ShadowRays::attenuate(SurfaceVertices &vertices, const LightSamples &samples
     towardsLight(all, vertices.litPoints(), {origin[0], origin[1], origin[2]}, L, samples.distance,
                  direction, end_[0]);
     rays_.count = count; // tMin is 0 ever since it was made.
-    for (int c = 0; c < 3; ++c) {
-        lanes::take(count, lanes, origin[c], rays_.origin[c]);
-        lanes::take(count, lanes, direction[c], rays_.direction[c]);
-    }
-    lanes::take(count, lanes, end_[0], rays_.tMax);
-    lanes::take(count, lanes, vertices.points.input(int(ShaderInput::time)), rays_.time);
+    lanes::take(count, lanes,
+                {{origin[0], rays_.origin[0]},
+                 {origin[1], rays_.origin[1]},
+                 {origin[2], rays_.origin[2]},
+                 {direction[0], rays_.direction[0]},
+                 {direction[1], rays_.direction[1]},
+                 {direction[2], rays_.direction[2]},
+                 {end_[0], rays_.tMax},
+                 {vertices.points.input(int(ShaderInput::time)), rays_.time}});
 
     std::array<float *, colorSamples> transmittance;
     for (int c = 0; c < colorSamples; ++c)
         transmittance[c] = transmittance_[c];
     const bool colored = vertices.scene().transmittance(rays_, transmittance.data());
     float *factor = factor_[0];
-    std::fill_n(factor, all, 1.0f);
+    lanes::fill(all, 1.0f, factor);
     for (int c = 0; c < colorSamples; ++c) {
         if (c == 0 || colored)
             for (int ray = 0; ray < count; ++ray)

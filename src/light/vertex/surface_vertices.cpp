@@ -2,6 +2,7 @@
 #include "light/vertex/surface_vertices.h"
 
 #include "foundation/base/hot.h"
+#include "foundation/base/lanes.h"
 #include "world/scene/opacity.h"
 
 #include <algorithm>
@@ -111,7 +112,7 @@ void SurfaceVertices::takeCones() {
     for (const ir::ConeSlot &cone : code().facts().cones) {
         float *const *out = storage_.outputTable.data() + cone.output;
         std::fill_n(out[5], points.count, 0.0f); // Lanes that do not reach the request leave it.
-        std::fill_n(out[3], points.count, 180.0f);
+        lanes::fill(points.count, 180.0f, out[3]);
         for (int c = 0; c < 3 && !code().facts().affine; ++c)
             std::fill_n(out[c], points.count, 0.0f); // Gathering asks whether there is an axis.
         const bool first = answers_.cones.empty() || answers_.cones.back().request != cone.request;

@@ -2,6 +2,7 @@
 #include "world/camera/camera.h"
 
 #include "foundation/base/hot.h"
+#include "foundation/base/lanes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -149,9 +150,9 @@ void Camera::rays(int count, const float *x, const float *y, const float *lensU,
         perspectiveRays(n, x + first, y + first, lensX, lensY, plane, focalDistance_, near_, far_,
                         planes);
     }
-    std::fill_n(batch.width, count, perspective_ ? 0 : pixelSize(0));
-    std::fill_n(batch.spread, count, perspective_ ? pixelSize(1) : 0);
-    std::fill_n(batch.time, count, shutterOpen_);
+    lanes::fill(count, perspective_ ? 0 : pixelSize(0), batch.width);
+    lanes::fill(count, perspective_ ? pixelSize(1) : 0, batch.spread);
+    lanes::fill(count, shutterOpen_, batch.time);
     if (hasShutterInterval())
         for (int i = 0; i < count; ++i)
             batch.time[i] += time01[i] * (shutterClose_ - shutterOpen_);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/lights/light_choice.h"
 
+#include "foundation/base/lanes.h"
 #include "foundation/base/scratch.h"
 
 #include <algorithm>
@@ -129,8 +130,8 @@ LightChoice::Shares LightChoice::sharesAt(const float *const P[3], const float *
 void LightChoice::choose(int count, const float *const P[3], const float *const N[3], double *u,
                          std::int32_t *source, float *probability, const float *scattered) const {
     if (isSingle(nullptr, 0)) {
-        std::fill_n(source, count, single());
-        std::fill_n(probability, count, 1.0f);
+        lanes::fill(count, single(), source);
+        lanes::fill(count, 1.0f, probability);
         return;
     }
     if (onlyTree()) {

@@ -22,9 +22,8 @@ void sampleSpheres(int count, const float *const P[3], const float *const centre
 void sphereDensities(int count, const float *const P[3], const float *const centre[3],
                      const float *radius, float *pdf);
 
-/// Rectangles corner + s edgeA + t edgeB, s and t in [0,1], the edges at right angles. Uniform by
-/// solid angle (Urena, Fajardo and King 2013), or by area where the solid angle is so small that
-/// this makes no difference; P and the rectangle alone decide which.
+/// Rectangles corner + s edgeA + t edgeB, s and t in [0,1], the edges at right angles: nearly
+/// uniform by solid angle (rectangle_sampling.cpp). Sizes and distances of 1e-15 to 1e15.
 void sampleRectangles(int count, const float *const P[3], const float *const corner[3],
                       const float *const edgeA[3], const float *const edgeB[3], const float *u,
                       const float *v, float *const point[3], float *pdf);

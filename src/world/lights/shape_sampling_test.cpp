@@ -259,21 +259,30 @@ TEST(ShapeSampling, SphereDensityTimesSolidAngleIsOne) {
         EXPECT_NEAR(sampleStrata(view, 1).pdf[0] * 4 * pi, 1, 2e-7L);
 }
 
-TEST(ShapeSampling, RectangleDensityIntegratesToOne) {
-    for (const View &view : flatViews(Kind::Rectangle)) {
-        Real solidAngle = partAngle(view, 0, 1, 0, 1);
-        if (solidAngle > 1.001e-4L) {
-            for (float pdf : sampleStrata(view, 3).pdf)
-                EXPECT_NEAR(pdf * solidAngle, 1, 1e-6L);
-            continue;
-        }
-        int n = 32;
-        Sampled s = sampleStrata(view, n);
-        Real sum = 0;
-        for (int i = 0; i < n * n; ++i)
-            sum += s.pdf[i] * partAngle(view, Real(i % n) / n, Real(i % n + 1) / n, Real(i / n) / n,
-                                        Real(i / n + 1) / n);
-        EXPECT_NEAR(sum, 1, 1e-3L);
+TEST(ShapeSampling, RectangleSamplesAreWorthTheSolidAngleAndHardlyDiffer) {
+    std::vector<View> views = flatViews(Kind::Rectangle);
+    for (float size : {1e-15f, 1.0f, 1e15f}) // Lines along which breadths differ most.
+        for (float height : {1e-4f, 1e-3f, 1e-2f})
+            for (float x : {1.03f, 0.5f, -0.03f})
+                for (float y : {0.005f, -0.005f, -0.05f})
+                    for (bool swapped : {false, true}) {
+                        Vec3 a{size, 0, 0}, b{0, 0.01f * size, 0};
+                        Vec3 P{x * size, y * size, height * size};
+                        views.push_back(
+                            {Kind::Rectangle, P, {}, swapped ? b : a, swapped ? a : b, 0});
+                    }
+    for (const View &view : views) {
+        // What samples are worth varies with u alone, from low heights fast.
+        const int n = 1 << 15;
+        std::vector<float> u(n), v(n, 0.3f);
+        for (int i = 0; i < n; ++i)
+            u[i] = (float(i) + 0.5f) / float(n);
+        Real sum = 0, squares = 0;
+        for (float pdf : Lanes(view, n).sample(u, v).pdf)
+            sum += 1 / Real(pdf), squares += 1 / (Real(pdf) * pdf);
+        const Real mean = sum / n, solidAngle = partAngle(view, 0, 1, 0, 1);
+        EXPECT_NEAR(mean / solidAngle, 1, 1e-5L) << double(solidAngle);
+        EXPECT_LT(squares / n / (mean * mean) - 1, 0.3L);
     }
 }
 
@@ -327,27 +336,31 @@ TEST(ShapeSampling, SphereSamplesFillTheConeUniformly) {
     }
 }
 
-TEST(ShapeSampling, FlatSamplesFollowTheirDensity) {
-    int total = 20000, seed = 100;
+TEST(ShapeSampling, RectangleSamplesAreWorthTheSolidAngleOfEachPart) {
+    const int total = 20000;
+    int seed = 100;
     for (const View &view : flatViews(Kind::Rectangle)) {
-        Real whole = partAngle(view, 0, 1, 0, 1);
-        std::vector<Real> shares;
-        for (int c = 0; c < 64; ++c)
-            shares.push_back(whole > 1e-4L ? partAngle(view, (c % 8) / 8.0L, (c % 8 + 1) / 8.0L,
-                                                       (c / 8) / 8.0L, (c / 8 + 1) / 8.0L) /
-                                                 whole
-                                           : 1.0L / 64);
-        // Cells in which fewer than five are expected would spoil the statistic.
-        if (*std::min_element(shares.begin(), shares.end()) * total < 5)
-            continue;
         std::vector<int> counts(64);
-        for (Vec3 point : sampleRandomly(view, total, ++seed).points) {
-            R3 d = R3(point) - R3(view.corner), a = view.edgeA, b = view.edgeB;
+        std::vector<Real> sums(64);
+        Sampled samples = sampleRandomly(view, total, ++seed);
+        for (int i = 0; i < total; ++i) {
+            R3 d = R3(samples.points[i]) - R3(view.corner), a = view.edgeA, b = view.edgeB;
             int s = std::clamp(int(8 * dot(d, a) / dot(a, a)), 0, 7);
             int t = std::clamp(int(8 * dot(d, b) / dot(b, b)), 0, 7);
-            ++counts[t * 8 + s];
+            ++counts[t * 8 + s], sums[t * 8 + s] += 1 / Real(samples.pdf[i]);
         }
-        EXPECT_LT(chiSquare(counts, shares, total), chiSquareLimit) << double(whole);
+        // Cells in which fewer than five are expected would spoil the statistic.
+        if (*std::min_element(counts.begin(), counts.end()) < 10)
+            continue;
+        Real chiSquare = 0;
+        for (int c = 0; c < 64; ++c) {
+            const Real angle = partAngle(view, (c % 8) / 8.0L, (c % 8 + 1) / 8.0L, (c / 8) / 8.0L,
+                                         (c / 8 + 1) / 8.0L);
+            // Samples of a part are worth nearly the same: the variance is that of their number.
+            const Real worth = sums[c] / counts[c], found = sums[c] / total;
+            chiSquare += (found - angle) * (found - angle) * total / (angle * worth);
+        }
+        EXPECT_LT(chiSquare, chiSquareLimit);
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/points/evaluate.h"
 
+#include "foundation/base/hot.h"
 #include "foundation/base/lanes.h"
 #include "foundation/base/scratch.h"
 #include "world/points/point_runs.h"
@@ -82,15 +83,25 @@ void takeInstances(const PointTables &tables, const SurfaceCode &code, ShadingPo
     }
 }
 
+constexpr int rowWords = sizeof(Appearance) / sizeof(float);
+static_assert(rowWords == 16);
+
+/// The world's own shapes and their appearances have one order.
+CANDELA_HOT void findRows(int count, const std::uint32_t *__restrict shape, int *__restrict row) {
+    for (int i = 0; i < count; ++i)
+        row[i] = rowWords * int(shape[i]);
+}
+
 /// What the points lie on, and how that looks.
 void locate(const PointTables &tables, const SurfaceCode &code, float *normalSign,
             float *elementSign, float *offsetShare, ShadingPoints &points) {
-    constexpr int rowWords = sizeof(Appearance) / sizeof(float);
-    static_assert(rowWords == 16);
     thread_local Scratch<int> own;
     int *row = own.get(paddedLanes(points.count));
-    for (int i = 0; i < points.count; ++i)
-        row[i] = rowWords * tables.appearanceOf(points.instance[i], points.shape[i]);
+    if (tables.instances.empty())
+        findRows(points.count, points.shape, row);
+    else
+        for (int i = 0; i < points.count; ++i)
+            row[i] = rowWords * tables.appearanceOf(points.instance[i], points.shape[i]);
     takeAppearances(tables, code, row, normalSign, elementSign, offsetShare, points);
     if (tables.instances.empty())
         std::copy_n(reinterpret_cast<const std::int32_t *>(points.shape), points.count,

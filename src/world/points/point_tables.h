@@ -19,7 +19,6 @@ namespace candela {
 /// cache line.
 struct alignas(64) Appearance {
     std::int32_t parameterOffset = 0; ///< Of the surface shader's parameter block.
-    std::int32_t code = 0;            ///< Index into PointTables::codes.
     std::int32_t lightSet = 0;        ///< Which lights shine on it.
     std::int32_t light = 0;           ///< The light that it is: index + 1, 0 = none.
     std::int32_t id = 0;              ///< What the channel "id" shows, from 1; + the instance's.
@@ -27,8 +26,10 @@ struct alignas(64) Appearance {
     float elementSign = 1;            ///< Shape::elementSign times normalSign.
     float offset = 0;                 ///< Shape::offset.
     float offsetShare = 0;            ///< Shape::offsetShare.
-    std::int32_t firstElement = -1;   ///< Lights only: of its own in LightTable::elements.
-    std::array<float, colorSamples> Cs{}, Os{};
+    std::array<float, colorSamples> Cs{};
+    std::int32_t firstElement = -1; ///< Lights only: of its own in LightTable::elements.
+    std::array<float, colorSamples> Os{};
+    std::int32_t code = 0; ///< Index into PointTables::codes.
 };
 
 /// The rest of an appearance, which few points ask for.

@@ -152,6 +152,13 @@ void traceNearest(RTCScene scene, RTCIntersectContext &context, unsigned mask, c
     }
 }
 
+/// Embree tells by negative ends of rays that something stands in their way.
+CANDELA_HOT void tellBlocked(int count, const int *__restrict valid, const float *__restrict end,
+                             std::uint8_t *__restrict blocked) {
+    for (int i = 0; i < count; ++i)
+        blocked[i] = std::uint8_t(valid[i] == 0 ? 2 : end[i] < 0 ? 1 : 0);
+}
+
 template <int width>
 void traceShadows(RTCScene scene, RTCIntersectContext &context, const RayBatch &rays,
                   std::uint8_t *blocked) {
@@ -159,13 +166,14 @@ void traceShadows(RTCScene scene, RTCIntersectContext &context, const RayBatch &
     alignas(64) int valid[width];
     prime(opaqueBit, packet);
     const JudgedRays judged(rays);
+    thread_local Scratch<float> own;
+    float *end = own.get(paddedLanes(rays.count));
     for (int first = 0; first < rays.count; first += width) {
         load(judged, first, packet, valid);
         packet.occluded(valid, scene, &context);
-        int last = std::min(width, rays.count - first);
-        for (int i = 0; i < last; ++i)
-            blocked[first + i] = !valid[i] ? 2 : packet.bundle.ray.tfar[i] < 0 ? 1 : 0;
+        std::memcpy(end + first, packet.bundle.ray.tfar, width * sizeof(float));
     }
+    tellBlocked(rays.count, judged.valid, end, blocked);
 }
 
 /// Instances carry the geometry numbers behind the world's own shapes.

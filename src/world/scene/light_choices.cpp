@@ -15,8 +15,7 @@ namespace {
 template <class Body>
 void forLightSets(const SceneState &state, const LightQuery &query, Body body) {
     const std::int32_t first = query.count > 0 ? query.lightSet[0] : -1;
-    if (std::all_of(query.lightSet, query.lightSet + query.count,
-                    [first](std::int32_t set) { return set == first; })) {
+    if (lanes::allEqual(query.count, query.lightSet, first)) {
         if (first >= 0)
             body(first, query, nullptr);
         return;
@@ -52,8 +51,10 @@ void forLightSets(const SceneState &state, const LightQuery &query, Body body) {
 
 void chooseSources(const SceneState &state, LightGroup group, const LightQuery &query, double *u,
                    std::int32_t *source, float *probability) {
-    std::fill_n(source, query.count, -1);
-    std::fill_n(probability, query.count, 0.0f);
+    if (query.count > 0 && query.lightSet[0] < 0) { // The lanes of no set are left out.
+        lanes::fill(query.count, -1, source);
+        lanes::fill(query.count, 0.0f, probability);
+    }
     forLightSets(state, query, [&](int set, const LightQuery &part, const int *lane) {
         const LightChoice &choice = state.lights.choices[set][group];
         if (!lane)

@@ -213,8 +213,8 @@ void takeLights(const SceneState &state, const ElementRows &rows, LightBatch &ba
     batch.count = rows.count;
     std::fill_n(batch.objectIndex, rows.count, 0);
     if (lanes::allEqual(rows.count, light, light[0]))
-        std::fill_n(batch.parameterOffset, rows.count,
-                    state.lights.lights[light[0]].shader.parameterOffset);
+        lanes::fill(rows.count, state.lights.lights[light[0]].shader.parameterOffset,
+                    batch.parameterOffset);
     else
         for (int k = 0; k < rows.count; ++k)
             batch.parameterOffset[k] = state.lights.lights[light[k]].shader.parameterOffset;

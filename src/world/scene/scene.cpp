@@ -14,26 +14,27 @@ namespace candela {
 
 namespace {
 
-/// I holds the directions of the rays and becomes what leads from the origins to the hits.
-CANDELA_HOT void reachOut(int count, const float *__restrict t, float *__restrict I) {
-    for (int i = 0; i < count; ++i)
-        I[i] *= t[i];
-}
-
-/// P holds the origins of rays, and becomes where they are at t.
-CANDELA_HOT void walk(int count, const float *__restrict t, const float *__restrict direction,
-                      float *__restrict P) {
-    for (int i = 0; i < count; ++i)
-        P[i] += t[i] * direction[i];
-}
-
-CANDELA_HOT void lookUpBins(int count, const std::uint32_t *__restrict shape,
-                            const int *__restrict binOfAppearance, int *__restrict bin) {
+/// P and I hold origins and directions of rays, and become where they are at t, and what leads
+/// there from the origins.
+CANDELA_HOT void walk(int count, const float *__restrict t, const Vec3Planes &P,
+                      const Vec3Planes &I) {
+    float *px = P.x, *py = P.y, *pz = P.z, *ix = I.x, *iy = I.y, *iz = I.z;
+#pragma GCC ivdep // Planes are apart; there are too many to compare.
     for (int i = 0; i < count; ++i) {
-        bool hit = shape[i] != noHit;
-        int found = binOfAppearance[hit ? shape[i] : 0];
-        bin[i] = hit ? found : -1;
+        const float x = t[i] * ix[i], y = t[i] * iy[i], z = t[i] * iz[i];
+        ix[i] = x, iy[i] = y, iz[i] = z;
+        px[i] += x, py[i] += y, pz[i] += z;
     }
+}
+
+/// `missed` is the entry of rays that have met nothing; noHit is beyond it.
+CANDELA_HOT void lookUpBins(int count, const std::uint32_t *__restrict shape,
+                            const int *__restrict binOfAppearance, std::uint32_t missed,
+                            int *__restrict bin) {
+    for (int i = 0; i < count; ++i)
+        bin[i] = int(shape[i] < missed ? shape[i] : missed);
+    for (int i = 0; i < count; ++i) // Apart, as in one loop it would become a jump.
+        bin[i] = binOfAppearance[bin[i]];
 }
 
 /// What the rays tell of where they have met elements: P, Ng, I and the rest.
@@ -42,25 +43,32 @@ void meetElements(const PointTables &tables, const RayBatch &rays, const HitBatc
     const int count = points.count;
     thread_local AlignedScratch own;
     float *t = own.get(count);
-    lanes::take(count, order, hits.t, t);
-    lanes::take(count, order, hits.shape, points.shape);
-    lanes::take(count, order, hits.element, points.element);
-    lanes::take(count, order, hits.instance, points.instance);
-    lanes::take(count, order, hits.u, points.u);
-    lanes::take(count, order, hits.v, points.v);
-    float *Ng[3];
-    for (int c = 0; c < 3; ++c) {
-        float *P = points.input(ShaderInput::P, c), *I = points.input(ShaderInput::I, c);
-        lanes::take(count, order, rays.direction[c], I);
-        lanes::take(count, order, rays.origin[c], P);
-        walk(count, t, I, P);
-        reachOut(count, t, I);
-        lanes::take(count, order, hits.Ng[c], Ng[c] = points.input(ShaderInput::Ng, c));
-    }
+    auto input = [&](ShaderInput which, int c = 0) { return points.input(which, c); };
+    float *P[3], *I[3], *Ng[3];
+    for (int c = 0; c < 3; ++c)
+        P[c] = input(ShaderInput::P, c), I[c] = input(ShaderInput::I, c),
+        Ng[c] = input(ShaderInput::Ng, c);
+    // Shadow rays want the time even where the shader does not.
+    lanes::take(count, order,
+                {{hits.t, t},
+                 {hits.shape, points.shape},
+                 {hits.element, points.element},
+                 {hits.instance, points.instance},
+                 {hits.u, points.u},
+                 {hits.v, points.v},
+                 {hits.Ng[0], Ng[0]},
+                 {hits.Ng[1], Ng[1]},
+                 {hits.Ng[2], Ng[2]},
+                 {rays.origin[0], P[0]},
+                 {rays.origin[1], P[1]},
+                 {rays.origin[2], P[2]},
+                 {rays.direction[0], I[0]},
+                 {rays.direction[1], I[1]},
+                 {rays.direction[2], I[2]},
+                 {rays.time, input(ShaderInput::time)}});
+    walk(count, t, {P[0], P[1], P[2]}, {I[0], I[1], I[2]});
     if (!tables.instances.empty())
         placeElementNormals(tables, count, points.instance, Ng);
-    // Shadow rays want the time even where the shader does not.
-    lanes::take(count, order, rays.time, points.input(ShaderInput::time, 0));
 }
 
 /// How wide the rays' cones are where they have met something.
@@ -97,16 +105,19 @@ int Scene::escapedBin() const { return state_->binOfAppearance.back(); }
 
 void Scene::bins(int count, const HitBatch &hits, int *bin) const {
     const PointTables &points = state_->points;
+    const std::vector<int> &binOfAppearance = state_->binOfAppearance;
     if (points.instances.empty())
-        return lookUpBins(count, hits.shape, state_->binOfAppearance.data(), bin);
+        return lookUpBins(count, hits.shape, binOfAppearance.data(),
+                          std::uint32_t(binOfAppearance.size() - 1), bin);
     for (int i = 0; i < count; ++i)
-        bin[i] =
-            hits.shape[i] == noHit
-                ? -1
-                : state_->binOfAppearance[points.appearanceOf(hits.instance[i], hits.shape[i])];
+        bin[i] = hits.shape[i] == noHit
+                     ? escapedBin()
+                     : binOfAppearance[points.appearanceOf(hits.instance[i], hits.shape[i])];
 }
 
 void SceneState::numberBins() {
+    for (const SurfaceCode &code : points.codes)
+        readsFootprints |= code.wanted.footprint;
     std::map<std::pair<int, bool>, int> known;
     for (const Appearance &appearance : points.appearances) {
         auto [place, isNew] =
@@ -130,9 +141,9 @@ void Scene::shadingPoints(const RayBatch &rays, const HitBatch &hits, const int 
         thread_local AlignedScratch own;
         const int stride = paddedLanes(count);
         float *planes = own.get(4 * std::size_t(stride));
-        lanes::take(count, order, rays.width, planes);
-        lanes::take(count, order, rays.spread, planes + stride);
-        lanes::take(count, order, hits.t, planes + 2 * stride);
+        lanes::take(
+            count, order,
+            {{rays.width, planes}, {rays.spread, planes + stride}, {hits.t, planes + 2 * stride}});
         widths(count, planes, planes + stride, planes + 2 * stride, planes + 3 * stride);
         footprint = planes + 3 * stride;
     }
@@ -150,13 +161,17 @@ void Scene::elementPoints(const RayBatch &rays, const HitBatch &hits, const int 
                           const std::array<float *, 3> &point) const {
     thread_local AlignedScratch own;
     const int stride = paddedLanes(count);
-    float *t = own.get(2 * std::size_t(stride)), *direction = t + stride;
-    lanes::take(count, order, hits.t, t);
-    for (int c = 0; c < 3; ++c) {
-        lanes::take(count, order, rays.direction[c], direction);
-        lanes::take(count, order, rays.origin[c], point[c]);
-        walk(count, t, direction, point[c]);
-    }
+    float *t = own.get(4 * std::size_t(stride));
+    float *x = t + stride, *y = x + stride, *z = y + stride;
+    lanes::take(count, order,
+                {{hits.t, t},
+                 {rays.direction[0], x},
+                 {rays.direction[1], y},
+                 {rays.direction[2], z},
+                 {rays.origin[0], point[0]},
+                 {rays.origin[1], point[1]},
+                 {rays.origin[2], point[2]}});
+    walk(count, t, {point[0], point[1], point[2]}, {x, y, z});
 }
 
 void Scene::bind(int code, const ShadingPoints &points, ShaderArgs &args) const {
@@ -173,6 +188,7 @@ Vec3 Scene::offsetOrigin(Vec3 P, Vec3 Ng, Vec3 direction, float offset) {
 
 std::span<const LightGroup> Scene::lightGroupsInUse() const { return state_->lights.groups; }
 
+bool Scene::readsFootprints() const { return state_->readsFootprints; }
 bool Scene::hasAmbient() const { return !state_->lights.ambient.empty(); }
 bool Scene::readsLightChoice() const { return !state_->lights.isSingle; }
 int Scene::lightCount() const { return int(state_->lights.lights.size()); }

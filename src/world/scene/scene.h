@@ -54,6 +54,8 @@ public:
     /// code; rays are those that made the hits. I is the ray's direction times t.
     void shadingPoints(const RayBatch &, const HitBatch &, const int *order, int count,
                        ShadingPoints &) const;
+    /// False if no shader wants to know how wide rays are: their footprints need not be filled.
+    bool readsFootprints() const;
     /// Where the rays met the elements, on these rather than on the true surface.
     void elementPoints(const RayBatch &, const HitBatch &, const int *order, int count,
                        const std::array<float *, 3> &point) const;

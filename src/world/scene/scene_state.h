@@ -20,6 +20,7 @@ struct SceneState {
 
     PointTables points;
     std::vector<int> binOfAppearance, codeOfBin; ///< See Scene::bins.
+    bool readsFootprints = false;                ///< Some of the codes do.
     std::vector<std::vector<int>> lightSets;     ///< Indices of the lights on, by lightSet.
     std::unique_ptr<RayWorld> rays;
     LightTable lights;

@@ -81,7 +81,7 @@ template <class Body> void forForms(const ElementRows &rows, Lanes all, Body bod
             part.forInputs([&](const float *&input) {
                 float *to = own[plane++];
                 if (input)
-                    lanes::take(part.count, lane, input + first, to), input = to;
+                    lanes::take(part.count, lane, {{input + first, to}}), input = to;
             });
             part.forOutputs([&](float *&output) {
                 float *to = own[plane++];
@@ -204,20 +204,20 @@ void ElementRows::take(const LightTable &table, int lanes, const std::int32_t *e
 }
 
 /// Batch after batch may be of one lamp alone: its rows stay as they are.
-void ElementRows::fill(const LightTable &table, int lanes, std::int32_t number) {
+void ElementRows::fill(const LightTable &table, int rows, std::int32_t number) {
     const LightElement &from = table.elements[number];
-    count = lanes;
-    if (std::memcmp(&from, &filled_, sizeof from) != 0)
-        filled_ = from, filledLanes_ = 0;
-    if (filledLanes_ < lanes) {
-        float words[rowWords];
-        std::memcpy(words, &from, sizeof words);
-        for (int c = 0; c < rowWords; ++c)
-            std::fill_n(planes[c], lanes, words[c]);
-        filledLanes_ = lanes;
-    }
-    std::fill_n(light, lanes, table.sources[from.source].light);
-    std::fill_n(handedness, lanes, table.sources[from.source].handedness);
+    const LightSource &owner = table.sources[from.source];
+    count = rows;
+    if (filledLanes_ >= rows && std::memcmp(&from, &filled_, sizeof from) == 0 &&
+        light[0] == owner.light && handedness[0] == owner.handedness)
+        return;
+    filled_ = from, filledLanes_ = rows;
+    float words[rowWords];
+    std::memcpy(words, &from, sizeof words);
+    for (int c = 0; c < rowWords; ++c)
+        lanes::fill(rows, words[c], planes[c]);
+    lanes::fill(rows, owner.light, light);
+    lanes::fill(rows, owner.handedness, handedness);
 }
 
 void ElementRows::draw(const LightTable &table, int lanes, const std::int32_t *sources,

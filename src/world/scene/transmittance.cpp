@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What comes through along shadow rays. Opaque surfaces end the matter at once; transparent ones
 // are walked through from front to back, all rays together, a surface each at a time.
+#include "foundation/base/hot.h"
 #include "foundation/base/scratch.h"
 #include "world/scene/opacity.h"
 #include "world/scene/scene.h"
@@ -89,6 +90,12 @@ void askOpacity(const Scene &scene, int code, Walk &walk) {
         question.code(&args);
 }
 
+CANDELA_HOT void passUnblocked(int count, const std::uint8_t *__restrict blocked,
+                               float *__restrict transmittance) {
+    for (int i = 0; i < count; ++i)
+        transmittance[i] = blocked[i] == 1 ? 0.0f : 1.0f;
+}
+
 /// The k-th ray of `order` loses what the surface keeps and goes on behind it.
 void passSurface(Walk &walk, int k, float *const *transmittance) {
     const int i = walk.order[k], lane = walk.lane[i];
@@ -109,8 +116,7 @@ bool Scene::transmittance(const RayBatch &rays, float *const *transmittance) con
     state_->rays->occluded(rays, blocked);
     const bool colored = state_->rays->hasTransparent();
     for (int c = 0; c < (colored ? colorSamples : 1); ++c)
-        for (int i = 0; i < rays.count; ++i)
-            transmittance[c][i] = blocked[i] == 1 ? 0 : 1;
+        passUnblocked(rays.count, blocked, transmittance[c]);
     if (colored)
         walkThroughTransparent(rays, blocked, transmittance);
     return colored;
