@@ -252,8 +252,8 @@ std::vector<Body> closedBodies() {
          beside(-1.25, 0,
                 "Cylinder 2 -.5 .5 360\nCylinder .5 -.5 .5 -360\n"
                 "Hyperboloid .5 0 -.5 2 0 -.5 360\nHyperboloid .5 0 .5 2 0 .5 -360\n"),
-         true},
-        {"Torus", beside(-2, 0, "Torus 2 .8 0 360 360\n"), true},
+         true, true},
+        {"Torus", beside(-2, 0, "Torus 2 .8 0 360 360\n"), true, true},
         {"SphereSlices", "Sphere 1 -1 1 140\nRotate 140 0 0 1\nSphere 1 -1 1 220\n", true}};
     for (const Body &body : bodiesAway(0))
         bodies.push_back(body);

@@ -92,12 +92,12 @@ std::string placed(const Placement &p, const std::string &primitives) {
 }
 
 /// A ball before the eye, well within the body.
-std::string ball(const Placement &p, const std::string &shader) {
+std::string ball(const Placement &p, const std::string &look) {
     double scale[3] = {p.size, p.size, p.size}; // Current space is the camera's, but for its Scale.
     if (p.where == Where::Camera)
         std::copy_n(p.mirror, 3, scale);
     const std::string r = std::to_string(.12 * scale[0] * (scale[0] < 0 ? -1 : 1));
-    return "Surface \"" + shader + "\"\nTranslate " + std::to_string(p.away) + " " +
+    return look + "\nTranslate " + std::to_string(p.away) + " " +
            std::to_string(p.away) + " " + std::to_string(p.away + .3 * scale[2]) + "\nSphere " + r +
            " -" + r + " " + r + " 360\n";
 }
@@ -118,17 +118,24 @@ std::string nameOf(const Placement &p) {
            std::to_string(p.sides) + " size " + std::to_string(p.size);
 }
 
-Frame frameOf(const Placement &p, const Body &body, const std::string &shader) {
+Frame frameOf(const Placement &p, const Body &body, const std::string &look) {
     return {nameOf(p), camera(p),
             "AttributeBegin\n" + placed(p, "AttributeBegin\n" + body.rib + "AttributeEnd\n") +
-                "AttributeEnd\n" + (p.emitter > 0 ? "Illuminate 1 1\n" : "") + ball(p, shader)};
+                "AttributeEnd\n" + (p.emitter > 0 ? "Illuminate 1 1\n" : "") + ball(p, look)};
+}
+
+/// A ball in a dark body is lit by what lies beyond a hole.
+std::string lookOfBall(const Placement &p, const Body &body) {
+    if (!p.hasLightSamples())
+        return "Surface \"scattered\"";
+    return body.pierced ? "Surface \"matte\" \"Kd\" [0]" : "Surface \"matte\"";
 }
 
 /// Everything is 1, also a ball whose light comes by rays; or everything is 0.
 void expectFurnaces(const Body &body, const std::vector<Placement> &placements) {
     std::vector<Frame> frames;
     for (const Placement &p : placements)
-        frames.push_back(frameOf(p, body, p.hasLightSamples() ? "matte" : "scattered"));
+        frames.push_back(frameOf(p, body, lookOfBall(p, body)));
     const std::vector<FramePixels> pictures = render(frames, {1, 1, "bodies/shaders"});
     ASSERT_EQ(pictures.size(), frames.size());
     for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -224,7 +231,7 @@ TEST_P(ClosedBodies, LightWhatIsWithin) {
     std::vector<Frame> frames;
     for (const std::string &options : {std::string(), classic}) {
         const Placement p{{-1, 1, 1}, Where::World, Reversed, oneSided};
-        frames.push_back(frameOf(p, GetParam(), "matte"));
+        frames.push_back(frameOf(p, GetParam(), "Surface \"matte\""));
         frames.back().options = options + view;
         frames.back().world =
             "Attribute \"light\" \"string shadows\" [\"on\"]\n" + frames.back().world;

@@ -71,8 +71,10 @@ void lightClassic(PathWave &wave) {
 }
 
 void branch(PathWave &wave) {
-    const float below = wave.vertex < splittingVertices ? leastToSplit : 1;
-    wave.chunk.events.look(wave.chunk.vertices);
+    ScatteringEvents &events = wave.chunk.events;
+    events.look(wave.chunk.vertices);
+    const bool splits = wave.vertex < splittingVertices || events.kinds() < 2;
+    const float below = splits ? leastToSplit : 1;
     beginEvents(wave);
     followEvents(wave, {below, below});
 }
