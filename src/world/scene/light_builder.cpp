@@ -179,6 +179,7 @@ void LightBuilder::addElements(int index, const PlacedShape &placed) {
     if (first == std::int32_t(elements.size()))
         return;
     appearance.firstElement = first;
+    state_.lights.lights[index].opaque &= placed.mesh.opaque;
     appearances_[index].push_back(placed.appearance);
     lightOfElement_.resize(elements.size(), index);
     addSources(index, placed, first);
@@ -285,7 +286,7 @@ void LightBuilder::finishGeometry(int index) {
     SceneLight &light = table.lights[index];
     double sum = 0;
     for (const LightSource &source : sources_[index]) {
-        sum += source.area;
+        sum += source.area, light.elements += source.members;
         light.cumulative.push_back(sum);
     }
     if (!(sum > 0)) {
