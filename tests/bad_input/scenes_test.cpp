@@ -130,6 +130,17 @@ TEST_F(BadInput, TransformationsThatAreNotFinite) {
         expectErrorAtTheLine(std::string("Translate 9 0 5 ") + request, {});
 }
 
+// Each holds the one before twice: more than memory holds, in a few bytes.
+TEST_F(BadInput, ObjectsThatMultiply) {
+    std::string objects = "ObjectBegin 1 Sphere 1 -1 1 360 ObjectEnd";
+    for (int i = 2; i <= 40; ++i) {
+        const std::string last = std::to_string(i - 1);
+        objects += " ObjectBegin " + std::to_string(i) + " ObjectInstance " + last +
+                   " Translate 2 0 0 ObjectInstance " + last + " ObjectEnd";
+    }
+    expectErrorAtTheLine(objects + " ObjectInstance 40", {"more than 16000000"});
+}
+
 TEST_F(BadInput, ObjectsThatDoNotMatch) {
     const std::pair<const char *, const char *> table[] = {
         {"ObjectEnd", "ObjectEnd without ObjectBegin"},

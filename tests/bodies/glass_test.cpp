@@ -4,6 +4,7 @@
 // show what is behind at another place.
 #include "tests/bodies/bodies.h"
 #include "tests/support/frames.h"
+#include "tests/support/student.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -112,6 +113,39 @@ double behindBalls(double b, double eta, const std::vector<double> &radii) {
 std::string ball(double radius, const std::string &before = "") {
     const std::string r = text(radius);
     return before + "Sphere " + r + " -" + r + " " + r + " 360\n";
+}
+
+/// Down to a little more than the offset of their faces, which goes with their size: both faces are
+/// met, each of which reflects (.5 / 2.5)^2 of what comes, again and again.
+TEST(Panes, OfMicrometresHaveTwoFaces) {
+    const struct {
+        double width, thickness; ///< m, one metre away.
+    } panes[] = {{.2, 1.6e-6}, {2, 3.2e-6}, {18, 1e-5}, {18, 1e-3}};
+    const double reflected = .04, through = (1 - reflected) / (1 + reflected);
+    std::vector<Frame> frames;
+    for (const auto &pane : panes)
+        for (const char *integrator : integrators) {
+            const auto face = [&](double z) {
+                const std::string a = text(pane.width / 2), b = text(-pane.width / 2);
+                const std::string at = " " + text(z) + " ";
+                return "Polygon \"P\" [" + b + " " + b + at + b + " " + a + at + a + " " + a + at +
+                       a + " " + b + at + "]\n";
+            };
+            frames.push_back({text(pane.width) + ", " + text(pane.thickness),
+                              "Option \"render\" \"string integrator\" [\"" +
+                                  std::string(integrator) +
+                                  "\"]\nFormat 32 32 1\nProjection \"perspective\" \"fov\" [.5]\n",
+                              "Surface \"constant\"\nPolygon \"P\" [-9 -9 3 -9 9 3 9 9 3 9 -9 3]\n"
+                              "Surface \"glass\" \"float eta\" [1.5]\n" +
+                                  face(1) + "ReverseOrientation\n" + face(1 + pane.thickness)});
+        }
+    const std::vector<FramePixels> pictures = render(frames, {64, 1, "bodies/shaders"});
+    ASSERT_EQ(pictures.size(), frames.size());
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        const MeanAndError mean = meanAndError({pictures[i].red.begin(), pictures[i].red.end()});
+        EXPECT_NEAR(mean.mean, through, 5 * mean.standardError + 1e-3) << frames[i].name;
+        EXPECT_LT(mean.standardError, 3e-3);
+    }
 }
 
 TEST(Balls, AndShellsShowWhatIsBehindWhereOpticsSay) {

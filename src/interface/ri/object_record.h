@@ -27,13 +27,15 @@ struct ObjectRecord {
 /// FrameBegin and WorldBegin save it: objects end with the block that they are defined in.
 struct ObjectNames {
     struct Entry {
-        int number = 0; ///< SceneBuilder's.
-        int depth = 1;  ///< Levels of instances below, itself included.
+        int number = 0;        ///< SceneBuilder's.
+        int depth = 1;         ///< Levels of instances below, itself included.
+        double placements = 1; ///< How many objects an instance places, itself included.
     };
     std::map<std::string, Entry> byHandle;
     /// Of the objects outside worlds; the index is the number.
     std::vector<std::shared_ptr<const ObjectRecord>> kept;
-    int count = 0; ///< Numbers given so far.
+    int count = 0;         ///< Numbers given so far.
+    double placements = 0; ///< Objects that the world's instances have placed so far.
 };
 
 } // namespace candela

@@ -199,19 +199,47 @@ TEST_F(State, blocksInObjectsMatch) {
     EXPECT_EQ(primitives()[0].place(0, 0, 0), (Vec3{0, 0, 0}));
 }
 
-// Objects of objects stand for more than any memory holds and are told in a few calls.
-TEST_F(State, instancesAreNotUnfolded) {
-    state.worldBegin(at);
-    for (int i = 0; i < 60; ++i) {
-        state.objectBegin(at, {std::to_string(i)});
-        for (int copy = 0; copy < 2 && i > 0; ++copy)
-            state.objectInstance(at, {std::to_string(i - 1)});
-        state.objectEnd(at);
+// Objects of objects stand for more than any memory holds and are told in a few calls. Those that
+// hold nothing count as well: someone has to look into them.
+TEST_F(State, instancesOfMoreThanMemoryHoldsAreLeftOut) {
+    struct Case {
+        int levels, copies;    // Objects, and how many of the one before each holds.
+        bool hollow, inWorld;  // No primitive in it; defined inside the world.
+        int instances, placed; // Of the last object: asked for, drawn.
+    };
+    const Case cases[] = {
+        {1, 0, false, true, 3, 3},     {23, 2, false, true, 1, 1}, {23, 2, false, false, 3, 1},
+        {24, 2, false, true, 1, 0},    {40, 2, false, true, 2, 0}, {60, 2, true, true, 1, 0},
+        {64, 1, true, true, 100, 100}, {8, 10, false, true, 2, 1}, {64, 1000, false, false, 2, 0},
+        {3, 4000, false, false, 1, 0},
+    };
+    for (const Case &c : cases) {
+        SCOPED_TRACE(std::to_string(c.levels) + " levels of " + std::to_string(c.copies));
+        const int before = errors();
+        const auto define = [&] {
+            for (int i = 0; i < c.levels; ++i) {
+                state.objectBegin(at, {std::to_string(i)});
+                if (!c.hollow)
+                    sphere();
+                for (int copy = 0; copy < c.copies && i > 0; ++copy)
+                    state.objectInstance(at, {std::to_string(i - 1)});
+                state.objectEnd(at);
+            }
+        };
+        if (!c.inWorld)
+            define();
+        for (int world = 0; world < 2; ++world) { // Each counts for itself.
+            state.worldBegin(at);
+            if (c.inWorld)
+                define();
+            for (int i = 0; i < c.instances; ++i)
+                state.objectInstance(at, {std::to_string(c.levels - 1)});
+            EXPECT_EQ(builder.worlds.back().instances.size(), std::size_t(c.placed));
+            state.worldEnd(at);
+        }
+        EXPECT_EQ(errors() - before, 2 * (c.instances - c.placed));
+        EXPECT_TRUE(c.instances == c.placed || says("more than 16000000"));
     }
-    state.objectInstance(at, {"59"});
-    EXPECT_EQ(errors(), 0);
-    EXPECT_EQ(builder.worlds.back().objects.size(), 60u);
-    EXPECT_EQ(builder.worlds.back().instances.size(), 1u);
 }
 
 TEST_F(State, instancesShareTheirAttributes) {

@@ -34,6 +34,8 @@ public:
     virtual void objectBegin(int object) = 0;
     virtual void objectEnd() = 0;
     /// Draws a finished object with these attributes; also inside the definition of another one.
+    /// What a world's instances draw, objects within objects counted, stays within what memory
+    /// holds.
     virtual void instance(int object, std::shared_ptr<const Attributes>,
                           const MotionTransform &currentFromObject) = 0;
     /// A coordinate system named inside the world block.

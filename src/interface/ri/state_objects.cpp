@@ -7,6 +7,8 @@
 namespace candela {
 
 static constexpr int maximumInstanceDepth = 64;
+/// Objects that instance objects multiply: this is about what memory holds.
+static constexpr int maximumPlacements = 16'000'000;
 
 static void tellBuilder(SceneBuilder &builder, const ObjectPart &part) {
     if (part.primitive)
@@ -32,7 +34,7 @@ void StateHandlers::tellKeptObjects() {
 }
 
 void StateHandlers::objectBegin(const SourceLocation &where, const Handle &handle) {
-    openObject_ = OpenObject{handle.text, {objects_.count++, 1}, nullptr};
+    openObject_ = OpenObject{handle.text, {objects_.count++, 1, 1}, nullptr};
     if (inWorld_)
         builder_.objectBegin(openObject_->entry.number);
     else
@@ -60,7 +62,7 @@ void StateHandlers::objectInstance(const SourceLocation &where, const Handle &ha
     auto found = objects_.byHandle.find(handle.text);
     if (found == objects_.byHandle.end())
         return error(where, "ObjectInstance", "no object '" + handle.text + "' has been defined");
-    const auto [number, depth] = found->second;
+    const auto [number, depth, placements] = found->second;
     if (isFlat(where, "ObjectInstance", "the instance"))
         return;
     // The name of an object that is being defined still means what it meant before, so that none
@@ -71,6 +73,14 @@ void StateHandlers::objectInstance(const SourceLocation &where, const Handle &ha
                          "instances are nested more than " + std::to_string(maximumInstanceDepth) +
                              " deep");
         openObject_->entry.depth = std::max(openObject_->entry.depth, depth + 1);
+        openObject_->entry.placements += placements;
+    } else {
+        if (objects_.placements + placements > maximumPlacements)
+            return error(where, "ObjectInstance",
+                         "with the objects within objects that this instance places the world "
+                         "would hold more than " +
+                             std::to_string(maximumPlacements) + "; it is left out");
+        objects_.placements += placements;
     }
     tell({nullptr, number, currentAttributes(), currentTransform()});
 }

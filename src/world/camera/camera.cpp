@@ -163,24 +163,30 @@ float Camera::pixelSize(float z) const {
     return perspective_ ? atOne * std::abs(z) : atOne;
 }
 
-bool Camera::mayShow(const Box3 &box) const {
-    if (!(box.high.z > 0))
-        return false;
-    // The frame's four sides: the box is beyond one if all its corners are. Lenses see more.
-    const auto beyond = [&](int axis, float sign, float limit) {
-        for (float z : {box.low.z, box.high.z}) {
-            const float along = perspective_ ? z : 1;
-            const float blur = hasLens() ? lensRadius_ * (1 + std::abs(z) / focalDistance_) : 0;
-            const float nearest = sign > 0 ? box.low[axis] : box.high[axis];
-            if (!(sign * (nearest - limit * along) > blur))
-                return false;
+std::optional<float> Camera::shownDepth(const Box3 &box) const {
+    float nearest = std::max(box.low.z, 0.0f), farthest = box.high.z;
+    // Beyond each of the frame's four sides; lenses see a little more.
+    const float lens = lensRadius_, lensSlope = lensRadius_ / focalDistance_;
+    const auto cut = [&](float place, float limit) {
+        if (!perspective_) {
+            if (place > limit)
+                farthest = -1;
+            return;
         }
-        return true;
+        // Shown where place - lens <= (limit + lensSlope) z.
+        const float beyond = place - lens, slope = limit + lensSlope;
+        if (slope > 0)
+            nearest = std::max(nearest, beyond / slope);
+        else if (beyond > 0)
+            farthest = -1;
+        else if (slope < 0)
+            farthest = std::min(farthest, beyond / slope);
     };
     for (int axis = 0; axis < 2; ++axis)
-        if (beyond(axis, 1, high_[axis]) || beyond(axis, -1, low_[axis]))
-            return false;
-    return true;
+        cut(box.low[axis], high_[axis]), cut(-box.high[axis], -low_[axis]);
+    if (!(farthest > 0 && nearest <= farthest))
+        return std::nullopt;
+    return nearest;
 }
 
 } // namespace candela

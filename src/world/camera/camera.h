@@ -9,6 +9,8 @@
 #include "interface/ri/options.h"
 #include "world/rays/ray_batch.h"
 
+#include <optional>
+
 namespace candela {
 
 class Camera {
@@ -32,8 +34,9 @@ public:
     const Matrix4 &rasterFromCamera() const { return rasterFromCamera_; }
     /// Edge length of a pixel, in metres, at depth z: what dicing is measured by.
     float pixelSize(float z) const;
-    /// False where the frame shows nothing of the box, whatever the crop window.
-    bool mayShow(const Box3 &) const;
+    /// The least depth (z, metres) at which the frame may show something of the box, whatever the
+    /// crop window; nothing if it shows none of it.
+    std::optional<float> shownDepth(const Box3 &) const;
 
 private:
     Matrix4 screenFromCamera_, ndcFromCamera_, rasterFromCamera_;

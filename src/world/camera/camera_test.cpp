@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <random>
 
 namespace candela {
 namespace {
@@ -144,6 +145,76 @@ TEST(Camera, ALensKeepsTheFocalPlaneSharp) {
         }
     EXPECT_LE(largest, 0.1f + 1e-5);
     EXPECT_GT(largest, 0.09f);
+}
+
+/// The depth at which a ray enters the box; nothing if it misses.
+std::optional<float> entry(const Ray &ray, const Box3 &box) {
+    float from = 0, to = INFINITY;
+    for (int axis = 0; axis < 3; ++axis) {
+        const float a = (box.low[axis] - ray.origin[axis]) / ray.direction[axis];
+        const float b = (box.high[axis] - ray.origin[axis]) / ray.direction[axis];
+        from = std::fmax(from, std::fmin(a, b)), to = std::fmin(to, std::fmax(a, b));
+    }
+    if (from > to)
+        return std::nullopt;
+    return from * ray.direction.z;
+}
+
+std::vector<Options> variousCameras() {
+    std::vector<Options> cameras;
+    for (bool perspective : {true, false})
+        for (float fStop : {0.0f, 0.5f})
+            for (std::array<float, 4> window :
+                 {std::array{-1.f, 1.f, -1.f, 1.f}, std::array{1.f, 2.f, -3.f, -2.f}}) {
+                Options options = perspectiveOptions(64, 64, 50);
+                options.camera.perspective = perspective, options.screenWindow = window;
+                options.camera.fStop = fStop, options.camera.focalLength = 0.4f;
+                options.camera.focalDistance = 3;
+                cameras.push_back(options);
+            }
+    return cameras;
+}
+
+TEST(Camera, ShowsNothingOfABoxNearerThanTheShownDepth) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> unit(0, 1);
+    int hits = 0, unseen = 0;
+    for (const Options &options : variousCameras()) {
+        const Camera camera(options);
+        for (int k = 0; k < 200; ++k) {
+            Box3 box;
+            for (int corner = 0; corner < 2; ++corner)
+                box.add(Vec3{unit(random) * 16 - 8, unit(random) * 16 - 8, unit(random) * 12 - 4});
+            const std::optional<float> shown = camera.shownDepth(box);
+            unseen += !shown;
+            for (int i = 0; i < 200; ++i) {
+                const Ray r =
+                    ray(camera, 64 * unit(random), 64 * unit(random), unit(random), unit(random));
+                const std::optional<float> depth = entry(r, box);
+                if (!depth)
+                    continue;
+                ++hits;
+                ASSERT_TRUE(shown);
+                ASSERT_LE(*shown, *depth + 1e-4f);
+            }
+        }
+    }
+    EXPECT_GT(hits, 1000);
+    EXPECT_GT(unseen, 200);
+}
+
+TEST(Camera, ABoxBesideTheEyeIsShownFromWhereTheFrameReachesIt) {
+    const Camera camera(perspectiveOptions(100, 100, 40));
+    const float slope = std::tan(float(M_PI) / 9);
+    for (float sign : {1.0f, -1.0f}) {
+        Box3 box;
+        box.add(Vec3{500 * sign, -1, -100}), box.add(Vec3{600 * sign, 1, 2000});
+        EXPECT_NEAR(camera.shownDepth(box).value_or(0), 500 / slope, 0.1f);
+    }
+    EXPECT_FALSE(camera.shownDepth({{500, -1, -100}, {600, 1, 1000}}));
+    EXPECT_FALSE(camera.shownDepth({{-1, -1, -100}, {1, 1, -1}}));
+    EXPECT_EQ(camera.shownDepth({{-1, -1, -100}, {1, 1, 1}}), 0.0f);
+    EXPECT_EQ(camera.shownDepth({{-1, -1, 7}, {1, 1, 9}}), 7.0f);
 }
 
 TEST(Camera, TimesFillTheShutterInterval) {

@@ -48,8 +48,7 @@ struct Placement {
     Matrix4 currentFromObject;
 };
 
-/// Where objects with primitives of their own stand. Singular instances are left out; what is more
-/// than memory can hold is reported.
-std::vector<Placement> placementsOf(const DeclaredWorld &, DiagnosticSink &);
+/// Where objects with primitives of their own stand. Singular instances are left out.
+std::vector<Placement> placementsOf(const DeclaredWorld &);
 
 } // namespace candela

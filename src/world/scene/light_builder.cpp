@@ -179,6 +179,7 @@ void LightBuilder::addElements(int index, const PlacedShape &placed) {
     if (first == std::int32_t(elements.size()))
         return;
     appearance.firstElement = first;
+    state_.lights.lights[index].opaque &= placed.mesh.opaque;
     appearances_[index].push_back(placed.appearance);
     lightOfElement_.resize(elements.size(), index);
     addSources(index, placed, first);
@@ -285,7 +286,7 @@ void LightBuilder::finishGeometry(int index) {
     SceneLight &light = table.lights[index];
     double sum = 0;
     for (const LightSource &source : sources_[index]) {
-        sum += source.area;
+        sum += source.area, light.elements += source.members;
         light.cumulative.push_back(sum);
     }
     if (!(sum > 0)) {
@@ -348,18 +349,12 @@ namespace {
 /// much of the sky above the eye.
 std::vector<std::uint8_t> wideSources(const LightTable &table,
                                       std::span<const EmitterBound> bounds) {
-    constexpr double leastSolidAngle = 1.5;
+    constexpr double leastSolidAngle = 1;
     std::vector<double> solidAngle(table.lights.size());
-    for (std::size_t k = 0; k < bounds.size(); ++k) {
-        if (bounds[k].box.empty())
-            continue;
-        // The eye is the origin. Turned at random, an area shows half of itself.
-        const Vec3 centre = bounds[k].box.centre(), extent = bounds[k].box.extent();
-        const double squared =
-            std::max(double(dot(centre, centre)), double(dot(extent, extent)) / 4);
-        if (squared > 0)
-            solidAngle[table.sources[k].light] += table.sources[k].area / 2 / squared;
-    }
+    for (const LightSource &source : table.sources)
+        for (std::int32_t k = 0; k < source.members; ++k)
+            solidAngle[source.light] +=
+                solidAngleOf(table.elements[table.members[source.firstMember + k]]);
     std::vector<std::uint8_t> wide;
     for (std::size_t k = 0; k < bounds.size(); ++k)
         wide.push_back(bounds[k].box.empty() ||

@@ -8,6 +8,7 @@
 #include "world/scene/light_choices.h"
 #include "world/scene/light_question.h"
 #include "world/scene/scene_state.h"
+#include "world/scene/self_occlusion.h"
 #include "world/scene/source_points.h"
 
 #include <algorithm>
@@ -450,6 +451,7 @@ void Scene::sampleLight(int index, const LightQuery &query, LightSamples &sample
                 float(light.cumulative[piece] - (piece > 0 ? light.cumulative[piece - 1] : 0));
     }
     answer(*state_, blockOf(query, source, probability, across, samples), own);
+    hideBehindItself(*state_, index, query, samples);
 }
 
 } // namespace candela

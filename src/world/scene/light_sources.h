@@ -80,6 +80,8 @@ struct SceneLight {
     std::int32_t firstSource = 0, sources = 0;
     std::vector<double> cumulative; ///< With geometry: running sum of the sources' share of area.
     double area = 0;                ///< Of all sources, m^2.
+    std::int32_t elements = 0;      ///< Of all sources.
+    bool opaque = true;             ///< All its shapes.
     int surfaceCode = -1;           ///< The code of all its shapes; -1 = they differ.
     Box3 place;                     ///< Without geometry: where it stands; empty = not known.
     Vec3 axis;                      ///< Without geometry: unit vector, or zero.

@@ -73,7 +73,8 @@ public:
     void sampleLights(LightGroup, const LightQuery &, LightSamples &) const;
     /// sampleLights() reads LightQuery::choice: which light, and where on it.
     bool readsLightChoice() const;
-    /// `classic`: one sample of light `index` (of lightCount()) at every point, no choice.
+    /// `classic`: one sample of light `index` (of lightCount()) at every point, no choice. Lamps
+    /// that cast no shadows hide nothing but parts of themselves.
     int lightCount() const;
     void sampleLight(int index, const LightQuery &, LightSamples &) const;
     /// pdf[i] per steradian with which sampleLights(), asked by `query` (of which count, P, N,

@@ -123,6 +123,43 @@ TEST(ShadingPoints, OfDicedSurfacesLieWhereRaysMeetThem) {
     });
 }
 
+/// What surrounds the eye is diced by what the frame shows of it: to half a pixel there.
+TEST(ShadingPoints, OfSkiesLieWithinHalfAPixel) {
+    const Matrix4 upright = rotation(-90, {1, 0, 0}), turned = rotation(33, {1, 2, 3});
+    const struct {
+        ShapeRecord shape;
+        Matrix4 transform;
+    } skies[] = {{SphereRecord{1000, 0, 1000, 360}, upright},
+                 {SphereRecord{1000, -1000, 1000, 350}, translation(300, -500, 100)},
+                 {SphereRecord{1000, -1000, 1000, 360}, turned * scaling(1, .5f, 1)},
+                 {SphereRecord{1000, -1000, 1000, 360}, scaling(1, .1f, 1) * translation(0, 90, 0)},
+                 {CylinderRecord{1000, -900, 900, 360}, upright},
+                 {ConeRecord{2000, 1000, 360}, upright * translation(0, -500, 0)},
+                 {ParaboloidRecord{1000, 0, 1500, 360}, translation(0, 0, -900) * turned},
+                 {DiskRecord{100, 1000, 360}, upright},
+                 {TorusRecord{900, 800, 0, 360, 360}, upright}};
+    for (const auto &sky : skies)
+        for (int resolution : {8, 64, 512}) {
+            TestWorld world;
+            world.options.xResolution = world.options.yResolution = resolution;
+            world.transform = sky.transform;
+            world.add(sky.shape);
+            world.render([&](const Scene &scene) {
+                Grid grid(scene);
+                auto order = grid.ofCode(scene, 0);
+                ASSERT_GT(order.size(), 100u);
+                scene.shadingPoints(grid.rays, grid.hits, order.data(), int(order.size()),
+                                    grid.points);
+                for (int k = 0; k < grid.points.count; ++k) {
+                    const Vec3 P = grid.vec3(ShaderInput::P, k), I = grid.vec3(ShaderInput::I, k);
+                    const float pixel = P.z * 2 / float(resolution);
+                    ASSERT_LT(length(P - I), 0.5f * pixel)
+                        << &sky - skies << ' ' << resolution << ' ' << P.z;
+                }
+            });
+        }
+}
+
 /// Rays back towards the viewer, rather flat over the surface, miss the surface they start from.
 void expectOffsetRaysLeave(const Scene &scene, Grid &grid) {
     const int count = grid.points.count;

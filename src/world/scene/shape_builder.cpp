@@ -25,7 +25,7 @@ public:
           looks_(state, library), plan_(state.camera) {}
 
     RayGeometry build() {
-        placements_ = placementsOf(declared_, sink_);
+        placements_ = placementsOf(declared_);
         countPlacements();
         for (const DeclaredPrimitive &primitive : declared_.world.primitives)
             addToWorld(primitive, primitive.outerFromPrimitive, primitive.attributes,

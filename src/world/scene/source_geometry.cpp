@@ -33,6 +33,31 @@ double areaOf(const LightElement &e) {
     return 0;
 }
 
+/// Van Oosterom and Strackee 1983.
+static double solidAngleOfTriangle(Vec3 a, Vec3 b, Vec3 c) {
+    const double la = length(a), lb = length(b), lc = length(c);
+    const double volume = dot(a, cross(b, c));
+    const double rest =
+        la * lb * lc + double(dot(a, b)) * lc + double(dot(a, c)) * lb + double(dot(b, c)) * la;
+    return 2 * std::atan2(std::abs(volume), rest);
+}
+
+double solidAngleOf(const LightElement &e) {
+    const Corners corners = cornersOf(e);
+    switch (e.form) {
+    case LightElement::Form::NoShape: return 0;
+    case LightElement::Form::Rectangle:
+        return solidAngleOfTriangle(corners.p[0], corners.p[1], corners.p[2]) +
+               solidAngleOfTriangle(corners.p[1], corners.p[2], e.corner + e.edgeA + e.edgeB);
+    case LightElement::Form::Triangle:
+        return solidAngleOfTriangle(corners.p[0], corners.p[1], corners.p[2]);
+    case LightElement::Form::Sphere: break;
+    }
+    const double distance = length(e.corner), sine = e.edgeA.x / distance;
+    return sine < 1 ? 2 * std::numbers::pi * (1 - std::sqrt(1 - sine * sine))
+                    : 4 * std::numbers::pi;
+}
+
 EmitterBound boundOf(const LightTable &table, const LightSource &source, LightSides sides,
                      float elementSign) {
     EmitterBound bound;

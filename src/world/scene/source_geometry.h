@@ -12,6 +12,8 @@ namespace candela {
 
 /// Of a triangle, rectangle or sphere, m^2.
 double areaOf(const LightElement &);
+/// How much of the sky above the origin the whole of it fills, from either side, sr.
+double solidAngleOf(const LightElement &);
 /// What the tree is to know of a source with geometry; its power is left out. `elementSign` as in
 /// Appearance.
 EmitterBound boundOf(const LightTable &, const LightSource &, LightSides, float elementSign);

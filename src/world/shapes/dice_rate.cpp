@@ -52,13 +52,16 @@ float viewingDepth(const Box3 &box) {
     return std::max(length(outside), size);
 }
 
-float viewingPixel(const Camera &camera, const Box3 &box) {
-    const float pixel = camera.pixelSize(viewingDepth(box));
-    if (camera.mayShow(box))
-        return pixel;
+float unseenPixel(const Box3 &box) {
     constexpr float pixelsAcross = 1000;
     const Vec3 extent = box.extent();
-    return std::max(pixel, std::max({extent.x, extent.y, extent.z}) / pixelsAcross);
+    return std::max({extent.x, extent.y, extent.z}) / pixelsAcross;
+}
+
+float viewingPixel(const Camera &camera, const Box3 &box) {
+    const std::optional<float> shown = camera.shownDepth(box);
+    const float pixel = camera.pixelSize(std::max(viewingDepth(box), shown.value_or(0)));
+    return shown ? pixel : std::max(pixel, unseenPixel(box));
 }
 
 } // namespace candela

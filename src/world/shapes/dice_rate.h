@@ -20,7 +20,9 @@ float largestStretch(const Matrix4 &);
 /// The depth in camera space at which a box is taken to be seen. What lies around or behind the
 /// camera is seen as from a fraction of its own size.
 float viewingDepth(const Box3 &);
-/// The edge of a pixel there. What the camera does not show is diced by its size.
+/// What the camera does not show is diced as if a pixel were so large: by its size.
+float unseenPixel(const Box3 &);
+/// The edge of a pixel at that depth, or of one that does not show the box.
 float viewingPixel(const Camera &, const Box3 &);
 
 } // namespace candela

@@ -11,6 +11,9 @@ namespace candela {
 
 namespace {
 
+/// The parts that shapes near the eye are looked at in keep to them by this share of their size.
+constexpr float partChord = 5e-3f;
+
 /// Outlines of lights keep this share of their size.
 constexpr float lightChord = 2e-4f;
 
@@ -42,8 +45,45 @@ static bool isCurved(const Shape &shape) { return !shape.surface->isFlat() && !o
 
 void DicingPlan::add(const Shape &shape, float shadingRate) {
     const Box3 box = transformBox(shape.outerFromShape, shape.surface->bound());
-    add(shape, shadingRate, viewingPixel(camera_, box));
-    wishes_.back().inWorld = true;
+    const Vec3 extent = box.extent();
+    const float guess = viewingPixel(camera_, box);
+    const bool isNear = box.high.z > 0 && box.low.z < std::max({extent.x, extent.y, extent.z});
+    const float known = isNear && isCurved(shape) ? pixelOfParts(shape, box) : guess;
+    add(shape, shadingRate, std::max(guess, known));
+    Wish &wish = wishes_.back();
+    wish.inWorld = true;
+    if (box.low.z <= 0)
+        wish.pixel *= leniency(shape, wish, known / std::max(guess, known));
+}
+
+/// The pixel at what the frame shows of a shape whose box, near or around the eye, says little of
+/// where the shape is: the least of its parts'.
+float DicingPlan::pixelOfParts(const Shape &shape, const Box3 &box) const {
+    const Vec3 extent = shape.surface->bound().extent();
+    const float size = std::max({extent.x, extent.y, extent.z});
+    const DicedMesh parts = shape.surface->dice({4 * size, partChord * size});
+    const float chord = parts.chordError * largestStretch(shape.outerFromShape);
+    const Vec3 margin{chord, chord, chord};
+    float least = unseenPixel(box);
+    for (const auto &triangle : parts.triangles) {
+        Box3 part;
+        for (std::uint32_t corner : triangle) {
+            const Vec3 p = transformPoint(shape.outerFromShape, parts.positions[corner]);
+            part.add(p - margin), part.add(p + margin);
+        }
+        if (camera_.shownDepth(part))
+            least = std::min(least, viewingPixel(camera_, part));
+    }
+    return least;
+}
+
+/// Skies and halls are large, and mostly out of sight: beyond some number of triangles their error
+/// grows, to half a pixel at most. `known`: how many of the wish's pixels a pixel is.
+float DicingPlan::leniency(const Shape &shape, const Wish &wish, float known) const {
+    const double mostLenient = std::max(0.5f / chordPixels * known, 1.0f);
+    constexpr double enough = 1 << 14;
+    const double triangles = shape.surface->triangleCount(rateOf(shape, wish, wish.pixel, 1));
+    return float(std::clamp(triangles / enough, 1.0, mostLenient));
 }
 
 void DicingPlan::add(const Shape &shape, float shadingRate, float pixel) {

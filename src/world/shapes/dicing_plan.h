@@ -38,6 +38,8 @@ private:
         bool inWorld, isCurved;
         bool fine = false;
     };
+    float pixelOfParts(const Shape &, const Box3 &) const;
+    float leniency(const Shape &, const Wish &, float known) const;
     std::vector<float> sharedPixels() const;
     DiceRate rateOf(const Shape &, const Wish &, float pixel, double coarsening) const;
     double coarseningFor(const std::vector<Shape> &, const std::vector<float> &pixels) const;
