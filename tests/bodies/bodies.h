@@ -11,7 +11,7 @@ namespace candela::test {
 struct Body {
     std::string name;
     std::string rib;
-    bool costly = false; ///< Many triangles: curved lamps are diced to 1/5000 of their size.
+    bool costly = false;  ///< Many triangles: curved lamps are diced to 1/5000 of their size.
     bool pierced = false; ///< From within, a line may leave it and meet its outside beyond a hole.
 };
 std::vector<Body> closedBodies();

@@ -53,9 +53,7 @@ struct Placement {
     bool visible() const { return sides == 2 || inward(); }
     bool bright() const { return visible() && (emitter != oneSided || inward()); }
     /// A dark body is asked for light samples too, which must be dark.
-    bool hasLightSamples() const {
-        return !bright();
-    }
+    bool hasLightSamples() const { return !bright(); }
 };
 
 std::string scaling(const Placement &p) {
@@ -97,9 +95,8 @@ std::string ball(const Placement &p, const std::string &look) {
     if (p.where == Where::Camera)
         std::copy_n(p.mirror, 3, scale);
     const std::string r = std::to_string(.12 * scale[0] * (scale[0] < 0 ? -1 : 1));
-    return look + "\nTranslate " + std::to_string(p.away) + " " +
-           std::to_string(p.away) + " " + std::to_string(p.away + .3 * scale[2]) + "\nSphere " + r +
-           " -" + r + " " + r + " 360\n";
+    return look + "\nTranslate " + std::to_string(p.away) + " " + std::to_string(p.away) + " " +
+           std::to_string(p.away + .3 * scale[2]) + "\nSphere " + r + " -" + r + " " + r + " 360\n";
 }
 
 std::string camera(const Placement &p) {

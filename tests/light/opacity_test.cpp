@@ -72,6 +72,28 @@ void expectOnAverage(const std::vector<float> &values, double expected, double m
                 studentQuantile(1e-5, 63) * seen.standardError + 1e-5 * expected);
 }
 
+// Nothing is chosen by chance that is worth a hundredth of the light.
+TEST(Surfaces, AreFollowedAlongAllTheirEventsInEverySample) {
+    const std::string room = "Surface \"constant\"\nColor [3 0 0]\n" + squareAt(-5) +
+                             "Color [2 0 0]\n" + squareAt(4) + "Color [1 1 1]\n";
+    const double reflectance = .04; // Of glass, looked at straight on.
+    const struct {
+        const char *surface;
+        double expected;
+    } cases[] = {
+        {"Surface \"glass\" \"eta\" [1.5]\n", reflectance * 3 + (1 - reflectance) * 2},
+        {"Opacity [.25 .25 .25]\nSurface \"glass\" \"eta\" [1.5]\n",
+         .25 * (reflectance * 3 + (1 - reflectance) * 2) + .75 * 2},
+        {"Color [.5 .5 .5]\nOpacity [.02 .02 .02]\nSurface \"constant\"\n", .02 * .5 + .98 * 2},
+    };
+    for (const std::string &integrator : {inClassic, inPath})
+        for (const auto &[surface, expected] : cases) {
+            SCOPED_TRACE(integrator + surface);
+            expectEverywhere(takePicture(integrator, room + surface + squareAt(1), 1).red,
+                             expected);
+        }
+}
+
 // Paths that are followed to the end are exact; the rest is ended by roulette, which is fair.
 TEST(Sheets, FiftyOfThemAddUpByBothIntegrators) {
     for (const std::string &integrator : {inClassic, inPath})

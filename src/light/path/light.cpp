@@ -43,8 +43,8 @@ void sampleLights(PathWave &wave, LightGroup group) {
     LightSamples &samples = direct.sample.samples;
     const int count = chunk.count();
     const VertexNumbers &numbers = chunk.numbers;
-    markShallow(count, chunk.paths.depth, wave.frame.settings.maxDepth,
-                chunk.mixture.total(), direct.wanted, direct.scattered);
+    markShallow(count, chunk.paths.depth, wave.frame.settings.maxDepth, chunk.mixture.total(),
+                direct.wanted, direct.scattered);
     wave.frame.scene.sampleLights(
         group,
         lightQuery(chunk.vertices, chunk.N, direct.scattered,

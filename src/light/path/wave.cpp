@@ -20,8 +20,8 @@ PathWave::PathWave(FrameContext &frame, Purpose purpose)
 
 VertexChunk::VertexChunk()
     : vertices(capacity), paths(capacity), numbers(capacity), ambientLight(colorSamples, capacity),
-      events(capacity), mixture(capacity), normals(3, capacity),
-      hemisphere(capacity), emission(capacity), direct(capacity), way(capacity) {
+      events(capacity), mixture(capacity), normals(3, capacity), hemisphere(capacity),
+      emission(capacity), direct(capacity), way(capacity) {
     for (int c = 0; c < colorSamples; ++c)
         ambientTable[c] = ambientLight[c];
 }
