@@ -4,6 +4,7 @@
 // with them the picture, do not depend on the crop.
 #include "light/frame/integrate.h"
 #include "foundation/base/parallel.h"
+#include "light/path/split.h"
 #include "light/path/stages.h"
 
 #include <algorithm>
@@ -21,10 +22,10 @@ struct Tile {
 
 int roundDown(int value, int step) { return value - ((value % step) + step) % step; }
 
-/// Tiles so large that a pass over a tile's pixels fills a wave, and no larger.
+/// Tiles so large that the branches of a pass over a tile's pixels fill a wave, and no larger.
 int tileSize(int samples) {
     int size = 64;
-    while (size * size * samples > PathWave::capacity)
+    while (size > 1 && size * size * samples * cameraDirections > PathWave::capacity)
         size /= 2;
     return size;
 }

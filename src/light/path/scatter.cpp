@@ -23,12 +23,13 @@ CANDELA_HOT void eventScales(int count, const std::int32_t *__restrict event,
                              const int *__restrict depth, int maxDepth, float *__restrict scale,
                              float *__restrict pdf) {
     for (int i = 0; i < count; ++i) {
-        bool finite = event[i] == finiteRequests, through = event[i] == straightThrough;
-        bool goesOn = (event[i] != pathEnds) & (through | (depth[i] < maxDepth));
-        float density = finite ? mixturePdf[i] * directions : 0.0f;
-        float divisor = finite ? pi * density : 1.0f;
-        pdf[i] = density;
-        scale[i] = goesOn & (divisor > 0) ? 1 / (divisor > 0 ? divisor : 1.0f) : 0.0f;
+        const float drawn = mixturePdf[i] * directions;
+        const bool finite = event[i] == finiteRequests, through = event[i] == straightThrough;
+        const bool goesOn = (event[i] != pathEnds) & (through | (depth[i] < maxDepth));
+        const float density = drawn > 0 ? drawn : 0.0f;
+        const float worth = 1 / (pi * (drawn > 0 ? drawn : 1.0f)), some = drawn > 0 ? worth : 0.0f;
+        pdf[i] = finite ? density : 0.0f;
+        scale[i] = goesOn ? (finite ? some : 1.0f) : 0.0f;
     }
 }
 
@@ -149,11 +150,12 @@ CANDELA_HOT void playRoulette(int count, const float *__restrict brightest,
                               const int *__restrict depth, RouletteThresholds thresholds,
                               const float *__restrict chance, int *__restrict survives,
                               float *__restrict gain) {
+    const float perLater = 1 / thresholds.later, perFirst = 1 / thresholds.first;
     for (int i = 0; i < count; ++i) {
-        const float below = depth[i] + 1 >= rouletteDepth ? thresholds.later : thresholds.first;
-        const float weight = brightest[i] > 0 ? brightest[i] : 0.0f;
-        const float odds = weight < below ? std::sqrt(weight / below) : 1.0f;
-        survives[i] = (weight > 0) & (chance[i] < odds);
+        const float per = depth[i] + 1 >= rouletteDepth ? perLater : perFirst;
+        const float root = std::sqrt((brightest[i] > 0 ? brightest[i] : 0.0f) * per);
+        const float odds = root < 1 ? root : 1.0f; // Also where nobody plays: below 0.
+        survives[i] = (brightest[i] > 0) & (chance[i] < odds);
         gain[i] = 1 / (odds > 0 ? odds : 1.0f);
     }
 }

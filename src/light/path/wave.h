@@ -42,8 +42,9 @@ struct WaitingPaths {
 };
 
 struct PathWave {
-    /// Most paths a wave holds: their rays fit a core's second-level cache.
-    static constexpr int capacity = 4096;
+    /// Most paths a wave holds: two branches of each camera path of a tile. Their rays fit a core's
+    /// second-level cache.
+    static constexpr int capacity = 8192;
 
     explicit PathWave(FrameContext &, Purpose = Purpose::Camera);
 
