@@ -96,6 +96,21 @@ TEST_F(BadInput, PolygonsWithoutArea) {
     }
 }
 
+// A lamp so far out that floats leave it no area, and surfaces that scattered rays meet.
+TEST_F(BadInput, LampWithoutArea) {
+    for (const char *lamp : {"Translate 0 0 4294967296 Rotate 90 1 0 0 Disk 0 .6 360",
+                             "Scale 1e-30 1e-30 1e-30 Disk 0 1 360"}) {
+        Outcome run = render(sceneWith("Option \"render\" \"string integrator\" [\"path\"]\n"
+                                       "AttributeBegin AreaLightSource \"arealight\" 1 " +
+                                       std::string(lamp) +
+                                       " AttributeEnd Illuminate 1 1\n"
+                                       "AttributeBegin Surface \"constant\" Translate 0 3 9\n"
+                                       "Sphere 1 -1 1 360 AttributeEnd\n"
+                                       "Surface \"matte\" Translate 0 -3 9 Sphere 1 -1 1 360"));
+        EXPECT_LE(run.status, 1) << run.text();
+    }
+}
+
 TEST_F(BadInput, VertexThatIsNotANumber) {
     expectErrorAtTheLine("Polygon \"P\" [0 0 3 nan 0 3 1 1 3]", {});
 }

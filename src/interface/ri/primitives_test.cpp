@@ -204,6 +204,8 @@ TEST_F(State, indicesBeyondThePointsAreNamed) {
     state.worldBegin(at);
     state.pointsPolygons(at, {3}, {0, 7, 2}, numbers("P", {0, 0, 0, 1, 0, 0, 0, 1, 0}));
     EXPECT_TRUE(says("there is no vertex 7: \"P\" holds 3 points"));
+    state.pointsPolygons(at, {3}, {0, 2147483647, 2}, numbers("P", {0, 0, 0, 1, 0, 0, 0, 1, 0}));
+    EXPECT_TRUE(says("there is no vertex 2147483647"));
     EXPECT_TRUE(primitives().empty());
 }
 

@@ -93,7 +93,7 @@ void StateHandlers::emit(const SourceLocation &where, const char *request, Shape
         return leaveOut("it has no \"P\"");
     if (std::string defect = defectOf(shape, attributes); !defect.empty())
         return leaveOut(defect);
-    int vertices = verticesNeeded(shape, attributes);
+    std::int64_t vertices = verticesNeeded(shape, attributes);
     if (std::holds_alternative<PolygonsRecord>(shape)) {
         const int points = valuesIn(*position);
         if (vertices > points && hasWholeValues(*position))
@@ -101,7 +101,7 @@ void StateHandlers::emit(const SourceLocation &where, const char *request, Shape
                             ": \"P\" holds " + std::to_string(points) + " points, counted from 0");
         vertices = points; // Those that no polygon uses do no harm.
     }
-    VariableCounts counts = countsOf(shape, attributes, vertices);
+    VariableCounts counts = countsOf(shape, attributes, int(vertices));
     ParameterList kept{where, {}};
     for (Parameter &variable : variables.all) {
         std::string defect = variableDefect(variable, counts);

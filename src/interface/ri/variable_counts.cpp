@@ -153,11 +153,11 @@ std::string defectOf(const ShapeRecord &shape, const Attributes &attributes) {
         shape);
 }
 
-int verticesNeeded(const ShapeRecord &shape, const Attributes &) {
+std::int64_t verticesNeeded(const ShapeRecord &shape, const Attributes &) {
     if (const auto *polygons = std::get_if<PolygonsRecord>(&shape))
-        return *std::ranges::max_element(polygons->vertices) + 1;
+        return std::int64_t(*std::ranges::max_element(polygons->vertices)) + 1;
     if (const auto *mesh = std::get_if<PatchMeshRecord>(&shape))
-        return mesh->uVertices * mesh->vVertices;
+        return std::int64_t(mesh->uVertices) * mesh->vVertices;
     return 4;
 }
 

@@ -5,6 +5,7 @@
 
 #include "interface/ri/primitive_record.h"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -22,6 +23,6 @@ std::string defectOf(const ShapeRecord &, const Attributes &);
 /// polygons' indices need; other shapes know theirs.
 VariableCounts countsOf(const ShapeRecord &, const Attributes &, int vertexCount);
 /// The number of values that P must have at least.
-int verticesNeeded(const ShapeRecord &, const Attributes &);
+std::int64_t verticesNeeded(const ShapeRecord &, const Attributes &);
 
 } // namespace candela

@@ -291,6 +291,8 @@ void LightBuilder::finishGeometry(int index) {
     }
     if (!(sum > 0)) {
         light.kind = LightKind::None;
+        for (std::int32_t at : appearances_[index]) // Who meets its elements asks for no density.
+            state_.points.appearances[at].firstElement = -1;
         return;
     }
     light.area = sum;

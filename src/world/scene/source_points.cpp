@@ -198,8 +198,8 @@ void ElementRows::take(const LightTable &table, int lanes, const std::int32_t *e
                       rowWords, columns);
     leaveOutMissing(count, elements, form);
     for (int i = 0; i < count; ++i) {
-        light[i] = table.sources[source[i]].light;
-        handedness[i] = table.sources[source[i]].handedness;
+        const LightSource owner = elements[i] < 0 ? LightSource{} : table.sources[source[i]];
+        light[i] = owner.light, handedness[i] = owner.handedness;
     }
 }
 

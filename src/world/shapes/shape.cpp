@@ -40,14 +40,33 @@ float signByVote(const Shape &shape, const RayShape &mesh) {
     return vote < 0 ? -1 : 1;
 }
 
-float longestEdge(const RayShape &mesh) {
-    float squared = 0;
-    for (const auto &t : mesh.triangles)
+/// How far along its elements rounding leads astray who meets them.
+struct Reach {
+    float longestEdge = 0;
+    /// The longest edge, and more where elements are slender: the normal of one is off by rounding
+    /// over the sine between its edges. No more than what lifts one off by its own width.
+    float slender = 0;
+};
+
+Reach reachOf(const RayShape &mesh) {
+    Reach reach;
+    for (const auto &t : mesh.triangles) {
+        Vec3 edge[3];
+        float squared = 0;
         for (int k = 0; k < 3; ++k) {
-            Vec3 edge = mesh.positions[t[k]] - mesh.positions[t[(k + 1) % 3]];
-            squared = std::max(squared, dot(edge, edge));
+            edge[k] = mesh.positions[t[(k + 1) % 3]] - mesh.positions[t[k]];
+            squared = std::max(squared, dot(edge[k], edge[k]));
         }
-    return std::sqrt(squared);
+        const float longest = std::sqrt(squared), area = length(cross(edge[0], edge[1]));
+        const float product = std::sqrt(dot(edge[0], edge[0])) * std::sqrt(dot(edge[1], edge[1]));
+        reach.longestEdge = std::max(reach.longestEdge, longest);
+        if (!(area > 0))
+            continue;
+        const float width = area / longest, astray = longest * (product / area) / 2;
+        reach.slender = std::max(reach.slender, std::min(astray, width / elementRounding));
+    }
+    reach.slender = std::max(reach.slender, reach.longestEdge);
+    return reach;
 }
 
 bool hasFlatNormals(const Surface &surface, const DicedMesh &diced) {
@@ -136,10 +155,11 @@ RayShape dice(Shape &shape, const DiceRate &rate, const Vec3 *eye) {
     result.positions = std::move(diced.positions);
     result.triangles = std::move(diced.triangles);
     shape.elementSign = signByVote(shape, result);
-    shape.offset = diced.chordError * largestStretch(shape.outerFromShape) +
-                   elementRounding * longestEdge(result);
+    const Reach reach = reachOf(result);
+    shape.offset =
+        diced.chordError * largestStretch(shape.outerFromShape) + elementRounding * reach.slender;
     if (!shape.pieces.empty() && diced.chordError == 0)
-        shape.offsetShare = elementRounding * longestEdgeShare;
+        shape.offsetShare = elementRounding * longestEdgeShare * reach.slender / reach.longestEdge;
     return result;
 }
 
