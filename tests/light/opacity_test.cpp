@@ -158,6 +158,27 @@ TEST(Opacity, BeyondOneIsOneAndBelowNoneIsNone) {
     }
 }
 
+// What the file claims is clamped before it colours anything: matte multiplies by Os.
+TEST(Opacity, OfTheFileIsClampedBeforeItColours) {
+    const std::string wall = "Surface \"constant\"\nColor [3 0 0]\nOpacity [1 1 1]\n" + squareAt(4);
+    const std::string square = "Polygon \"P\" [-1 -1 1 1 -1 1 1 1 1 -1 1 1]";
+    for (const std::string &integrator : {inClassic, inPath})
+        for (auto [claimed, expected] : {std::pair{"2", .5}, {"-1", 3.}}) {
+            const std::string values = std::string("[") + claimed + " " + claimed + " " + claimed;
+            const std::string surface = "Surface \"constant\"\nColor [.5 0 0]\n";
+            expectEverywhere(takePicture(integrator,
+                                         surface + "Opacity " + values + "]\n" + squareAt(1) + wall,
+                                         1)
+                                 .red,
+                             expected);
+            expectEverywhere(
+                takePicture(integrator,
+                            surface + square + " \"constant color Os\" " + values + "]\n" + wall, 1)
+                    .red,
+                expected);
+        }
+}
+
 // Intensity pi over distance 1 is E = pi, and a white wall then sends 1. The sheet stands where the
 // eye does not look through it.
 TEST(Opacity, OfWhatCastsAShadowIsWithinTheSameBounds) {

@@ -27,6 +27,20 @@ void StateHandlers::opacity(const SourceLocation &where, const Color &value) {
     if (!allFinite(value))
         return error(where, "Opacity", "expected finite numbers; the request is left out");
     edit().opacity = value;
+    clampOpacity(where, "Opacity", edit().opacity.c);
+}
+
+void StateHandlers::clampOpacity(const SourceLocation &where, const char *what,
+                                 std::span<float> values) {
+    bool beyond = false;
+    for (float &value : values) {
+        const float within = std::clamp(value, 0.0f, 1.0f);
+        beyond |= within != value;
+        value = within;
+    }
+    if (beyond)
+        warnOnce(where, std::string("opacity:") + what,
+                 std::string(what) + " goes beyond [0,1]; it is taken as 0 or 1 there");
 }
 
 void StateHandlers::textureCoordinates(const SourceLocation &where, float s1, float t1, float s2,

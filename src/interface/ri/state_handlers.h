@@ -16,6 +16,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,8 @@ public:
                                            const SourceLocation &where) const;
     /// Reports a warning the first time that this `about` comes up.
     void warnOnce(const SourceLocation &, const std::string &about, const std::string &message);
+    /// To [0,1], with a warning where that changes `what`.
+    void clampOpacity(const SourceLocation &, const char *what, std::span<float> values);
 
 private:
     using Token = ParsedToken;

@@ -105,6 +105,8 @@ void StateHandlers::emit(const SourceLocation &where, const char *request, Shape
     ParameterList kept{where, {}};
     for (Parameter &variable : variables.all) {
         std::string defect = variableDefect(variable, counts);
+        if (variable.name == "Os")
+            clampOpacity(where, "\"Os\"", variable.floats);
         if (defect.empty())
             kept.all.push_back(std::move(variable));
         else if (needsPosition(shape) && isPosition(variable))
