@@ -120,12 +120,16 @@ std::optional<LightElement> rectangleOf(const LightElement &one, const LightElem
     const Corners a = cornersOf(one), b = cornersOf(other);
     const float size = std::fabs(one.corner.x) + std::fabs(one.corner.y) + std::fabs(one.corner.z) +
                        length(one.edgeA) + length(one.edgeB);
-    auto same = [&](Vec3 p, Vec3 q) { return length(p - q) <= 4e-7f * size; };
+    const float rounding = 4e-7f * size;
+    auto same = [&](Vec3 p, Vec3 q) { return length(p - q) <= rounding; };
     for (int k = 0; k < 3; ++k) {
         // The corner with the right angle; the other triangle must fill up the parallelogram.
         const Vec3 corner = a.p[k], next = a.p[(k + 1) % 3], last = a.p[(k + 2) % 3];
         const Vec3 edgeA = next - corner, edgeB = last - corner;
-        if (std::fabs(dot(edgeA, edgeB)) > 1e-5f * length(edgeA) * length(edgeB))
+        // Rounded corners turn the short edge of a strip: a milliradian moves nothing by much.
+        const float a1 = length(edgeA), b1 = length(edgeB);
+        const float turned = std::min(1e-5f * a1 * b1 + rounding * (a1 + b1), 1e-3f * a1 * b1);
+        if (std::fabs(dot(edgeA, edgeB)) > turned)
             continue;
         int found = 0;
         for (Vec3 wanted : {next, last, corner + edgeA + edgeB})
