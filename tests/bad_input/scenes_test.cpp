@@ -111,6 +111,17 @@ TEST_F(BadInput, LampWithoutArea) {
     }
 }
 
+// Roulette never ends paths that gain at every surface: their splitting must end.
+TEST_F(BadInput, SurfacesThatMakeLight) {
+    for (const char *integrator : {"path", "classic"}) {
+        Outcome run = render(sceneWith(
+            "Option \"render\" \"string integrator\" [\"" + std::string(integrator) + "\"]\n" +
+            "Surface \"glass\" \"Kr\" [9] \"Kt\" [9]\nSphere 20 -20 20 360\n"
+            "Translate 0 0 4 Sphere 1 -1 1 360\nTranslate 2 0 0 Sphere .9 -.9 .9 360"));
+        EXPECT_LE(run.status, 1) << run.text();
+    }
+}
+
 TEST_F(BadInput, VertexThatIsNotANumber) {
     expectErrorAtTheLine("Polygon \"P\" [0 0 3 nan 0 3 1 1 3]", {});
 }

@@ -13,10 +13,9 @@ namespace candela {
 
 namespace {
 
-/// Paths follow all their branches at so many vertices, as long as they carry more than this; then
-/// roulette keeps few of them.
-constexpr int splittingVertices = 8;
+/// Paths that carry more than this are followed along all their branches, at so many vertices.
 constexpr float leastToSplit = 1.0f / 256;
+constexpr int splittingVertices = 8;
 
 CANDELA_HOT void weighRow(int count, const float *__restrict value, const float *__restrict factor,
                           const std::int32_t *__restrict light, float *__restrict Cl) {
@@ -71,12 +70,9 @@ void lightClassic(PathWave &wave) {
 }
 
 void branch(PathWave &wave) {
-    ScatteringEvents &events = wave.chunk.events;
-    events.look(wave.chunk.vertices);
-    const bool splits = wave.vertex < splittingVertices || events.kinds() < 2;
-    const float below = splits ? leastToSplit : 1;
-    beginEvents(wave);
-    followEvents(wave, {below, below});
+    wave.chunk.events.look(wave.chunk.vertices);
+    beginEvents(wave, nullptr);
+    followEvents(wave, {leastToSplit, leastToSplit, splittingVertices});
 }
 
 } // namespace candela

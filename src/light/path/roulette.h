@@ -12,9 +12,12 @@ inline constexpr float rouletteBelow = 0.4f;
 /// Where the first vertex is left by several kinds of events, they play below this part of it.
 inline constexpr float firstRouletteShare = 1.0f / 32;
 
-/// Throughputs below which paths play: those that were scattered before, and others.
+/// Throughputs below which paths play: those that were scattered before, and others. And at how
+/// many vertices they split; beyond, events share one path among them by importance: where shaders
+/// make more light than they get, no throughput would ever end the splitting.
 struct RouletteThresholds {
     float later, first;
+    int splittingVertices = 5;
 };
 
 /// survives[i] != 0 for paths that go on, whose throughput is then to be multiplied by gain.
@@ -22,5 +25,8 @@ struct RouletteThresholds {
 /// before; `chance` is uniform in [0,1).
 void playRoulette(int count, const float *brightest, const int *depth, RouletteThresholds,
                   const float *chance, int *survives, float *gain);
+
+/// Of those that survive, the path goes on with a probability of `share`.
+void shareOnePath(int count, const float *share, const float *chance, int *survives, float *gain);
 
 } // namespace candela

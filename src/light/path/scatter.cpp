@@ -96,17 +96,6 @@ void respond(PathWave &wave, const ConstVec3Planes &direction) {
         }
 }
 
-/// The paths go on along chunk.events, of these directions.
-void goOn(PathWave &wave, const ConstVec3Planes &direction, RouletteThresholds thresholds) {
-    VertexChunk &chunk = wave.chunk;
-    ScatterPlanes &way = chunk.way;
-    respond(wave, direction);
-    playRoulette(chunk.count(), way.brightest, chunk.paths.depth, thresholds,
-                 chunk.numbers.roulette(), way.survives, way.gain);
-    const int count = lanes::compactUnequal(chunk.count(), way.survives, 0, way.lane);
-    append(wave, direction, count);
-}
-
 /// Another uniform number for the next kind of event.
 CANDELA_HOT void turnNumbers(int count, float *__restrict numbers) {
     constexpr float goldenSection = 0.618034f;
@@ -114,6 +103,22 @@ CANDELA_HOT void turnNumbers(int count, float *__restrict numbers) {
         const float turned = numbers[i] + goldenSection;
         numbers[i] = turned < 1 ? turned : turned - 1;
     }
+}
+
+/// The paths go on along chunk.events, of these directions.
+void goOn(PathWave &wave, const ConstVec3Planes &direction, RouletteThresholds thresholds) {
+    VertexChunk &chunk = wave.chunk;
+    ScatterPlanes &way = chunk.way;
+    respond(wave, direction);
+    playRoulette(chunk.count(), way.brightest, chunk.paths.depth, thresholds,
+                 chunk.numbers.roulette(), way.survives, way.gain);
+    if (wave.vertex >= thresholds.splittingVertices && chunk.events.kinds() > 0) {
+        turnNumbers(chunk.count(), chunk.numbers.roulette());
+        shareOnePath(chunk.count(), chunk.events.share(), chunk.numbers.roulette(), way.survives,
+                     way.gain);
+    }
+    const int count = lanes::compactUnequal(chunk.count(), way.survives, 0, way.lane);
+    append(wave, direction, count);
 }
 
 CANDELA_HOT void numberDirections(int count, const std::uint32_t *__restrict sample, int k,
@@ -160,11 +165,20 @@ CANDELA_HOT void playRoulette(int count, const float *__restrict brightest,
     }
 }
 
-void beginEvents(PathWave &wave) {
+void shareOnePath(int count, const float *share, const float *chance, int *survives, float *gain) {
+    for (int i = 0; i < count; ++i) {
+        survives[i] &= chance[i] < share[i];
+        gain[i] /= share[i] > 0 ? share[i] : 1.0f;
+    }
+}
+
+void beginEvents(PathWave &wave, const float *finiteTotal) {
     VertexChunk &chunk = wave.chunk;
     std::copy_n(chunk.paths.sampleIndex, chunk.count(), chunk.way.sample[0]);
-    if (chunk.events.kinds() > 0)
-        drawNumbers(wave, lightChoicePair);
+    if (chunk.events.kinds() == 0)
+        return;
+    chunk.events.weigh(chunk.vertices, finiteTotal);
+    drawNumbers(wave, lightChoicePair);
 }
 
 void followEvents(PathWave &wave, RouletteThresholds thresholds) {
@@ -182,14 +196,14 @@ void followEvents(PathWave &wave, RouletteThresholds thresholds) {
 }
 
 void scatter(PathWave &wave) {
-    beginEvents(wave);
+    beginEvents(wave, wave.chunk.mixture.total());
     const RouletteThresholds thresholds = thresholdsOf(wave);
     followDirections(wave, thresholds);
     followEvents(wave, thresholds);
 }
 
 void scatterBesidesFiniteLobes(PathWave &wave) {
-    beginEvents(wave);
+    beginEvents(wave, nullptr);
     followEvents(wave, thresholdsOf(wave));
 }
 

@@ -15,8 +15,9 @@ void stateLightNormals(VertexChunk &, const ConeMixture &);
 bool slotsAreConsecutive(const PathWave &);
 /// Tells of a value that is not finite at vertex i of the chunk.
 void reportNonFinite(PathWave &, int i);
-/// Numbers for events of one direction and for roulette between them; must come first.
-void beginEvents(PathWave &);
+/// Numbers for events of one direction and for roulette between them; must come first. The
+/// importance of finite lobes is null where they are not followed.
+void beginEvents(PathWave &, const float *finiteTotal);
 /// The paths go on along each event of one direction that chunk.events has; those of small
 /// throughput play roulette.
 void followEvents(PathWave &, RouletteThresholds);

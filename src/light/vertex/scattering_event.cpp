@@ -43,7 +43,8 @@ float deltaWeight(const ConePlanes &cone, int i) {
 } // namespace
 
 ScatteringEvents::ScatteringEvents(int capacity)
-    : events_(1, capacity), direction_(3, capacity), transmission_(1, capacity) {}
+    : events_(1, capacity), direction_(3, capacity), transmission_(1, capacity),
+      total_(1, capacity), share_(1, capacity) {}
 
 void ScatteringEvents::look(const SurfaceVertices &vertices) {
     const int count = vertices.count();
@@ -63,8 +64,25 @@ void ScatteringEvents::look(const SurfaceVertices &vertices) {
         addTransmission(count, vertices.Oi(c), luminanceWeights[c], transmission_[0]);
 }
 
+float ScatteringEvents::weightOf(const SurfaceVertices &vertices, int kind, int i) const {
+    const bool delta = kind < int(deltas_.size());
+    return delta ? deltaWeight(vertices.cones()[deltas_[kind]], i) : transmission_[0][i];
+}
+
+void ScatteringEvents::weigh(const SurfaceVertices &vertices, const float *finiteTotal) {
+    for (int i = 0; i < vertices.count(); ++i) {
+        float total = finiteTotal ? finiteTotal[i] : 0;
+        for (int kind = 0; kind < kinds(); ++kind)
+            total += weightOf(vertices, kind, i);
+        total_[0][i] = total;
+    }
+}
+
 bool ScatteringEvents::takeFinite(int count, const float *total) {
     finite_ = true;
+    if (kinds() > 0)
+        for (int i = 0; i < count; ++i)
+            share_[0][i] = total[i] > 0 ? total[i] / total_[0][i] : 0;
     return followFiniteLobes(count, total, events_[0]);
 }
 
@@ -75,8 +93,10 @@ bool ScatteringEvents::takeKind(SurfaceVertices &vertices, int kind) {
     const ConstVec3Planes along = delta ? cone->axis : vertices.input(ShaderInput::I);
     bool some = false;
     for (int i = 0; i < vertices.count(); ++i) {
-        const bool taken = (delta ? deltaWeight(*cone, i) : transmission_[0][i]) > 0;
+        const float weight = weightOf(vertices, kind, i);
+        const bool taken = weight > 0;
         events_[0][i] = taken ? delta ? cone->request : straightThrough : pathEnds;
+        share_[0][i] = taken ? weight / total_[0][i] : 0;
         for (int c = 0; c < 3; ++c)
             direction_[c][i] = along[c][i];
         some |= taken;

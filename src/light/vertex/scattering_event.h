@@ -21,6 +21,9 @@ public:
     void look(const SurfaceVertices &);
     const float *transmission() const { return opaque_ ? nullptr : transmission_[0]; }
 
+    /// Takes the sum of what all events are worth, for share(); `finiteTotal` is the importance of
+    /// the finite lobes, null where they are not followed.
+    void weigh(const SurfaceVertices &, const float *finiteTotal);
     /// The event becomes finiteRequests where their importance, `total`, is above 0. False if that
     /// is nowhere.
     bool takeFinite(int count, const float *total);
@@ -31,14 +34,18 @@ public:
 
     /// What was taken last; pathEnds in other lanes.
     const std::int32_t *event() const { return events_[0]; }
+    /// By importance, of the events that the vertex has: what was taken last, after weigh().
+    const float *share() const { return share_[0]; }
     /// Filled by takeKind().
     MutableVec3Planes direction() const { return {direction_[0], direction_[1], direction_[2]}; }
     /// True if the events are finiteRequests.
     bool finite() const { return finite_; }
 
 private:
+    float weightOf(const SurfaceVertices &, int kind, int i) const;
+
     Planes<std::int32_t> events_;
-    Planes<float> direction_, transmission_;
+    Planes<float> direction_, transmission_, total_, share_;
     std::vector<int> deltas_; ///< First cones of requests that may be delta ones.
     bool opaque_ = true, finite_ = false;
 };
