@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tubes and strips a hundred times as long as wide: what they give does not hang on how rays meet
+// slender triangles, nor on how finely the camera has them diced.
+#include "foundation/base/vec3.h"
+#include "tests/light/pictures.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numeric>
+
+namespace candela::test {
+namespace {
+
+constexpr double radius = .013, length = 2.9;
+const Vec3 centre{-.973f, -.153f, .827f}, axis = normalize(Vec3{.628f, -.629f, -.458f});
+
+/// Irradiance over pi at (x, y, 1), facing -z, from a thin tube of radiance 1.
+double underTube(double x, double y) {
+    constexpr int steps = 20000;
+    double sum = 0;
+    for (int k = 0; k < steps; ++k) {
+        const double t = ((k + .5) / steps - .5) * length;
+        const double dx = centre.x + t * axis.x - x, dy = centre.y + t * axis.y - y;
+        const double dz = centre.z + t * axis.z - 1, d2 = dx * dx + dy * dy + dz * dz;
+        const double along = dx * axis.x + dy * axis.y + dz * axis.z;
+        sum += std::max(-dz, 0.0) / std::sqrt(d2) * std::sqrt(1 - along * along / d2) / d2;
+    }
+    return sum * length / steps * 2 * radius / M_PI;
+}
+
+double meanUnderTube() {
+    double sum = 0;
+    for (int i = 0; i < 64; ++i)
+        sum += underTube(.025 * (i % 8) - .0875, .025 * (i / 8) - .0875);
+    return sum / 64;
+}
+
+std::string numbers(std::initializer_list<Vec3> vectors) {
+    std::string text;
+    for (const Vec3 &v : vectors)
+        text += std::to_string(v.x) + " " + std::to_string(v.y) + " " + std::to_string(v.z) + " ";
+    return text;
+}
+
+/// The tube's own space has it along z.
+std::string placed(const std::string &how) {
+    const Vec3 turn = cross({0, 0, 1}, axis);
+    if (how == "Rotate")
+        return "Translate " + numbers({centre}) + "\nRotate " +
+               std::to_string(std::acos(double(axis.z)) * 180 / M_PI) + " " + numbers({turn}) +
+               "\n";
+    const Vec3 u = normalize(turn), v = cross(axis, u);
+    return "ConcatTransform [" + numbers({u}) + "0 " + numbers({v}) + "0 " + numbers({axis}) +
+           "0 " + numbers({centre}) + "1]\n";
+}
+
+TEST(ThinLamps, TubesGiveWhatTheirLengthAndWidthSay) {
+    const double expected = meanUnderTube();
+    for (const std::string &integrator : {inPath, inClassic})
+        for (const char *how : {"Rotate", "ConcatTransform"})
+            for (const char *rate : {"ShadingRate 1\n", "ShadingRate .01\n"}) {
+                SCOPED_TRACE(integrator + how + " " + rate);
+                const std::string tube = "Cylinder " + std::to_string(radius) + " -1.45 1.45 360\n";
+                const SmallPicture picture = takePicture(
+                    integrator,
+                    std::string("AttributeBegin\nAreaLightSource \"arealight\" 1\n") + rate +
+                        "Surface \"matte\" \"Kd\" [0]\n" + placed(how) + tube +
+                        "AttributeEnd\nIlluminate 1 1\nSurface \"matte\"\n" + squareAt(1),
+                    256);
+                ASSERT_EQ(picture.red.size(), 64u);
+                const double mean =
+                    std::accumulate(picture.red.begin(), picture.red.end(), 0.0) / 64;
+                EXPECT_NEAR(mean / expected, 1, .015);
+            }
+}
+
+} // namespace
+} // namespace candela::test
