@@ -26,7 +26,7 @@ struct RouletteThresholds {
 void playRoulette(int count, const float *brightest, const int *depth, RouletteThresholds,
                   const float *chance, int *survives, float *gain);
 
-/// Of those that survive, the path goes on with a probability of `share`.
+/// Their odds become `share` of what they were, by the same numbers.
 void shareOnePath(int count, const float *share, const float *chance, int *survives, float *gain);
 
 } // namespace candela

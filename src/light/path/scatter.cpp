@@ -112,11 +112,9 @@ void goOn(PathWave &wave, const ConstVec3Planes &direction, RouletteThresholds t
     respond(wave, direction);
     playRoulette(chunk.count(), way.brightest, chunk.paths.depth, thresholds,
                  chunk.numbers.roulette(), way.survives, way.gain);
-    if (wave.vertex >= thresholds.splittingVertices && chunk.events.kinds() > 0) {
-        turnNumbers(chunk.count(), chunk.numbers.roulette());
+    if (wave.vertex >= thresholds.splittingVertices && chunk.events.kinds() > 0)
         shareOnePath(chunk.count(), chunk.events.share(), chunk.numbers.roulette(), way.survives,
                      way.gain);
-    }
     const int count = lanes::compactUnequal(chunk.count(), way.survives, 0, way.lane);
     append(wave, direction, count);
 }
@@ -167,8 +165,9 @@ CANDELA_HOT void playRoulette(int count, const float *__restrict brightest,
 
 void shareOnePath(int count, const float *share, const float *chance, int *survives, float *gain) {
     for (int i = 0; i < count; ++i) {
-        survives[i] &= chance[i] < share[i];
-        gain[i] /= share[i] > 0 ? share[i] : 1.0f;
+        const float odds = share[i] / gain[i];
+        survives[i] &= chance[i] < odds;
+        gain[i] = 1 / (odds > 0 ? odds : 1.0f);
     }
 }
 
