@@ -102,11 +102,10 @@ void correctSpecialEvents(PathWave &wave, const ConstVec3Planes &direction, int 
     ActivePaths &to = wave.next;
     for (int k = 0; k < count; ++k) {
         const int i = chunk.way.lane[k], at = first + k;
-        const std::int32_t event = chunk.events.event()[i];
-        if (event == straightThrough)
+        if (chunk.events.event()[i] == straightThrough) {
             passOn(wave.active, wave.hits, chunk.rays[i], to, at);
-        if (event == straightThrough)
             continue;
+        }
         const Vec3 unit = normalize(Vec3{direction[0][i], direction[1][i], direction[2][i]});
         to.rays.direction[0][at] = unit.x, to.rays.direction[1][at] = unit.y;
         to.rays.direction[2][at] = unit.z;

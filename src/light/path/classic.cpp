@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The stages of `classic` alone.
 #include "foundation/base/hot.h"
-#include "foundation/base/lanes.h"
 #include "light/path/stages.h"
 #include "light/path/steps.h"
 #include "light/sampling/mis.h"

@@ -43,8 +43,6 @@ void sampleLights(PathWave &wave, LightGroup group) {
     LightSamples &samples = direct.sample.samples;
     const int count = chunk.count();
     const VertexNumbers &numbers = chunk.numbers;
-    markShallow(count, chunk.paths.depth, wave.frame.settings.maxDepth, chunk.mixture.total(),
-                direct.wanted, direct.scattered);
     wave.frame.scene.sampleLights(
         group,
         lightQuery(chunk.vertices, chunk.N, direct.scattered,
@@ -105,6 +103,8 @@ void light(PathWave &wave) {
     SurfaceVertices &vertices = chunk.vertices;
     if (vertices.Ca(0))
         chunk.gather({vertices.Ca(0), vertices.Ca(1), vertices.Ca(2)});
+    markShallow(chunk.count(), chunk.paths.depth, wave.frame.settings.maxDepth,
+                chunk.mixture.total(), chunk.direct.wanted, chunk.direct.scattered);
     for (LightGroup group : wave.frame.scene.lightGroupsInUse())
         lightFrom(wave, group);
 }

@@ -45,10 +45,14 @@ void meet(PathWave &wave) {
     drawNumbers(wave, lightPositionPair);
     if (directionsAt(wave) == 1)
         drawNumbers(wave, directionPair);
-    // No camera path is deeper than the wave.
-    if (wave.frame.scene.readsLightChoice() || wave.vertex + 1 >= rouletteDepth ||
-        wave.purpose != Purpose::Camera)
+    if (drawsLightChoice(wave))
         drawNumbers(wave, lightChoicePair);
+}
+
+bool drawsLightChoice(const PathWave &wave) {
+    // No camera path is deeper than the wave.
+    return wave.frame.scene.readsLightChoice() || wave.vertex + 1 >= rouletteDepth ||
+           wave.purpose != Purpose::Camera;
 }
 
 /// The first two directions of a path are the first four dimensions of one sequence.

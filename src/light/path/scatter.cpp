@@ -177,7 +177,8 @@ void beginEvents(PathWave &wave, const float *finiteTotal) {
     if (chunk.events.kinds() == 0)
         return;
     chunk.events.weigh(chunk.vertices, finiteTotal);
-    drawNumbers(wave, lightChoicePair);
+    if (!drawsLightChoice(wave))
+        drawNumbers(wave, lightChoicePair);
 }
 
 void followEvents(PathWave &wave, RouletteThresholds thresholds) {

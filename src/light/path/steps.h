@@ -9,6 +9,8 @@ namespace candela {
 
 /// Draws one of the vertices' dimension pairs into chunk.numbers.
 void drawNumbers(PathWave &, VertexPair);
+/// True where all vertices have numbers of lightChoicePair, roulette's among them, from the start.
+bool drawsLightChoice(const PathWave &);
 /// chunk.N, of vertices whose directions are drawn from the mixture.
 void stateLightNormals(VertexChunk &, const ConeMixture &);
 /// True if slot()[i] = slot()[0] + i.

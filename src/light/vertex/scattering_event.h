@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What becomes of a path at a vertex: it follows the finite lobes, mirror-like requests, and what
-// passes straight through, one kind of event after the other. No kind is chosen by chance:
-// roulette decides how far each is worth following.
+// passes straight through, one kind of event after the other. How far each is worth following is
+// decided by roulette, and deep in a path by its share of the importance.
 #pragma once
 
 #include "light/vertex/surface_vertices.h"

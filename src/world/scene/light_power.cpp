@@ -57,6 +57,13 @@ double totalCl(const LightBatch &batch, int lane) {
     return total;
 }
 
+/// The code of the surface that the source's first element lies on.
+std::int32_t codeOf(const SceneState &state, std::int32_t source) {
+    const LightElement &element = state.lights.firstElementOf(state.lights.sources[source]);
+    const PointTables &points = state.points;
+    return points.appearances[points.appearanceOf(element.instance, element.shape)].code;
+}
+
 /// Asks a few lights at a time, all of one shader; lane k * samples + i is sample i of light k.
 class Estimator {
 public:
@@ -193,16 +200,9 @@ private:
         }
     }
 
-    std::int32_t codeOf(const LightSource &source) const {
-        const LightElement &element = state_.lights.firstElementOf(source);
-        const PointTables &points = state_.points;
-        return points.appearances[points.appearanceOf(element.instance, element.shape)].code;
-    }
-
     /// Points on the lights, uniform by area, as shading points of `code`. Where a light's shapes
     /// have other codes, those of the first one stand for all.
     void place(const SurfaceCode &code) {
-        const std::vector<LightSource> &sources = state_.lights.sources;
         const int count = samples_ * lights();
         std::int32_t source[lightBatchSize];
         float u[lightBatchSize], v[lightBatchSize];
@@ -210,7 +210,7 @@ private:
             double choice = (i + 0.5) / samples_;
             const std::int32_t first = light(k).firstSource;
             source[lane] = first + chooseByCumulative(light(k).cumulative, choice);
-            if (codeOf(sources[source[lane]]) != codeOf(sources[first]))
+            if (codeOf(state_, source[lane]) != codeOf(state_, first))
                 source[lane] = first;
             u[lane] = quasiRandom(i, 0), v[lane] = quasiRandom(i, 1);
         });
@@ -238,7 +238,7 @@ private:
 
     /// Radiant exitance of both sides times area.
     void askSurfaces() {
-        const int code = codeOf(state_.lights.sources[light(0).firstSource]);
+        const int code = codeOf(state_, light(0).firstSource);
         float *radiance[colorSamples];
         for (int c = 0; c < colorSamples; ++c)
             std::fill_n(radiance[c] = radiance_[c], lightBatchSize, 0.0f);
@@ -284,11 +284,7 @@ private:
 std::pair<LightKind, const void *> groupOf(const SceneState &state, const SceneLight &light) {
     if (!light.finite())
         return {light.kind, light.shader.code.get()};
-    const LightElement &element =
-        state.lights.firstElementOf(state.lights.sources[light.firstSource]);
-    const PointTables &points = state.points;
-    const int code = points.appearances[points.appearanceOf(element.instance, element.shape)].code;
-    return {LightKind::Area, &points.codes[code]};
+    return {LightKind::Area, &state.points.codes[codeOf(state, light.firstSource)]};
 }
 
 } // namespace

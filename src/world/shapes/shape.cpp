@@ -58,7 +58,7 @@ Reach reachOf(const RayShape &mesh) {
             squared = std::max(squared, dot(edge[k], edge[k]));
         }
         const float longest = std::sqrt(squared), area = length(cross(edge[0], edge[1]));
-        const float product = std::sqrt(dot(edge[0], edge[0])) * std::sqrt(dot(edge[1], edge[1]));
+        const float product = length(edge[0]) * length(edge[1]);
         reach.longestEdge = std::max(reach.longestEdge, longest);
         if (!(area > 0))
             continue;
