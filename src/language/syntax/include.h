@@ -20,8 +20,8 @@ struct IncludeName {
 /// From what stands behind the word "include", its macros expanded.
 IncludeName includeName(const std::vector<Token> &line);
 
-/// Reads the file. The folders are searched in their order, behind that of the file in which
-/// `where` is, or before it if the name is angled. Null if it is nowhere, which is reported.
+/// Reads the file from the first folder that has it: that of the file in which `where` is, then the
+/// given ones, or these first if the name is angled. Null if it is nowhere, which is reported.
 std::unique_ptr<SourceFile> readInclude(const IncludeName &, const Place &where,
                                         const std::vector<std::string> &folders, Reporter &);
 
