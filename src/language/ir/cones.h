@@ -6,6 +6,8 @@
 #include "language/ir/builder.h"
 #include "language/ir/dependence.h"
 
+#include <optional>
+
 namespace candela::ir {
 
 class Specializer;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Folding of instance parameters into a text.
+#include "language/ir/builder_effects.h"
 #include "language/ir/dead_code.h"
 #include "language/ir/plan.h"
 #include "language/ir/questions.h"
@@ -43,7 +44,7 @@ Function fold(const Function &whole, const std::vector<FoldedValue> &values) {
     teller.run();
     for (const OutputSlot &slot : text.outputs)
         if (auto v = teller.output(0, slot.name, slot.component))
-            b.output(slot.name, slot.component, *v);
+            output(b, slot.name, slot.component, *v);
     b.finish();
     removeDeadCode(result);
     return result;

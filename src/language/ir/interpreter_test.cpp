@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "language/ir/builder_arithmetic.h"
+#include "language/ir/builder_control.h"
+#include "language/ir/builder_effects.h"
+#include "language/ir/builder_light.h"
+#include "language/ir/builder_sources.h"
+#include "language/ir/builder_vectors.h"
 #include "language/ir/interpreter.h"
 
 #include "language/ir/builder.h"
@@ -11,8 +17,6 @@
 namespace candela::ir {
 namespace {
 
-using Values = Builder::Values;
-
 /// Sum over light of Cl (N.L), unnormalised.
 Function lightSum(ConeForm form, const Values &extra, int category = -1) {
     Function function;
@@ -22,19 +26,19 @@ Function lightSum(ConeForm form, const Values &extra, int category = -1) {
     request.form = form;
     request.coneCount = form == ConeForm::Everywhere ? 0 : 1;
     request.category = category;
-    int number = b.addRequest(request);
+    int index = addRequest(b, request);
     Values cones;
     if (form != ConeForm::Everywhere)
-        for (ValueId v : b.input3(ShaderInput::N))
+        for (ValueId v : input3(b, ShaderInput::N))
             cones.push_back(v);
     for (ValueId v : extra)
-        cones.push_back(b.number(float(v)));
-    auto sum = b.lightLoop(number, b.input3(ShaderInput::P), cones, {b.number(0)},
-                           [&](const Triple &L, const Values &Cl, const Values &carried) {
-                               ValueId cosine = b.dot(b.input3(ShaderInput::N), L);
-                               return Values{b.add(carried[0], b.mul(Cl[0], cosine))};
-                           });
-    b.output("Ci", 0, sum[0]);
+        cones.push_back(number(b, float(v)));
+    auto sum = lightLoop(b, index, input3(b, ShaderInput::P), cones, {number(b, 0)},
+                         [&](const Triple &L, const Values &Cl, const Values &carried) {
+                             ValueId cosine = dot(b, input3(b, ShaderInput::N), L);
+                             return Values{add(b, carried[0], mul(b, Cl[0], cosine))};
+                         });
+    output(b, "Ci", 0, sum[0]);
     b.finish();
     EXPECT_EQ(verify(function), "");
     return function;
@@ -119,19 +123,19 @@ TEST(Interpreter, LoopsArraysFramesAndPrinting) {
     Function function;
     function.frameSlots = 2;
     Builder b(function);
-    int array = b.addArray(Type::Float, 4);
-    auto truth = b.boolean(true);
-    auto result = b.loop({truth, b.number(0)}, [&](const Values &carried) {
-        ValueId index = b.unary(Op::IntegerFromFloat, carried[1]);
-        b.arrayStore(array, index, b.mul(carried[1], carried[1]));
-        ValueId next = b.add(carried[1], b.number(1));
-        return Values{b.less(next, b.number(6)), next};
+    int array = addArray(b, Type::Float, 4);
+    auto truth = boolean(b, true);
+    auto result = loop(b, {truth, number(b, 0)}, [&](const Values &carried) {
+        ValueId index = unary(b, Op::IntegerFromFloat, carried[1]);
+        arrayStore(b, array, index, mul(b, carried[1], carried[1]));
+        ValueId next = add(b, carried[1], number(b, 1));
+        return Values{less(b, next, number(b, 6)), next};
     });
-    b.emit(Op::FrameStore, {b.less(b.number(0), b.input(ShaderInput::u))}, 1);
-    b.output("a", 0, b.arrayLoad(array, b.integer(2)));
-    b.output("last", 0, b.arrayLoad(array, b.integer(99)));
-    b.output("n", 0, result[1]);
-    b.printValues("n = %f, %c!", {result[1], b.number(1), b.number(2), b.number(3)});
+    b.emit(Op::FrameStore, {less(b, number(b, 0), input(b, ShaderInput::u))}, 1);
+    output(b, "a", 0, arrayLoad(b, array, integer(b, 2)));
+    output(b, "last", 0, arrayLoad(b, array, integer(b, 99)));
+    output(b, "n", 0, result[1]);
+    printValues(b, "n = %f, %c!", {result[1], number(b, 1), number(b, 2), number(b, 3)});
     b.finish();
     ASSERT_EQ(verify(function), "") << print(function);
     TestBatch batch(function, 17, 9);
@@ -155,8 +159,8 @@ TEST(Interpreter, LoopsArraysFramesAndPrinting) {
 TEST(Interpreter, RandomNumbersDifferByCallAndSeed) {
     Function function;
     Builder b(function);
-    b.output("r", 0, b.random());
-    b.output("r", 1, b.random());
+    output(b, "r", 0, random(b));
+    output(b, "r", 1, random(b));
     b.finish();
     TestBatch batch(function, 1000, 10);
     auto out = batch.run(function, interpret);

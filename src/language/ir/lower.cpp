@@ -2,6 +2,8 @@
 #include "language/ir/lower.h"
 
 #include "foundation/units/color.h"
+#include "language/ir/builder_effects.h"
+#include "language/ir/builder_sources.h"
 #include "language/ir/lower_defaults.h"
 #include "language/ir/lower_internal.h"
 
@@ -21,7 +23,7 @@ void Lowering::error(const sl::Place &where, const std::string &message) {
 }
 
 std::string Lowering::requiredText(ValueId value, const sl::Place &where, const std::string &what) {
-    if (const std::string *known = b.constantText(value))
+    if (const std::string *known = constantText(b, value))
         return *known;
     error(where, what + " must be known when the shader is compiled; here it depends on what "
                         "happens at run time");
@@ -40,8 +42,8 @@ void Lowering::declareParameters(LoweredShader &lowered, const std::vector<Strin
                 if (given.name == parameter.name)
                     value = given.value;
             value.resize(size_t(parameter.arraySize));
-            for (const std::string &text : value)
-                initial.push_back(b.text(text));
+            for (const std::string &element : value)
+                initial.push_back(text(b, element));
             declare(symbol, initial);
             continue;
         }
@@ -51,7 +53,7 @@ void Lowering::declareParameters(LoweredShader &lowered, const std::vector<Strin
         const int first = int(slots.size());
         for (int c = 0; c < int(parameter.defaults.size()); ++c) {
             slots.push_back({parameter.name, c});
-            initial.push_back(isVariable ? b.variable(first + c) : b.parameter(first + c));
+            initial.push_back(isVariable ? variable(b, first + c) : ir::parameter(b, first + c));
         }
         declare(symbol, initial);
     }
@@ -87,11 +89,11 @@ Components startOf(Lowering &lowering, const sl::PredefinedVariable &variable) {
         const float start = variable.id == sl::PredefinedId::ncomps ? float(colorSamples)
                             : isOne                                 ? 1.0f
                                                                     : 0.0f;
-        return Components(size_t(count), b.number(start));
+        return Components(size_t(count), number(b, start));
     }
     Components result;
     for (int c = 0; c < count; ++c)
-        result.push_back(b.input(*input, c));
+        result.push_back(ir::input(b, *input, c));
     return result;
 }
 
@@ -110,7 +112,7 @@ void Lowering::declarePredefined() {
 
 void Lowering::lowerBody() {
     Frame frame;
-    frame.returned = newCells({b.boolean(false)});
+    frame.returned = newCells({boolean(b, false)});
     frames.push_back(frame);
     lower(shader.body);
     frames.pop_back();
@@ -119,7 +121,7 @@ void Lowering::lowerBody() {
 void Lowering::writeOutputs(const LoweredShader &lowered) {
     const auto write = [&](const std::string &name, const Components &value) {
         for (int c = 0; c < int(value.size()); ++c)
-            b.output(name, c, value[c]);
+            output(b, name, c, value[c]);
     };
     if (shader.kind == sl::ShaderKind::Surface) {
         write("Ci", predefined(sl::PredefinedId::Ci));

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Variables: where they live, how parts of them are read and assigned.
 #include "foundation/units/color.h"
+#include "language/ir/builder_arithmetic.h"
+#include "language/ir/builder_effects.h"
+#include "language/ir/builder_sources.h"
 #include "language/ir/lower_internal.h"
 
 #include <algorithm>
@@ -37,7 +40,7 @@ int Lowering::newCells(const Components &values) {
 
 Components Lowering::zero(sl::BaseType base, int length) {
     const int count = componentCount(base) * std::max(1, length);
-    return Components(count, base == sl::BaseType::String ? b.text("") : b.number(0));
+    return Components(count, base == sl::BaseType::String ? text(b, "") : number(b, 0));
 }
 
 Storage Lowering::declare(const sl::Symbol &symbol, const Components &initial) {
@@ -48,11 +51,11 @@ Storage Lowering::declare(const sl::Symbol &symbol, const Components &initial) {
         const int count = componentCount(storage.base);
         const Type type = storage.base == sl::BaseType::String ? Type::String : Type::Float;
         for (int c = 0; c < count; ++c) {
-            const int array = b.addArray(type, storage.length);
+            const int array = addArray(b, type, storage.length);
             storage.memory = c == 0 ? array : storage.memory;
         }
         for (int i = 0; i < storage.length * count; ++i)
-            b.arrayStore(storage.memory + i % count, b.integer(i / count), initial[i]);
+            arrayStore(b, storage.memory + i % count, integer(b, i / count), initial[i]);
     }
     bind(symbol, storage);
     return storage;
@@ -71,31 +74,32 @@ Components Lowering::load(const Storage &storage) {
         return {cells.begin() + storage.cell, cells.begin() + storage.cell + total};
     Components result;
     for (int i = 0; i < total; ++i)
-        result.push_back(b.arrayLoad(storage.memory + i % count, b.integer(i / count)));
+        result.push_back(arrayLoad(b, storage.memory + i % count, integer(b, i / count)));
     return result;
 }
 
 ValueId Lowering::component(const Components &value, ValueId index) {
     const int last = int(value.size()) - 1;
-    if (const float *known = b.constantFloat(index))
+    if (const float *known = constantFloat(b, index))
         return value[*known >= 0 ? int(std::min(*known, float(last))) : 0];
     ValueId result = value[last];
     for (int i = last - 1; i >= 0; --i)
-        result = b.select(b.less(index, b.number(float(i + 1))), value[i], result);
+        result = select(b, less(b, index, number(b, float(i + 1))), value[i], result);
     return result;
 }
 
 Components Lowering::replaceComponent(Components value, ValueId index, ValueId replacement) {
     const int last = int(value.size()) - 1;
-    if (const float *known = b.constantFloat(index)) {
+    if (const float *known = constantFloat(b, index)) {
         value[*known >= 0 ? int(std::min(*known, float(last))) : 0] = replacement;
         return value;
     }
     for (int i = 0; i <= last; ++i) {
-        const ValueId notBelow = i == 0 ? b.boolean(true) : b.lessEqual(b.number(float(i)), index);
+        const ValueId notBelow =
+            i == 0 ? boolean(b, true) : lessEqual(b, number(b, float(i)), index);
         const ValueId notAbove =
-            i == last ? b.boolean(true) : b.less(index, b.number(float(i + 1)));
-        value[i] = b.select(b.both(notBelow, notAbove), replacement, value[i]);
+            i == last ? boolean(b, true) : less(b, index, number(b, float(i + 1)));
+        value[i] = select(b, both(b, notBelow, notAbove), replacement, value[i]);
     }
     return value;
 }
@@ -114,7 +118,7 @@ namespace {
 /// A constant index into an array of cells.
 int elementIndex(Lowering &lowering, const Storage &storage, ValueId index,
                  const sl::Place &where) {
-    const float *known = lowering.b.constantFloat(index);
+    const float *known = constantFloat(lowering.b, index);
     const float wanted = known ? *known : 0;
     if (!(wanted > -1 && wanted < float(storage.length))) {
         lowering.error(where, "the index " + std::to_string(int(wanted)) +
@@ -127,7 +131,7 @@ int elementIndex(Lowering &lowering, const Storage &storage, ValueId index,
 
 /// A computed index as an integer. NaN is outside every array.
 ValueId computedIndex(Builder &b, ValueId index) {
-    return b.select(b.equal(index, index), b.unary(Op::IntegerFromFloat, index), b.integer(-1));
+    return select(b, equal(b, index, index), unary(b, Op::IntegerFromFloat, index), integer(b, -1));
 }
 
 /// While it lives, what is emitted stands at the place: messages at run time name it.
@@ -136,7 +140,7 @@ public:
     PlaceScope(Builder &b, const sl::Place &where) : b_(b), line_(b.line()) {
         b_.setLine(where.line);
         if (where.file)
-            b_.setFile(b_.file(where.file->name()));
+            b_.setFile(intern(b_.function().files, where.file->name()));
     }
     ~PlaceScope() {
         b_.setLine(line_);
@@ -162,7 +166,7 @@ Components Lowering::load(const Target &target, const sl::Place &where) {
         const ValueId index = computedIndex(b, *target.element);
         const PlaceScope place(b, where);
         for (int c = 0; c < count; ++c)
-            value.push_back(b.arrayLoad(storage.memory + c, index));
+            value.push_back(arrayLoad(b, storage.memory + c, index));
     } else {
         const int element = elementIndex(*this, storage, *target.element, where);
         const auto first = cells.begin() + storage.cell + element * count;
@@ -186,10 +190,10 @@ void Lowering::store(const Target &target, const Components &value, const sl::Pl
         const ValueId index = computedIndex(b, *target.element);
         const PlaceScope place(b, where);
         for (int c = 0; c < count; ++c)
-            b.arrayStore(storage.memory + c, index, value[c]);
+            arrayStore(b, storage.memory + c, index, value[c]);
     } else if (storage.memory >= 0) {
         for (int i = 0; i < int(value.size()); ++i)
-            b.arrayStore(storage.memory + i % count, b.integer(i / count), value[i]);
+            arrayStore(b, storage.memory + i % count, integer(b, i / count), value[i]);
     } else {
         const int element =
             target.element ? elementIndex(*this, storage, *target.element, where) : 0;

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Control flow: branches merge cells, loops carry them, jumps become flags.
+#include "language/ir/builder_arithmetic.h"
+#include "language/ir/builder_control.h"
+#include "language/ir/builder_sources.h"
 #include "language/ir/lower_internal.h"
 
 #include <algorithm>
@@ -9,20 +12,20 @@ namespace {
 
 /// One of two bools by a third, without a branch where constants allow it.
 ValueId chooseBool(Builder &b, ValueId condition, ValueId then, ValueId otherwise) {
-    if (const auto known = b.constantBool(then))
-        return *known ? b.either(condition, otherwise) : b.both(b.negate(condition), otherwise);
-    if (const auto known = b.constantBool(otherwise))
-        return *known ? b.either(b.negate(condition), then) : b.both(condition, then);
-    return b.select(condition, then, otherwise);
+    if (const auto known = constantBool(b, then))
+        return *known ? either(b, condition, otherwise) : both(b, negate(b, condition), otherwise);
+    if (const auto known = constantBool(b, otherwise))
+        return *known ? either(b, negate(b, condition), then) : both(b, condition, then);
+    return select(b, condition, then, otherwise);
 }
 
-bool isKnownFalse(Builder &b, ValueId flag) { return b.constantBool(flag) == false; }
+bool isKnownFalse(Builder &b, ValueId flag) { return constantBool(b, flag) == false; }
 
 } // namespace
 
 void Lowering::branch(ValueId condition, const std::function<void()> &then,
                       const std::function<void()> &otherwise, const std::vector<int> &clear) {
-    if (const auto known = b.constantBool(condition)) {
+    if (const auto known = constantBool(b, condition)) {
         (*known ? then : otherwise)();
         return;
     }
@@ -39,7 +42,7 @@ void Lowering::branch(ValueId condition, const std::function<void()> &then,
     };
     auto [thenRegion, thenCells] = side([&] {
         for (int flag : clear)
-            cells[flag] = b.boolean(false);
+            cells[flag] = boolean(b, false);
         then();
     });
     for (int flag : clear)
@@ -57,7 +60,7 @@ void Lowering::branch(ValueId condition, const std::function<void()> &then,
         } else if (b.type(a) == Type::Bool && empty) {
             cells[i] = chooseBool(b, condition, a, o);
         } else if (empty) {
-            cells[i] = b.select(condition, a, o);
+            cells[i] = select(b, condition, a, o);
         } else {
             thenRegion.yields.push_back(a);
             otherRegion.yields.push_back(o);
@@ -83,10 +86,10 @@ std::vector<int> Lowering::liveFlags() {
 }
 
 ValueId Lowering::isLive() {
-    ValueId stopped = b.boolean(false);
+    ValueId stopped = boolean(b, false);
     for (int flag : liveFlags())
-        stopped = isKnownFalse(b, stopped) ? cells[flag] : b.either(stopped, cells[flag]);
-    return b.negate(stopped);
+        stopped = isKnownFalse(b, stopped) ? cells[flag] : either(b, stopped, cells[flag]);
+    return negate(b, stopped);
 }
 
 void Lowering::whereLive(const std::function<void()> &rest) {
@@ -101,7 +104,7 @@ void Lowering::whereLive(const std::function<void()> &rest) {
 /// while (condition) body: the condition is evaluated before the loop and at the end of each
 /// round, there only if the round was neither broken nor returned from.
 void Lowering::lowerLoop(const sl::Stmt &loop) {
-    const auto holds = [&] { return loop.value ? condition(*loop.value) : b.boolean(true); };
+    const auto holds = [&] { return loop.value ? condition(*loop.value) : boolean(b, true); };
     const ValueId first = holds();
     if (isKnownFalse(b, first))
         return;
@@ -137,12 +140,12 @@ void Lowering::lowerLoop(const sl::Stmt &loop) {
         for (size_t i = 0; i < carried.size(); ++i)
             cells[carried[i]] = arguments[i + 1];
         for (int flag : flags)
-            cells[flag] = b.boolean(false); // Or there would be no round.
-        const int none = newCells({b.boolean(false), b.boolean(false), b.boolean(false)});
+            cells[flag] = boolean(b, false); // Or there would be no round.
+        const int none = newCells({boolean(b, false), boolean(b, false), boolean(b, false)});
         const int broken = none, continued = none + 1, next = none + 2;
         frames.back().loops.push_back({&loop, broken, continued});
         lower(loop.body);
-        cells[continued] = b.boolean(false);
+        cells[continued] = boolean(b, false);
         whereLive([&] {
             for (const sl::ExprPtr &step : loop.steps)
                 evaluate(*step);
@@ -154,7 +157,7 @@ void Lowering::lowerLoop(const sl::Stmt &loop) {
             yields.push_back(cells[cell]);
         return yields;
     };
-    const Components results = b.loop(initial, round);
+    const Components results = ir::loop(b, initial, round);
     cells = before;
     for (size_t i = 0; i < carried.size(); ++i)
         cells[carried[i]] = results[i + 1];

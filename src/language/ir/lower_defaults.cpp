@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/ir/lower_defaults.h"
 
+#include "language/ir/builder_effects.h"
+#include "language/ir/builder_sources.h"
 #include "language/ir/interpreter.h"
 #include "language/ir/lower_internal.h"
 #include "language/semantics/typed_ast.h"
@@ -110,15 +112,15 @@ private:
             const ShaderParameter &earlier = parameters[i];
             Components values;
             for (float value : earlier.defaults)
-                values.push_back(lowering.b.number(value));
+                values.push_back(number(lowering.b, value));
             std::vector<std::string> texts = earlier.stringDefaults;
             for (const StringValue &given : strings_)
                 if (given.name == earlier.name && earlier.type == "string")
                     texts = given.value;
             if (earlier.type == "string")
                 texts.resize(size_t(earlier.arraySize));
-            for (const std::string &text : texts)
-                values.push_back(lowering.b.text(text));
+            for (const std::string &element : texts)
+                values.push_back(text(lowering.b, element));
             lowering.declare(*shader_.parameters[i].symbol, values);
         }
     }
@@ -132,7 +134,7 @@ private:
         lowering.declarePredefined();
         declareEarlier(lowering);
         lowering.frames.emplace_back();
-        lowering.frames.back().returned = lowering.newCells({lowering.b.boolean(false)});
+        lowering.frames.back().returned = lowering.newCells({boolean(lowering.b, false)});
 
         if (const auto space = spaceOf(parameter, lowering))
             result.defaultSpace = *space;
@@ -149,7 +151,7 @@ private:
             return !lowering.failed();
         }
         for (int i = 0; i < int(values.size()); ++i)
-            lowering.b.output("default", i, values[i]);
+            output(lowering.b, "default", i, values[i]);
         lowering.b.finish();
         std::vector<ShaderParameter> none;
         removeUnused(function, none);

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "language/ir/builder_arithmetic.h"
+#include "language/ir/builder_sources.h"
+#include "language/ir/builder_vectors.h"
 #include "language/ir/lower_internal.h"
 
 namespace candela::ir {
@@ -11,10 +14,10 @@ bool isTruth(const sl::Expr &expr) {
 }
 
 ValueId compareComponents(Builder &b, const Components &x, const Components &y, bool text) {
-    ValueId same = b.boolean(true);
+    ValueId same = boolean(b, true);
     for (size_t i = 0; i < x.size(); ++i) {
-        const ValueId one = text ? b.binary(Op::StringEqual, x[i], y[i]) : b.equal(x[i], y[i]);
-        same = i == 0 ? one : b.both(same, one);
+        const ValueId one = text ? binary(b, Op::StringEqual, x[i], y[i]) : equal(b, x[i], y[i]);
+        same = i == 0 ? one : both(b, same, one);
     }
     return same;
 }
@@ -25,15 +28,15 @@ ValueId compare(Lowering &lowering, const sl::Expr &expr) {
     const Components y = lowering.evaluate(*expr.operands[1]);
     const bool text = expr.operands[0]->type.base == sl::BaseType::String;
     switch (expr.op) {
-    case sl::BinaryOp::Less: return b.less(x[0], y[0]);
-    case sl::BinaryOp::LessEqual: return b.lessEqual(x[0], y[0]);
-    case sl::BinaryOp::Greater: return b.less(y[0], x[0]);
-    case sl::BinaryOp::GreaterEqual: return b.lessEqual(y[0], x[0]);
+    case sl::BinaryOp::Less: return less(b, x[0], y[0]);
+    case sl::BinaryOp::LessEqual: return lessEqual(b, x[0], y[0]);
+    case sl::BinaryOp::Greater: return less(b, y[0], x[0]);
+    case sl::BinaryOp::GreaterEqual: return lessEqual(b, y[0], x[0]);
     case sl::BinaryOp::Equal: return compareComponents(b, x, y, text);
     default:
         if (x.size() == 1 && !text)
-            return b.notEqual(x[0], y[0]);
-        return b.negate(compareComponents(b, x, y, text));
+            return notEqual(b, x[0], y[0]);
+        return negate(b, compareComponents(b, x, y, text));
     }
 }
 
@@ -42,13 +45,13 @@ ValueId shortCircuit(Lowering &lowering, const sl::Expr &expr) {
     Builder &b = lowering.b;
     const bool isAnd = expr.op == sl::BinaryOp::And;
     const ValueId left = lowering.condition(*expr.operands[0]);
-    if (const auto known = b.constantBool(left))
+    if (const auto known = constantBool(b, left))
         return *known == isAnd ? lowering.condition(*expr.operands[1]) : left;
     if (isCheapAndPure(*expr.operands[1])) {
         const ValueId right = lowering.condition(*expr.operands[1]);
-        return isAnd ? b.both(left, right) : b.either(left, right);
+        return isAnd ? both(b, left, right) : either(b, left, right);
     }
-    const int result = lowering.newCells({b.boolean(!isAnd)});
+    const int result = lowering.newCells({boolean(b, !isAnd)});
     const auto right = [&] { lowering.cells[result] = lowering.condition(*expr.operands[1]); };
     if (isAnd)
         lowering.branch(left, right, [] {});
@@ -61,14 +64,14 @@ ValueId shortCircuit(Lowering &lowering, const sl::Expr &expr) {
 Components conditional(Lowering &lowering, const sl::Expr &expr) {
     Builder &b = lowering.b;
     const ValueId decision = lowering.condition(*expr.operands[0]);
-    if (const auto known = b.constantBool(decision))
+    if (const auto known = constantBool(b, decision))
         return lowering.evaluate(*expr.operands[*known ? 1 : 2]);
     if (isCheapAndPure(*expr.operands[1]) && isCheapAndPure(*expr.operands[2])) {
         const Components x = lowering.evaluate(*expr.operands[1]);
         const Components y = lowering.evaluate(*expr.operands[2]);
         Components result;
         for (size_t i = 0; i < x.size(); ++i)
-            result.push_back(b.select(decision, x[i], y[i]));
+            result.push_back(select(b, decision, x[i], y[i]));
         return result;
     }
     const Components start = lowering.zero(expr.type.base);
@@ -86,7 +89,7 @@ Components conditional(Lowering &lowering, const sl::Expr &expr) {
 Components byComponents(Builder &b, Op op, const Components &x, const Components &y) {
     Components result;
     for (size_t i = 0; i < std::max(x.size(), y.size()); ++i)
-        result.push_back(b.binary(op, x.size() == 1 ? x[0] : x[i], y.size() == 1 ? y[0] : y[i]));
+        result.push_back(binary(b, op, x.size() == 1 ? x[0] : x[i], y.size() == 1 ? y[0] : y[i]));
     return result;
 }
 
@@ -96,8 +99,8 @@ Components arithmetic(Lowering &lowering, const sl::Expr &expr) {
     const Components y = lowering.evaluate(*expr.operands[1]);
     const bool matrices = x.size() == 16 && y.size() == 16;
     switch (expr.op) {
-    case sl::BinaryOp::Dot: return {b.dot(tripleOf(x), tripleOf(y))};
-    case sl::BinaryOp::Cross: return componentsOf(b.cross(tripleOf(x), tripleOf(y)));
+    case sl::BinaryOp::Dot: return {dot(b, tripleOf(x), tripleOf(y))};
+    case sl::BinaryOp::Cross: return componentsOf(cross(b, tripleOf(x), tripleOf(y)));
     case sl::BinaryOp::Multiply:
         if (matrices)
             return componentsOf(multiply(b, matrixOf(x), matrixOf(y)));
@@ -117,7 +120,7 @@ Components convert(Lowering &lowering, const sl::Expr &expr) {
     if (value.size() == wanted)
         return value;
     if (wanted == 16) {
-        Components result(16, lowering.b.number(0));
+        Components result(16, number(lowering.b, 0));
         for (int i = 0; i < 4; ++i)
             result[i * 5] = value[0];
         return result;
@@ -140,7 +143,7 @@ public:
             bind(*function.formals[i], arguments_[i]);
         const Components none = lowering_.zero(function.result.base);
         Frame frame{.function = &function, .returned = 0, .result = 0, .loops = {}};
-        frame.returned = lowering_.newCells({lowering_.b.boolean(false)});
+        frame.returned = lowering_.newCells({boolean(lowering_.b, false)});
         frame.result = lowering_.newCells(none);
         lowering_.frames.push_back(frame);
         const int line = lowering_.b.line();
@@ -192,13 +195,13 @@ private:
 
 ValueId Lowering::condition(const sl::Expr &expr) {
     if (expr.kind == sl::ExprKind::Not)
-        return b.negate(condition(*expr.operands[0]));
+        return negate(b, condition(*expr.operands[0]));
     if (isTruth(expr)) {
         if (expr.op == sl::BinaryOp::And || expr.op == sl::BinaryOp::Or)
             return shortCircuit(*this, expr);
         return compare(*this, expr);
     }
-    return b.notEqual(evaluateFloat(expr), b.number(0));
+    return notEqual(b, evaluateFloat(expr), number(b, 0));
 }
 
 Components Lowering::call(const sl::Expr &expr) {
@@ -213,10 +216,10 @@ Components Lowering::call(const sl::Expr &expr) {
 
 Components Lowering::evaluate(const sl::Expr &expr) {
     if (isTruth(expr))
-        return {b.unary(Op::FloatFromBool, condition(expr))};
+        return {unary(b, Op::FloatFromBool, condition(expr))};
     switch (expr.kind) {
-    case sl::ExprKind::Number: return {b.number(float(expr.number))};
-    case sl::ExprKind::Text: return {b.text(expr.text)};
+    case sl::ExprKind::Number: return {number(b, float(expr.number))};
+    case sl::ExprKind::Text: return {text(b, expr.text)};
     case sl::ExprKind::Tuple: {
         Components result;
         for (const sl::ExprPtr &operand : expr.operands)
@@ -232,7 +235,7 @@ Components Lowering::evaluate(const sl::Expr &expr) {
     case sl::ExprKind::Negate: {
         Components value = evaluate(*expr.operands[0]);
         for (ValueId &component : value)
-            component = b.neg(component);
+            component = neg(b, component);
         return value;
     }
     case sl::ExprKind::Conditional: return conditional(*this, expr);

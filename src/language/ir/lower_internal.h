@@ -22,7 +22,7 @@
 namespace candela::ir {
 
 /// The scalar components of a value; an array's elements one after another.
-using Components = Builder::Values;
+using Components = Values;
 
 int componentCount(sl::BaseType);
 Triple tripleOf(const Components &);

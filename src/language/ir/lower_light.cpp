@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // illuminance, illuminate and solar (RI 3.2 section 12.5; the paper's sections 5.2 and 5.4).
 #include "foundation/units/color.h"
+#include "language/ir/builder_arithmetic.h"
+#include "language/ir/builder_light.h"
+#include "language/ir/builder_sources.h"
+#include "language/ir/builder_vectors.h"
 #include "language/ir/lower_internal.h"
 
 #include <algorithm>
@@ -14,9 +18,9 @@ namespace {
 ValueId luminanceOf(Builder &b, const Components &value) {
     if (value.size() == 1)
         return value[0];
-    ValueId sum = b.mul(value[0], b.number(luminanceWeights[0]));
+    ValueId sum = mul(b, value[0], number(b, luminanceWeights[0]));
     for (int c = 1; c < colorSamples; ++c)
-        sum = b.add(sum, b.mul(value[c], b.number(luminanceWeights[c])));
+        sum = add(b, sum, mul(b, value[c], number(b, luminanceWeights[c])));
     return sum;
 }
 
@@ -37,11 +41,11 @@ std::vector<ConeValues> evaluateCones(Lowering &lowering, const sl::LightArgumen
         values.angle = lowering.evaluateFloat(*cone.angle);
         values.exponent = lowering.evaluateFloat(*cone.exponent);
         values.importance = luminanceOf(b, lowering.evaluate(*cone.importance));
-        const ValueId index = b.number(float(cones.size()));
-        values.importance = b.select(b.less(index, count), values.importance, b.number(0));
+        const ValueId index = number(b, float(cones.size()));
+        values.importance = select(b, less(b, index, count), values.importance, number(b, 0));
         cones.push_back(values);
     }
-    if (const float *known = b.constantFloat(count)) {
+    if (const float *known = constantFloat(b, count)) {
         const float wanted = std::clamp(*known, 0.0f, float(cones.size()));
         cones.resize(wanted > 0 ? size_t(std::ceil(wanted)) : 0);
     }
@@ -50,7 +54,7 @@ std::vector<ConeValues> evaluateCones(Lowering &lowering, const sl::LightArgumen
 
 /// Lowers a light statement's body once, with its own jumps.
 void lowerBodyOf(Lowering &lowering, const sl::Stmt &statement) {
-    const ValueId none = lowering.b.boolean(false);
+    const ValueId none = boolean(lowering.b, false);
     const int flags = lowering.newCells({none, none});
     lowering.frames.back().loops.push_back({&statement, flags, flags + 1});
     lowering.lower(statement.body);
@@ -94,7 +98,7 @@ LightRequest describe(Lowering &lowering, const sl::LightArguments &light, int l
         const std::string category =
             lowering.requiredText(name, light.category->where, "a light category");
         if (!category.empty())
-            request.category = lowering.b.category(category);
+            request.category = categoryIndex(lowering.b, category);
     }
     return request;
 }
@@ -123,7 +127,7 @@ void Lowering::lowerIlluminance(const sl::Stmt &statement) {
     }
 
     const std::vector<ValueId> before = cells;
-    const int flags = newCells({b.boolean(false), b.boolean(false)});
+    const int flags = newCells({boolean(b, false), boolean(b, false)});
     const int broken = flags, continued = flags + 1;
     const std::vector<int> carried = carriedCells(*this, statement, broken);
     Components initial;
@@ -134,7 +138,7 @@ void Lowering::lowerIlluminance(const sl::Stmt &statement) {
             cells[carried[i]] = arguments[i];
         setPredefined(sl::PredefinedId::L, componentsOf(L));
         setPredefined(sl::PredefinedId::Cl, Cl);
-        setPredefined(sl::PredefinedId::Ol, Components(colorSamples, b.number(1)));
+        setPredefined(sl::PredefinedId::Ol, Components(colorSamples, number(b, 1)));
         frames.back().loops.push_back({&statement, broken, continued});
         whereLive([&] { lower(statement.body); });
         frames.back().loops.pop_back();
@@ -144,7 +148,7 @@ void Lowering::lowerIlluminance(const sl::Stmt &statement) {
         return yields;
     };
     const Components results =
-        b.lightLoop(b.addRequest(request), position, coneOperands, initial, sample);
+        lightLoop(b, addRequest(b, request), position, coneOperands, initial, sample);
     cells = before;
     for (size_t i = 0; i < carried.size(); ++i)
         if (carried[i] < int(cells.size()))
@@ -155,31 +159,32 @@ namespace {
 
 /// Two directions that complete a unit vector to an orthonormal frame (Duff et al. 2017).
 std::pair<Triple, Triple> frameAbout(Builder &b, const Triple &n) {
-    const ValueId one = b.number(1);
-    const ValueId sign = b.select(b.less(n[2], b.number(0)), b.number(-1), one);
-    const ValueId a = b.div(b.number(-1), b.add(sign, n[2]));
-    const ValueId c = b.mul(b.mul(n[0], n[1]), a);
-    const Triple x{b.add(one, b.mul(b.mul(sign, b.mul(n[0], n[0])), a)), b.mul(sign, c),
-                   b.neg(b.mul(sign, n[0]))};
-    const Triple y{c, b.add(sign, b.mul(b.mul(n[1], n[1]), a)), b.neg(n[1])};
+    const ValueId one = number(b, 1);
+    const ValueId sign = select(b, less(b, n[2], number(b, 0)), number(b, -1), one);
+    const ValueId a = div(b, number(b, -1), add(b, sign, n[2]));
+    const ValueId c = mul(b, mul(b, n[0], n[1]), a);
+    const Triple x{add(b, one, mul(b, mul(b, sign, mul(b, n[0], n[0])), a)), mul(b, sign, c),
+                   neg(b, mul(b, sign, n[0]))};
+    const Triple y{c, add(b, sign, mul(b, mul(b, n[1], n[1]), a)), neg(b, n[1])};
     return {x, y};
 }
 
 /// A direction of unit length, uniform within `angle` (radians) of the axis, by `xi` in [0,1) and
 /// the second number of the input lightSample.
 Triple directionInCone(Builder &b, const Triple &axis, ValueId angle, ValueId xi) {
-    const Triple centre = b.normalize(axis);
-    if (const float *known = b.constantFloat(angle); known && *known <= 0)
+    const Triple centre = normalize(b, axis);
+    if (const float *known = constantFloat(b, angle); known && *known <= 0)
         return centre;
-    const ValueId one = b.number(1);
+    const ValueId one = number(b, 1);
     const ValueId turn =
-        b.mul(b.number(2 * std::numbers::pi_v<float>), b.input(ShaderInput::lightSample, 1));
+        mul(b, number(b, 2 * std::numbers::pi_v<float>), input(b, ShaderInput::lightSample, 1));
     const ValueId cosine =
-        b.sub(one, b.mul(xi, b.sub(one, b.unary(Op::Cos, b.max(angle, b.number(0))))));
-    const ValueId sine = b.sqrt(b.sub(one, b.mul(cosine, cosine)));
+        sub(b, one, mul(b, xi, sub(b, one, unary(b, Op::Cos, max(b, angle, number(b, 0))))));
+    const ValueId sine = sqrt(b, sub(b, one, mul(b, cosine, cosine)));
     const auto [x, y] = frameAbout(b, centre);
-    return b.add(b.scale(centre, cosine), b.add(b.scale(x, b.mul(sine, b.unary(Op::Cos, turn))),
-                                                b.scale(y, b.mul(sine, b.unary(Op::Sin, turn)))));
+    return add(b, scale(b, centre, cosine),
+               add(b, scale(b, x, mul(b, sine, unary(b, Op::Cos, turn))),
+                   scale(b, y, mul(b, sine, unary(b, Op::Sin, turn)))));
 }
 
 void openLight(Lowering &lowering, const Triple &L) {
@@ -196,16 +201,17 @@ void Lowering::lowerIlluminate(const sl::Stmt &statement) {
     lightClass = LightClass::Local;
     const sl::LightArguments &light = *statement.light;
     const Triple position = tripleOf(evaluate(*light.position));
-    const Triple L = b.sub(tripleOf(predefined(sl::PredefinedId::Ps)), position);
-    ValueId lit = b.boolean(true);
+    const Triple L = sub(b, tripleOf(predefined(sl::PredefinedId::Ps)), position);
+    ValueId lit = boolean(b, true);
     if (light.form == sl::ConeForm::Classic) {
-        const Triple axis = b.normalize(tripleOf(evaluate(*light.axis)));
+        const Triple axis = normalize(b, tripleOf(evaluate(*light.axis)));
         const ValueId angle = evaluateFloat(*light.angle);
-        const ValueId cosine = b.unary(Op::Cos, b.min(angle, b.number(std::numbers::pi_v<float>)));
-        lit = b.lessEqual(cosine, b.dot(axis, b.normalize(L)));
-        if (const float *known = b.constantFloat(angle);
+        const ValueId cosine =
+            unary(b, Op::Cos, min(b, angle, number(b, std::numbers::pi_v<float>)));
+        lit = lessEqual(b, cosine, dot(b, axis, normalize(b, L)));
+        if (const float *known = constantFloat(b, angle);
             known && *known >= std::numbers::pi_v<float>)
-            lit = b.boolean(true);
+            lit = boolean(b, true);
     } else if (light.form == sl::ConeForm::Extended) {
         evaluateCones(*this, light);
     }
@@ -221,26 +227,26 @@ void Lowering::lowerSolar(const sl::Stmt &statement) {
     if (lightClass == LightClass::Ambient)
         lightClass = LightClass::Distant;
     const sl::LightArguments &light = *statement.light;
-    Triple axis = b.triple(0, 0, 1);
-    ValueId angle = b.number(std::numbers::pi_v<float>);
-    ValueId xi = b.input(ShaderInput::lightSample, 0);
+    Triple axis = triple(b, 0, 0, 1);
+    ValueId angle = number(b, std::numbers::pi_v<float>);
+    ValueId xi = input(b, ShaderInput::lightSample, 0);
     if (light.form == sl::ConeForm::Classic) {
         axis = tripleOf(evaluate(*light.axis));
         angle = evaluateFloat(*light.angle);
     } else if (light.form == sl::ConeForm::Extended) {
         const std::vector<ConeValues> cones = evaluateCones(*this, light);
-        const ValueId halfDegree = b.number(std::numbers::pi_v<float> / 360);
-        ValueId total = b.number(0);
+        const ValueId halfDegree = number(b, std::numbers::pi_v<float> / 360);
+        ValueId total = number(b, 0);
         for (const ConeValues &cone : cones)
-            total = b.add(total, cone.importance);
-        const ValueId wanted = b.mul(xi, total);
-        ValueId sum = b.number(0);
+            total = add(b, total, cone.importance);
+        const ValueId wanted = mul(b, xi, total);
+        ValueId sum = number(b, 0);
         for (size_t i = 0; i < cones.size(); ++i) {
-            const ValueId taken = i == 0 ? b.boolean(true) : b.lessEqual(sum, wanted);
-            axis = b.select(taken, cones[i].axis, axis);
-            angle = b.select(taken, b.mul(cones[i].angle, halfDegree), angle);
-            xi = b.select(taken, b.div(b.sub(wanted, sum), cones[i].importance), xi);
-            sum = b.add(sum, cones[i].importance);
+            const ValueId taken = i == 0 ? boolean(b, true) : lessEqual(b, sum, wanted);
+            axis = select(b, taken, cones[i].axis, axis);
+            angle = select(b, taken, mul(b, cones[i].angle, halfDegree), angle);
+            xi = select(b, taken, div(b, sub(b, wanted, sum), cones[i].importance), xi);
+            sum = add(b, sum, cones[i].importance);
         }
     }
     openLight(*this, directionInCone(b, axis, angle, xi));

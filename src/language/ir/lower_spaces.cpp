@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Named coordinate systems: constructors with a space, the transform functions, depth().
+#include "language/ir/builder_sources.h"
+#include "language/ir/builder_vectors.h"
 #include "language/ir/lower_internal.h"
 
 namespace candela::ir {
@@ -19,9 +21,9 @@ std::optional<Lowering::SpaceMatrices> Lowering::space(const std::string &name,
         return std::nullopt;
     }
     if (name == "object")
-        return SpaceMatrices{b.object(), b.objectInverse()};
+        return SpaceMatrices{currentFromObject(b), objectFromCurrent(b)};
     if (name != "shader")
-        return SpaceMatrices{b.space(name), b.spaceInverse(name)};
+        return SpaceMatrices{currentFromSpace(b, name), spaceFromCurrent(b, name)};
     if (shaderSpaceSlot_ < 0) {
         shaderSpaceSlot_ = int(function_.parameters.size());
         for (int i = 0; i < 32; ++i)
@@ -29,8 +31,8 @@ std::optional<Lowering::SpaceMatrices> Lowering::space(const std::string &name,
     }
     SpaceMatrices result;
     for (int i = 0; i < 16; ++i) {
-        result.toCurrent[i] = b.parameter(shaderSpaceSlot_ + i);
-        result.fromCurrent[i] = b.parameter(shaderSpaceSlot_ + 16 + i);
+        result.toCurrent[i] = parameter(b, shaderSpaceSlot_ + i);
+        result.fromCurrent[i] = parameter(b, shaderSpaceSlot_ + 16 + i);
     }
     return result;
 }
@@ -41,9 +43,9 @@ namespace {
 Triple transformBy(Builder &b, sl::BaseType base, const Triple &value, const Matrix &m,
                    const Matrix &inverseOfM) {
     switch (base) {
-    case sl::BaseType::Point: return b.transformPoint(m, value);
-    case sl::BaseType::Normal: return b.transformNormal(inverseOfM, value);
-    default: return b.transformVector(m, value);
+    case sl::BaseType::Point: return transformPoint(b, m, value);
+    case sl::BaseType::Normal: return transformNormal(b, inverseOfM, value);
+    default: return transformVector(b, m, value);
     }
 }
 
@@ -94,8 +96,8 @@ Components mtransformBuiltin(BuiltinCall &call) {
 
 /// The space "depth" is camera space with z from 0 at the near to 1 at the far clipping plane.
 Components depthBuiltin(BuiltinCall &call) {
-    const Matrix depthFromCurrent = call.b.spaceInverse("depth");
-    return {call.b.transformPoint(depthFromCurrent, call.triple(0))[2]};
+    const Matrix depthFromCurrent = spaceFromCurrent(call.b, "depth");
+    return {transformPoint(call.b, depthFromCurrent, call.triple(0))[2]};
 }
 
 } // namespace

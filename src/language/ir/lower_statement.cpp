@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "language/ir/builder_sources.h"
 #include "language/ir/lower_internal.h"
 
 namespace candela::ir {
@@ -8,7 +9,7 @@ void jump(Lowering &lowering, const sl::Stmt &statement) {
     for (const OpenLoop &loop : lowering.frames.back().loops)
         if (loop.statement == statement.target)
             lowering.cells[statement.kind == sl::StmtKind::Break ? loop.broken : loop.continued] =
-                lowering.b.boolean(true);
+                boolean(lowering.b, true);
 }
 
 void declareLocal(Lowering &lowering, const sl::Stmt &statement) {
@@ -28,7 +29,7 @@ void returnFrom(Lowering &lowering, const sl::Stmt &statement) {
         for (size_t i = 0; i < value.size(); ++i)
             lowering.cells[lowering.frames.back().result + int(i)] = value[i];
     }
-    lowering.cells[lowering.frames.back().returned] = lowering.b.boolean(true);
+    lowering.cells[lowering.frames.back().returned] = boolean(lowering.b, true);
 }
 
 } // namespace

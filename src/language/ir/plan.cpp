@@ -2,6 +2,8 @@
 #include "language/ir/plan.h"
 
 #include "foundation/units/color.h"
+#include "language/ir/builder_effects.h"
+#include "language/ir/builder_sources.h"
 #include "language/ir/dead_code.h"
 #include "language/ir/zero.h"
 
@@ -22,7 +24,7 @@ void shareEqualValues(Function &text, std::vector<Cull> &culls) {
     teller.run();
     for (const OutputSlot &slot : text.outputs)
         if (auto v = teller.output(0, slot.name, slot.component))
-            b.output(slot.name, slot.component, *v);
+            output(b, slot.name, slot.component, *v);
     for (Cull &cull : culls)
         if (cull.known) {
             cull.axis = teller.triple(0, cull.axis);
@@ -79,7 +81,7 @@ Function tellUnder(const Plan &plan, const Hypothesis &hypothesis, const std::st
     Specializer teller(plan.text, plan.dependence, b, {hypothesis}, telling);
     teller.run();
     for (int k = 0; k < colorSamples; ++k)
-        b.output(slot, k, teller.output(0, from, k).value_or(b.number(0)));
+        output(b, slot, k, teller.output(0, from, k).value_or(number(b, 0)));
     b.finish();
     removeDeadCode(result);
     return result;

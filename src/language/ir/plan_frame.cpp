@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The functions that share a frame: Surface, View, Prepare and Scatter.
 #include "foundation/units/color.h"
+#include "language/ir/builder_arithmetic.h"
+#include "language/ir/builder_effects.h"
+#include "language/ir/builder_sources.h"
 #include "language/ir/dead_code.h"
 #include "language/ir/plan.h"
 
@@ -38,18 +41,19 @@ ValueId emissionKey(const Plan &plan, int channel) {
 std::vector<ValueId> emission(const Plan &plan, Specializer &teller, Builder &b) {
     std::vector<ValueId> Ce;
     for (int k = 0; k < colorSamples; ++k)
-        Ce.push_back(plan.emits[k] ? teller.output(0, "Ci", k).value_or(b.number(0)) : b.number(0));
+        Ce.push_back(plan.emits[k] ? teller.output(0, "Ci", k).value_or(number(b, 0))
+                                   : number(b, 0));
     return Ce;
 }
 
 ValueId importanceOf(Specializer &teller, Builder &b, int hypothesis,
                      const std::vector<ValueId> &Ce) {
-    ValueId sum = b.number(0);
+    ValueId sum = number(b, 0);
     for (int k = 0; k < colorSamples; ++k) {
-        ValueId Ci = teller.output(hypothesis, "Ci", k).value_or(b.number(0));
-        sum = b.add(sum, b.mul(b.number(luminanceWeights[k]), b.sub(Ci, Ce[k])));
+        ValueId Ci = teller.output(hypothesis, "Ci", k).value_or(number(b, 0));
+        sum = add(b, sum, mul(b, number(b, luminanceWeights[k]), sub(b, Ci, Ce[k])));
     }
-    return b.max(sum, b.number(0));
+    return max(b, sum, number(b, 0));
 }
 
 void finishFramed(const Plan &plan, Builder &b, Function &function,
@@ -105,17 +109,17 @@ Function tellPrepare(const Plan &plan, Stage first, const std::map<ValueId, int>
     teller.run();
     std::vector<ValueId> Ce = emission(plan, teller, b);
     for (int k = 0; k < colorSamples; ++k) {
-        b.output("Ce", k, Ce[k]);
+        output(b, "Ce", k, Ce[k]);
         if (plan.readsAmbient)
-            b.output("Ca", k, b.sub(teller.output(1, "Ci", k).value_or(b.number(0)), Ce[k]));
-        b.output("Oi", k, teller.output(0, "Oi", k).value_or(b.number(1)));
+            output(b, "Ca", k, sub(b, teller.output(1, "Ci", k).value_or(number(b, 0)), Ce[k]));
+        output(b, "Oi", k, teller.output(0, "Oi", k).value_or(number(b, 1)));
         if (auto slot = slots.find(emissionKey(plan, k)); slot != slots.end())
             b.emit(Op::FrameStore, {Ce[k]}, slot->second);
     }
     for (std::size_t h = 0; h < hypotheses.size(); ++h)
         if (const Cone *cone = hypotheses[h].probe)
-            b.output("cone " + std::to_string(cone - plan.cones.data()) + " importance", 0,
-                     importanceOf(teller, b, int(h), Ce));
+            output(b, "cone " + std::to_string(cone - plan.cones.data()) + " importance", 0,
+                   importanceOf(teller, b, int(h), Ce));
     finishFramed(plan, b, result, slots);
     return result;
 }
@@ -151,16 +155,16 @@ Function tellScatter(const Plan &plan, const std::map<ValueId, int> &slots) {
     teller.run();
     for (int k = 0; k < colorSamples; ++k) {
         auto answered = teller.responseOutput("Ci", k);
-        ValueId g = answered.value_or(b.number(0));
+        ValueId g = answered.value_or(number(b, 0));
         if (answered && plan.emits[k]) {
             ValueId key = emissionKey(plan, k);
             auto slot = slots.find(key);
             ValueId Ce = plan.framed ? b.emit(Op::FrameLoad, {},
                                               slot == slots.end() ? int(key) : slot->second)[0]
                                      : *teller.output(1, "Ci", k);
-            g = b.sub(g, Ce);
+            g = sub(b, g, Ce);
         }
-        b.output("g", k, g);
+        output(b, "g", k, g);
     }
     finishFramed(plan, b, result, slots);
     return result;

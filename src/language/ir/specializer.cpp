@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/ir/specializer.h"
 
+#include "language/ir/builder_arithmetic.h"
+#include "language/ir/builder_control.h"
+#include "language/ir/builder_effects.h"
+#include "language/ir/builder_sources.h"
 #include "language/ir/op_info.h"
 
 #include <algorithm>
@@ -43,7 +47,7 @@ ValueId Specializer::value(int hypothesis, ValueId old) {
     return now == nothing ? fetch(hypothesis, old) : now;
 }
 
-Specializer::Values Specializer::valuesOf(int hypothesis, const Values &old) {
+Values Specializer::valuesOf(int hypothesis, const Values &old) {
     Values now;
     for (ValueId v : old)
         now.push_back(value(hypothesis, v));
@@ -70,7 +74,7 @@ ValueId Specializer::fetch(int hypothesis, ValueId old) {
         if (auto it = telling_.slots->find(old); it != telling_.slots->end())
             slot = it->second;
     ValueId loaded = b_.emit(Op::FrameLoad, {}, slot)[0];
-    return type == Type::Bool ? b_.notEqual(loaded, b_.number(0)) : loaded;
+    return type == Type::Bool ? notEqual(b_, loaded, number(b_, 0)) : loaded;
 }
 
 /// Operations to compute the value from sources alone.
@@ -128,7 +132,7 @@ int Specializer::arrayFor(int hypothesis, int array) {
     bool shared = dependence_.arrayStage[array] < Stage::Response;
     auto [it, isNew] = arrays_.try_emplace({shared ? -1 : hypothesis, array});
     if (isNew)
-        it->second = b_.addArray(text_.arrays[array].type, text_.arrays[array].size);
+        it->second = addArray(b_, text_.arrays[array].type, text_.arrays[array].size);
     return it->second;
 }
 
@@ -222,8 +226,8 @@ void Specializer::emitIf(const Instruction &i, Range range, Range content) {
         return yields;
     };
     ValueId condition = value(group[0], i.operands[0]);
-    Values results = b_.ifElse(
-        condition, [&] { return branch(i.regions[0]); }, [&] { return branch(i.regions[1]); });
+    Values results = ifElse(
+        b_, condition, [&] { return branch(i.regions[0]); }, [&] { return branch(i.regions[1]); });
     for (std::size_t n = 0; n < kept.size(); ++n) {
         auto [h, k] = kept[n];
         responds(i.results[k]) ? assign(h, i.results[k], results[n])
@@ -293,7 +297,7 @@ void Specializer::emitLoop(const Instruction &i, Range range) {
             responds(old[k]) ? assign(h, old[k], now[n]) : assignShared(old[k], now[n]);
         }
     };
-    Values results = b_.loop(initial, [&](const Values &arguments) {
+    Values results = loop(b_, initial, [&](const Values &arguments) {
         ++loopDepth_;
         spread(region.arguments, arguments, false);
         walk(region, {Stage::Surface, range.last});

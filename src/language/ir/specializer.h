@@ -8,6 +8,7 @@
 #include "language/ir/dependence.h"
 
 #include <map>
+#include <optional>
 
 namespace candela::ir {
 
@@ -60,7 +61,6 @@ public:
     Triple triple(int hypothesis, const Triple &);
 
 private:
-    using Values = std::vector<ValueId>;
     struct Range {
         Stage first, last;
         bool has(Stage s) const { return first <= s && s <= last; }

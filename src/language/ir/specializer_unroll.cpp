@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Unrolling of loops whose count is known.
+#include "language/ir/builder_sources.h"
 #include "language/ir/specializer.h"
 #include "language/ir/trip_count.h"
 
@@ -37,9 +38,9 @@ bool Specializer::unrollLoop(const Instruction &i, Range range) {
         ValueId now = maps_[active_[0]][old];
         if (now == ValueId(-1))
             return;
-        if (const float *x = b_.constantFloat(now))
+        if (const float *x = constantFloat(b_, now))
             known[old] = *x;
-        if (auto truth = b_.constantBool(now))
+        if (auto truth = constantBool(b_, now))
             known[old] = *truth ? 1.0f : 0.0f;
     };
     for (ValueId old = 0; old < ValueId(text_.values.size()); ++old)

@@ -3,6 +3,11 @@
 #pragma once
 
 #include "language/ir/builder.h"
+#include "language/ir/builder_arithmetic.h"
+#include "language/ir/builder_control.h"
+#include "language/ir/builder_effects.h"
+#include "language/ir/builder_light.h"
+#include "language/ir/builder_sources.h"
 #include "language/runtime/runtime_functions.h"
 
 #include <random>
@@ -22,12 +27,12 @@ public:
         function.categories = {"key", "-key"};
         function.frameSlots = 4;
         for (int k = 0; k < 2; ++k) // For AnsweredRequest.
-            b_.addRequest({ir::LightRequest::Kind::Trace, ir::ConeForm::Everywhere, 0, -1, 0});
+            addRequest(b_, {ir::LightRequest::Kind::Trace, ir::ConeForm::Everywhere, 0, -1, 0});
         seedPools();
         statements(14, 3);
         for (int k = 0; k < 4; ++k)
-            b_.output("result", k, pick(floats_));
-        b_.output("result", 4, b_.unary(ir::Op::FloatFromBool, pick(bools_)));
+            output(b_, "result", k, pick(floats_));
+        output(b_, "result", 4, unary(b_, ir::Op::FloatFromBool, pick(bools_)));
         b_.finish();
     }
 
@@ -51,21 +56,23 @@ private:
 
     void seedPools() {
         for (int k = 0; k < 3; ++k)
-            floats_.push_back(b_.number(constant()));
-        for (Id v : b_.input3(ShaderInput::P))
+            floats_.push_back(number(b_, constant()));
+        for (Id v : input3(b_, ShaderInput::P))
             floats_.push_back(v);
-        const ir::Matrix world = b_.space("world"), back = b_.spaceInverse("world");
+        const ir::Matrix world = currentFromSpace(b_, "world"),
+                         back = spaceFromCurrent(b_, "world");
         keep({world[0], world[5], back[3]});
         uniforms_ = floats_;
         uniforms_.resize(3);
         uniforms_.insert(uniforms_.end(), {world[0], world[5], back[3], world[7]});
-        bools_ = {b_.boolean(true), b_.less(floats_[3], floats_[4]), b_.less(world[0], world[5])};
-        integers_ = {b_.integer(1), b_.unary(Op::IntegerFromFloat, world[2]),
-                     b_.unary(Op::IntegerFromFloat, b_.mul(floats_[3], b_.number(5)))};
-        strings_ = {b_.text("one"), b_.text("two"), b_.text("%f and %c;")};
-        strings_.push_back(b_.select(bools_[1], strings_[0], strings_[1]));
-        arrays_ = {b_.addArray(ir::Type::Float, 5), b_.addArray(ir::Type::Float, 3)};
-        boolArray_ = b_.addArray(ir::Type::Bool, 4);
+        bools_ = {boolean(b_, true), less(b_, floats_[3], floats_[4]),
+                  less(b_, world[0], world[5])};
+        integers_ = {integer(b_, 1), unary(b_, Op::IntegerFromFloat, world[2]),
+                     unary(b_, Op::IntegerFromFloat, mul(b_, floats_[3], number(b_, 5)))};
+        strings_ = {text(b_, "one"), text(b_, "two"), text(b_, "%f and %c;")};
+        strings_.push_back(select(b_, bools_[1], strings_[0], strings_[1]));
+        arrays_ = {addArray(b_, ir::Type::Float, 5), addArray(b_, ir::Type::Float, 3)};
+        boolArray_ = addArray(b_, ir::Type::Bool, 4);
     }
 
     /// Statements of a region; what they make is forgotten at its end.
@@ -97,18 +104,19 @@ private:
         case 5: return logic();
         case 6:
             return floats_.push_back(
-                b_.select(pick(bools_), pick(floats_), pick(below(2) ? floats_ : uniforms_)));
+                select(b_, pick(bools_), pick(floats_), pick(below(2) ? floats_ : uniforms_)));
         case 7: return source();
         case 8: return call(below(2) ? floats_ : uniforms_);
         case 9: return memory();
         case 10:
             return integers_.push_back(
-                b_.unary(Op::IntegerFromFloat, pick(below(2) ? floats_ : uniforms_)));
+                unary(b_, Op::IntegerFromFloat, pick(below(2) ? floats_ : uniforms_)));
         case 11: return light();
-        case 12: return b_.output("side", below(3), pick(floats_));
+        case 12: return output(b_, "side", below(3), pick(floats_));
         case 13: return frame();
         case 14: return print();
-        case 15: return strings_.push_back(b_.select(pick(bools_), pick(strings_), pick(strings_)));
+        case 15:
+            return strings_.push_back(select(b_, pick(bools_), pick(strings_), pick(strings_)));
         case 16:
         case 17:
         case 18: return branch(depth);
@@ -124,30 +132,30 @@ private:
         const Op op = Op(first + below(last - first + 1));
         const bool two =
             op <= Op::Div || op == Op::Min || op == Op::Max || op == Op::Atan2 || op == Op::Pow;
-        return two ? b_.binary(op, pick(pool), pick(pool)) : b_.unary(op, pick(pool));
+        return two ? binary(b_, op, pick(pool), pick(pool)) : unary(b_, op, pick(pool));
     }
     Id comparison(const Ids &pool) {
-        return b_.binary(Op(int(Op::Less) + below(4)), pick(pool), pick(pool));
+        return binary(b_, Op(int(Op::Less) + below(4)), pick(pool), pick(pool));
     }
     void logic() {
         switch (below(4)) {
-        case 0: return bools_.push_back(b_.both(pick(bools_), pick(bools_)));
-        case 1: return bools_.push_back(b_.either(pick(bools_), pick(bools_)));
-        case 2: return bools_.push_back(b_.negate(pick(bools_)));
+        case 0: return bools_.push_back(both(b_, pick(bools_), pick(bools_)));
+        case 1: return bools_.push_back(either(b_, pick(bools_), pick(bools_)));
+        case 2: return bools_.push_back(negate(b_, pick(bools_)));
         default:
-            return bools_.push_back(b_.binary(Op::StringEqual, pick(strings_), pick(strings_)));
+            return bools_.push_back(binary(b_, Op::StringEqual, pick(strings_), pick(strings_)));
         }
     }
     void source() {
         switch (below(8)) {
-        case 0: return floats_.push_back(b_.input(ShaderInput::N, below(3)));
-        case 1: return floats_.push_back(b_.parameter(below(5)));
-        case 2: return floats_.push_back(b_.variable(below(3)));
-        case 3: return keep({b_.object()[below(16)], b_.objectInverse()[below(16)]});
-        case 4: return floats_.push_back(b_.random());
+        case 0: return floats_.push_back(input(b_, ShaderInput::N, below(3)));
+        case 1: return floats_.push_back(parameter(b_, below(5)));
+        case 2: return floats_.push_back(variable(b_, below(3)));
+        case 3: return keep({currentFromObject(b_)[below(16)], objectFromCurrent(b_)[below(16)]});
+        case 4: return floats_.push_back(random(b_));
         case 5: return bools_.push_back(b_.emit(Op::AnsweredRequest, {}, below(2))[0]);
         case 6: return bools_.push_back(b_.emit(Op::CategoryAccepts, {}, below(2))[0]);
-        default: return floats_.push_back(b_.number(constant()));
+        default: return floats_.push_back(number(b_, constant()));
         }
     }
     void call(const Ids &pool) {
@@ -155,27 +163,27 @@ private:
         Ids inputs;
         for (int k = 0; k < runtime::info(runtime::RuntimeFunction(function)).inputs; ++k)
             inputs.push_back(pick(pool));
-        keep(b_.call(function, inputs));
+        keep(callRuntime(b_, function, inputs));
     }
     void memory() {
         const int array = arrays_[below(2)];
         switch (below(4)) {
-        case 0: return floats_.push_back(b_.arrayLoad(array, pick(integers_)));
-        case 1: return bools_.push_back(b_.arrayLoad(boolArray_, pick(integers_)));
-        case 2: return b_.arrayStore(boolArray_, pick(integers_), pick(bools_));
+        case 0: return floats_.push_back(arrayLoad(b_, array, pick(integers_)));
+        case 1: return bools_.push_back(arrayLoad(b_, boolArray_, pick(integers_)));
+        case 2: return arrayStore(b_, boolArray_, pick(integers_), pick(bools_));
         default:
-            return b_.arrayStore(array, pick(integers_),
-                                 pick(array == arrays_[0] ? floats_ : uniforms_));
+            return arrayStore(b_, array, pick(integers_),
+                              pick(array == arrays_[0] ? floats_ : uniforms_));
         }
     }
     void light() {
         switch (below(3)) {
-        case 0: return keep(b_.ambient());
-        case 1: return keep(b_.irradiance(triple(), triple()));
+        case 0: return keep(ambient(b_));
+        case 1: return keep(irradiance(b_, triple(), triple()));
         default: {
             ir::LightRequest request;
             request.kind = ir::LightRequest::Kind::Trace;
-            return keep(b_.trace(b_.addRequest(request), triple(), triple()));
+            return keep(trace(b_, addRequest(b_, request), triple(), triple()));
         }
         }
     }
@@ -188,8 +196,9 @@ private:
         }
     }
     void print() {
-        b_.printValues("%s: %f %c %f", {pick(strings_), pick(floats_), pick(floats_),
-                                        pick(uniforms_), pick(floats_), pick(floats_)});
+        printValues(b_, "%s: %f %c %f",
+                    {pick(strings_), pick(floats_), pick(floats_), pick(uniforms_), pick(floats_),
+                     pick(floats_)});
     }
 
     void branch(int depth) {
@@ -200,7 +209,7 @@ private:
                            pick(strings_)};
             });
         };
-        const Ids made = b_.ifElse(condition, side, side);
+        const Ids made = ifElse(b_, condition, side, side);
         keep({made[0], made[1]});
         bools_.push_back(made[2]);
         integers_.push_back(made[3]);
@@ -208,18 +217,19 @@ private:
     }
     void loop(int depth) {
         const Id asked =
-            b_.unary(Op::Abs, b_.mul(pick(below(2) ? floats_ : uniforms_), b_.number(4)));
-        const Id limit = b_.min(asked, b_.number(5));
-        const Id zero = b_.number(0);
-        const Ids initial{b_.less(zero, limit), zero, pick(floats_), pick(bools_), pick(uniforms_)};
-        const Ids made = b_.loop(initial, [&](const Ids &carried) {
+            unary(b_, Op::Abs, mul(b_, pick(below(2) ? floats_ : uniforms_), number(b_, 4)));
+        const Id limit = min(b_, asked, number(b_, 5));
+        const Id zero = number(b_, 0);
+        const Ids initial{less(b_, zero, limit), zero, pick(floats_), pick(bools_),
+                          pick(uniforms_)};
+        const Ids made = ir::loop(b_, initial, [&](const Ids &carried) {
             floats_.push_back(carried[2]);
             floats_.push_back(carried[4]);
             bools_.push_back(carried[3]);
             return scoped(1 + below(5), depth - 1, [&] {
-                const Id count = b_.add(carried[1], b_.number(1));
-                return Ids{b_.less(count, limit), count, pick(floats_), pick(bools_),
-                           b_.add(carried[4], b_.number(1))};
+                const Id count = add(b_, carried[1], number(b_, 1));
+                return Ids{less(b_, count, limit), count, pick(floats_), pick(bools_),
+                           add(b_, carried[4], number(b_, 1))};
             });
         });
         // The body's carried values are not visible out here.
@@ -239,25 +249,25 @@ private:
         for (int k = 0; k < request.coneCount; ++k) {
             for (Id axis : triple())
                 cones.push_back(axis);
-            cones.push_back(below(2) ? pick(floats_) : b_.number(1.2f));
+            cones.push_back(below(2) ? pick(floats_) : number(b_, 1.2f));
             if (request.form == ir::ConeForm::Extended)
                 for (int parameter = 0; parameter < 2; ++parameter)
                     cones.push_back(pick(floats_));
         }
         const Ids initial{pick(floats_), pick(bools_)};
         const Ids made =
-            b_.lightLoop(b_.addRequest(request), triple(), cones, initial,
-                         [&](const ir::Triple &L, const Ids &Cl, const Ids &carried) {
-                             const Ids floats = floats_, bools = bools_;
-                             keep({L[0], L[1], L[2], Cl[0], Cl[1], Cl[2], carried[0]});
-                             bools_.push_back(carried[1]);
-                             const Ids yields = scoped(1 + below(5), depth - 1, [&] {
-                                 return Ids{b_.add(carried[0], pick(floats_)), pick(bools_)};
-                             });
-                             floats_ = floats;
-                             bools_ = bools;
-                             return yields;
-                         });
+            ir::lightLoop(b_, addRequest(b_, request), triple(), cones, initial,
+                          [&](const ir::Triple &L, const Ids &Cl, const Ids &carried) {
+                              const Ids floats = floats_, bools = bools_;
+                              keep({L[0], L[1], L[2], Cl[0], Cl[1], Cl[2], carried[0]});
+                              bools_.push_back(carried[1]);
+                              const Ids yields = scoped(1 + below(5), depth - 1, [&] {
+                                  return Ids{add(b_, carried[0], pick(floats_)), pick(bools_)};
+                              });
+                              floats_ = floats;
+                              bools_ = bools;
+                              return yields;
+                          });
         floats_.push_back(made[0]);
         bools_.push_back(made[1]);
     }
