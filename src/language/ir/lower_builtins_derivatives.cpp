@@ -3,7 +3,8 @@
 #include "language/ir/builder_arithmetic.h"
 #include "language/ir/builder_sources.h"
 #include "language/ir/builder_vectors.h"
-#include "language/ir/lower_internal.h"
+#include "language/ir/lower_builtins.h"
+#include "language/ir/lower_derivatives.h"
 
 namespace candela::ir {
 namespace {

@@ -2,7 +2,8 @@
 #include "language/ir/builder_arithmetic.h"
 #include "language/ir/builder_sources.h"
 #include "language/ir/builder_vectors.h"
-#include "language/ir/lower_internal.h"
+#include "language/ir/lower_builtins.h"
+#include "language/ir/lower_matrix.h"
 
 namespace candela::ir {
 namespace {
@@ -23,26 +24,27 @@ Components column(const Components &m, int c) { return {m[c], m[4 + c], m[8 + c]
 
 Components comp(BuiltinCall &call) {
     if (call.count() == 2)
-        return {call.lowering.component(call.arguments[0], call.number(1))};
+        return {component(call.lowering.b, call.arguments[0], call.number(1))};
     Components row;
     for (int c = 0; c < 4; ++c)
-        row.push_back(call.lowering.component(column(call.arguments[0], c), call.number(1)));
-    return {call.lowering.component(row, call.number(2))};
+        row.push_back(component(call.lowering.b, column(call.arguments[0], c), call.number(1)));
+    return {component(call.lowering.b, row, call.number(2))};
 }
 
 Components setcomp(BuiltinCall &call) {
     Lowering &lowering = call.lowering;
     if (call.count() == 3) {
-        call.assign(0,
-                    lowering.replaceComponent(call.arguments[0], call.number(1), call.number(2)));
+        call.assign(
+            0, replaceComponent(lowering.b, call.arguments[0], call.number(1), call.number(2)));
         return {};
     }
     Components m = call.arguments[0], row;
     for (int c = 0; c < 4; ++c)
-        row.push_back(lowering.component(column(m, c), call.number(1)));
-    row = lowering.replaceComponent(row, call.number(2), call.number(3));
+        row.push_back(component(lowering.b, column(m, c), call.number(1)));
+    row = replaceComponent(lowering.b, row, call.number(2), call.number(3));
     for (int c = 0; c < 4; ++c) {
-        const Components changed = lowering.replaceComponent(column(m, c), call.number(1), row[c]);
+        const Components changed =
+            replaceComponent(lowering.b, column(m, c), call.number(1), row[c]);
         for (int r = 0; r < 4; ++r)
             m[4 * r + c] = changed[r];
     }
@@ -101,7 +103,7 @@ Components rotate(BuiltinCall &call) {
 Components faceforward(BuiltinCall &call) {
     const Triple reference = call.count() == 3
                                  ? call.triple(2)
-                                 : tripleOf(call.lowering.predefined(sl::PredefinedId::Ng));
+                                 : tripleOf(call.lowering.variables.load(sl::PredefinedId::Ng));
     return componentsOf(faceforward(call.b, call.triple(0), call.triple(1), reference));
 }
 

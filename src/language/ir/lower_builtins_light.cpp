@@ -6,7 +6,7 @@
 #include "language/ir/builder_light.h"
 #include "language/ir/builder_sources.h"
 #include "language/ir/builder_vectors.h"
-#include "language/ir/lower_internal.h"
+#include "language/ir/lower_builtins.h"
 
 #include <numbers>
 
@@ -26,7 +26,7 @@ Components gather(BuiltinCall &call, const Triple &normal, const char *category,
     Components cone = componentsOf(normal);
     cone.push_back(number(b, std::numbers::pi_v<float> / 2));
     return lightLoop(b, addRequest(b, request),
-                     tripleOf(call.lowering.predefined(sl::PredefinedId::P)), cone,
+                     tripleOf(call.lowering.variables.load(sl::PredefinedId::P)), cone,
                      Components(colorSamples, number(b, 0)),
                      [&](const Triple &L, const Components &Cl, const Components &carried) {
                          const ValueId weight = factor(normalize(b, L));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/ir/builder_arithmetic.h"
 #include "language/ir/builder_sources.h"
-#include "language/ir/lower_internal.h"
+#include "language/ir/lower_builtins.h"
 
 #include <numbers>
 

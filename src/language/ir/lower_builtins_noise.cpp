@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // noise(), pnoise() and cellnoise(): calls of the runtime's lattice functions.
 #include "language/ir/builder_arithmetic.h"
-#include "language/ir/lower_internal.h"
+#include "language/ir/lower_builtins.h"
 #include "language/runtime/runtime_functions.h"
 
 namespace candela::ir {

@@ -2,7 +2,7 @@
 // spline([basis,] x, knots): a cubic through or near values at even steps (RI 3.2 section 15.1).
 #include "language/ir/builder_arithmetic.h"
 #include "language/ir/builder_sources.h"
-#include "language/ir/lower_internal.h"
+#include "language/ir/lower_builtins.h"
 #include "language/semantics/spellings.h"
 
 #include <algorithm>
@@ -92,9 +92,9 @@ Components spline(BuiltinCall &call) {
     const Components none(width, number(b, 0));
     const Basis *basis = findBasis(name);
     if (!basis) {
-        call.lowering.error(call.expr.operands[0]->where, "there is no spline basis \"" + name +
-                                                              "\"; expected " +
-                                                              sl::splineBasisNames);
+        call.lowering.messages.error(call.expr.operands[0]->where, "there is no spline basis \"" +
+                                                                       name + "\"; expected " +
+                                                                       sl::splineBasisNames);
         return none;
     }
     Components values;
@@ -102,10 +102,10 @@ Components spline(BuiltinCall &call) {
         values.insert(values.end(), call.arguments[i].begin(), call.arguments[i].end());
     const int knots = int(values.size() / width);
     if (knots < 4 || (knots - 4) % basis->step != 0) {
-        call.lowering.error(call.expr.where, "a " + name + " spline takes 4 knots, or " +
-                                                 std::to_string(basis->step) +
-                                                 " more for each further segment; " +
-                                                 std::to_string(knots) + " are given");
+        call.lowering.messages.error(call.expr.where, "a " + name + " spline takes 4 knots, or " +
+                                                          std::to_string(basis->step) +
+                                                          " more for each further segment; " +
+                                                          std::to_string(knots) + " are given");
         return none;
     }
     const int segments = (knots - 4) / basis->step + 1;

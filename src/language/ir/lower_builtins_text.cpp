@@ -3,7 +3,7 @@
 // printf() keeps its numbers for run time.
 #include "language/ir/builder_effects.h"
 #include "language/ir/builder_sources.h"
-#include "language/ir/lower_internal.h"
+#include "language/ir/lower_builtins.h"
 #include "language/ir/print_format.h"
 #include "language/ir/regular_expression.h"
 #include "language/semantics/print_pattern.h"
@@ -31,9 +31,10 @@ bool isGiven(BuiltinCall &call, const sl::PrintPiece &piece, size_t argument) {
         return true;
     const std::string given =
         missing ? "nothing" : "a " + sl::shapeOf(call.expr.operands[argument]->type);
-    call.lowering.error(call.expr.where, piece.conversion() + " is given " + given +
-                                             "; %f, %g and %d print a float, %c a color, %p a "
-                                             "point, %m a matrix, %s a string");
+    call.lowering.messages.error(call.expr.where,
+                                 piece.conversion() + " is given " + given +
+                                     "; %f, %g and %d print a float, %c a color, %p a "
+                                     "point, %m a matrix, %s a string");
     return false;
 }
 
@@ -72,8 +73,9 @@ Components format(BuiltinCall &call) {
     for (ValueId value : expansion->values) {
         const float *known = constantFloat(call.b, value);
         if (!known) {
-            call.lowering.error(call.expr.where, "format() makes its string when the shader is "
-                                                 "compiled, so its arguments must be constants");
+            call.lowering.messages.error(call.expr.where,
+                                         "format() makes its string when the shader is "
+                                         "compiled, so its arguments must be constants");
             return {text(call.b, "")};
         }
         arguments.push_back({*known, nullptr});
@@ -93,8 +95,9 @@ Components match(BuiltinCall &call) {
     const std::string subject = call.text(1, "the subject of match()");
     if (const auto expression = RegularExpression::parse(pattern))
         return {number(call.b, expression->foundIn(subject))};
-    call.lowering.error(call.expr.operands[0]->where,
-                        "\"" + pattern + "\" is not a regular expression, or too large a one");
+    call.lowering.messages.error(call.expr.operands[0]->where,
+                                 "\"" + pattern +
+                                     "\" is not a regular expression, or too large a one");
     return {number(call.b, 0)};
 }
 

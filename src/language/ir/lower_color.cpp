@@ -5,7 +5,7 @@
 #include "language/ir/builder_arithmetic.h"
 #include "language/ir/builder_sources.h"
 #include "language/ir/builder_vectors.h"
-#include "language/ir/lower_internal.h"
+#include "language/ir/lower_builtins.h"
 #include "language/semantics/spellings.h"
 
 #include <string_view>
@@ -188,8 +188,8 @@ Components convertColor(Lowering &lowering, const Components &value, const std::
                         const std::string &to, const sl::Place &where) {
     const ColorSpace *source = findColorSpace(from), *target = findColorSpace(to);
     if (!source || !target) {
-        lowering.error(where, "there is no colour space \"" + (source ? to : from) +
-                                  "\"; expected " + sl::colorSpaceNames);
+        lowering.messages.error(where, "there is no colour space \"" + (source ? to : from) +
+                                           "\"; expected " + sl::colorSpaceNames);
         return value;
     }
     if (source == target)

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Control flow: branches merge cells, loops carry them, jumps become flags.
+#include "language/ir/lower_control.h"
+
 #include "language/ir/builder_arithmetic.h"
 #include "language/ir/builder_control.h"
 #include "language/ir/builder_sources.h"
-#include "language/ir/lower_internal.h"
+#include "language/ir/lower_expression.h"
+#include "language/ir/lower_scan.h"
+#include "language/ir/lower_statement.h"
 
 #include <algorithm>
 
@@ -19,12 +22,23 @@ ValueId chooseBool(Builder &b, ValueId condition, ValueId then, ValueId otherwis
     return select(b, condition, then, otherwise);
 }
 
-bool isKnownFalse(Builder &b, ValueId flag) { return constantBool(b, flag) == false; }
+bool isKnownFalse(const Builder &b, ValueId flag) { return constantBool(b, flag) == false; }
 
 } // namespace
 
-void Lowering::branch(ValueId condition, const std::function<void()> &then,
-                      const std::function<void()> &otherwise, const std::vector<int> &clear) {
+void enter(Lowering &lowering, const sl::Function *function) {
+    Builder &b = lowering.b;
+    const Components none = function ? zero(b, function->result.base) : Components{};
+    Frame frame{.function = function, .returned = 0, .result = 0, .loops = {}};
+    frame.returned = lowering.variables.newCells({boolean(b, false)});
+    frame.result = lowering.variables.newCells(none);
+    lowering.frames.push_back(frame);
+}
+
+void branch(Lowering &lowering, ValueId condition, const std::function<void()> &then,
+            const std::function<void()> &otherwise, const std::vector<int> &clear) {
+    Builder &b = lowering.b;
+    std::vector<ValueId> &cells = lowering.variables.cells;
     if (const auto known = constantBool(b, condition)) {
         (*known ? then : otherwise)();
         return;
@@ -75,62 +89,77 @@ void Lowering::branch(ValueId condition, const std::function<void()> &then,
     b.append(std::move(instruction));
 }
 
-std::vector<int> Lowering::liveFlags() {
-    std::vector<int> flags{frames.back().returned};
-    for (const OpenLoop &loop : frames.back().loops) {
+std::vector<int> liveFlags(Lowering &lowering) {
+    const Frame &frame = lowering.frames.back();
+    std::vector<int> flags{frame.returned};
+    for (const OpenLoop &loop : frame.loops) {
         flags.push_back(loop.broken);
         flags.push_back(loop.continued);
     }
-    std::erase_if(flags, [&](int flag) { return isKnownFalse(b, cells[flag]); });
+    std::erase_if(
+        flags, [&](int flag) { return isKnownFalse(lowering.b, lowering.variables.cells[flag]); });
     return flags;
 }
 
-ValueId Lowering::isLive() {
+static ValueId isLive(Lowering &lowering) {
+    Builder &b = lowering.b;
+    const std::vector<ValueId> &cells = lowering.variables.cells;
     ValueId stopped = boolean(b, false);
-    for (int flag : liveFlags())
+    for (int flag : liveFlags(lowering))
         stopped = isKnownFalse(b, stopped) ? cells[flag] : either(b, stopped, cells[flag]);
     return negate(b, stopped);
 }
 
-void Lowering::whereLive(const std::function<void()> &rest) {
-    const std::vector<int> flags = liveFlags();
+void whereLive(Lowering &lowering, const std::function<void()> &rest) {
+    const std::vector<int> flags = liveFlags(lowering);
     if (flags.empty())
         rest();
     else
         branch(
-            isLive(), rest, [] {}, flags);
+            lowering, isLive(lowering), rest, [] {}, flags);
+}
+
+CarriedCells carriedCells(const Lowering &lowering, const sl::Stmt &loop) {
+    const LoopEffects effects = loopEffects(loop);
+    CarriedCells carried;
+    for (const sl::Symbol *symbol : effects.assigned)
+        lowering.variables.appendCells(*symbol, carried.variables);
+    const auto names = [](const std::vector<const sl::Stmt *> &list, const sl::Stmt *target) {
+        return std::find(list.begin(), list.end(), target) != list.end();
+    };
+    carried.breaks = names(effects.breaks, &loop);
+    const Frame &frame = lowering.frames.back();
+    for (const OpenLoop &outer : frame.loops) {
+        if (names(effects.breaks, outer.statement))
+            carried.flags.push_back(outer.broken);
+        if (names(effects.continues, outer.statement))
+            carried.flags.push_back(outer.continued);
+    }
+    if (effects.returns) {
+        carried.flags.push_back(frame.returned);
+        const int count = frame.function ? componentCount(frame.function->result.base) : 0;
+        for (int i = 0; i < count; ++i)
+            carried.results.push_back(frame.result + i);
+    }
+    return carried;
 }
 
 /// while (condition) body: the condition is evaluated before the loop and at the end of each
 /// round, there only if the round was neither broken nor returned from.
-void Lowering::lowerLoop(const sl::Stmt &loop) {
-    const auto holds = [&] { return loop.value ? condition(*loop.value) : boolean(b, true); };
+void lowerLoop(Lowering &lowering, const sl::Stmt &statement) {
+    Builder &b = lowering.b;
+    std::vector<ValueId> &cells = lowering.variables.cells;
+    const auto holds = [&] {
+        return statement.value ? condition(lowering, *statement.value) : boolean(b, true);
+    };
     const ValueId first = holds();
     if (isKnownFalse(b, first))
         return;
 
-    const LoopEffects effects = loopEffects(loop);
-    std::vector<int> carried;
-    for (const sl::Symbol *symbol : effects.assigned)
-        appendCells(*symbol, carried);
-    std::vector<int> flags; // Of jumps to places outside of this loop.
-    for (const OpenLoop &outer : frames.back().loops) {
-        const auto jumpsTo = [&](const std::vector<const sl::Stmt *> &targets) {
-            return std::find(targets.begin(), targets.end(), outer.statement) != targets.end();
-        };
-        if (jumpsTo(effects.breaks))
-            flags.push_back(outer.broken);
-        if (jumpsTo(effects.continues))
-            flags.push_back(outer.continued);
-    }
-    if (effects.returns) {
-        flags.push_back(frames.back().returned);
-        const sl::Function *function = frames.back().function;
-        const int count = function ? componentCount(function->result.base) : 0;
-        for (int i = 0; i < count; ++i)
-            carried.push_back(frames.back().result + i);
-    }
-    carried.insert(carried.end(), flags.begin(), flags.end());
+    const CarriedCells parts = carriedCells(lowering, statement);
+    std::vector<int> carried = parts.variables;
+    carried.insert(carried.end(), parts.results.begin(), parts.results.end());
+    carried.insert(carried.end(), parts.flags.begin(), parts.flags.end());
 
     const std::vector<ValueId> before = cells;
     Components initial{first};
@@ -139,25 +168,26 @@ void Lowering::lowerLoop(const sl::Stmt &loop) {
     const auto round = [&](const Components &arguments) {
         for (size_t i = 0; i < carried.size(); ++i)
             cells[carried[i]] = arguments[i + 1];
-        for (int flag : flags)
+        for (int flag : parts.flags)
             cells[flag] = boolean(b, false); // Or there would be no round.
-        const int none = newCells({boolean(b, false), boolean(b, false), boolean(b, false)});
-        const int broken = none, continued = none + 1, next = none + 2;
-        frames.back().loops.push_back({&loop, broken, continued});
-        lower(loop.body);
+        const ValueId none = boolean(b, false);
+        const int broken = lowering.variables.newCells({none, none, none});
+        const int continued = broken + 1, next = broken + 2;
+        lowering.frames.back().loops.push_back({&statement, broken, continued});
+        lower(lowering, statement.body);
         cells[continued] = boolean(b, false);
-        whereLive([&] {
-            for (const sl::ExprPtr &step : loop.steps)
-                evaluate(*step);
+        whereLive(lowering, [&] {
+            for (const sl::ExprPtr &step : statement.steps)
+                evaluate(lowering, *step);
             cells[next] = holds();
         });
-        frames.back().loops.pop_back();
+        lowering.frames.back().loops.pop_back();
         Components yields{cells[next]};
         for (int cell : carried)
             yields.push_back(cells[cell]);
         return yields;
     };
-    const Components results = ir::loop(b, initial, round);
+    const Components results = loop(b, initial, round);
     cells = before;
     for (size_t i = 0; i < carried.size(); ++i)
         cells[carried[i]] = results[i + 1];

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Derivatives by u and v, forward: beside each value that reaches a Du() or Dv() stand its two
-// derivatives, made by the chain rule from those of the renderer's inputs. While the text is being
-// lowered, Du() is a placeholder; here, when the whole text stands, placeholders are replaced.
+#include "language/ir/lower_derivatives.h"
+
 #include "language/ir/builder_effects.h"
 #include "language/ir/builder_sources.h"
 #include "language/ir/lower_derivative_rules.h"
-#include "language/ir/lower_internal.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
 #include <utility>
 
 namespace candela::ir {

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// illuminance, illuminate and solar (RI 3.2 section 12.5; the paper's sections 5.2 and 5.4).
+#include "language/ir/lower_light.h"
+
 #include "foundation/units/color.h"
 #include "language/ir/builder_arithmetic.h"
 #include "language/ir/builder_light.h"
 #include "language/ir/builder_sources.h"
 #include "language/ir/builder_vectors.h"
-#include "language/ir/lower_internal.h"
+#include "language/ir/lower_control.h"
+#include "language/ir/lower_expression.h"
+#include "language/ir/lower_statement.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,14 +36,14 @@ struct ConeValues {
 /// (or vanish, if the count is a constant).
 std::vector<ConeValues> evaluateCones(Lowering &lowering, const sl::LightArguments &light) {
     Builder &b = lowering.b;
-    const ValueId count = lowering.evaluateFloat(*light.coneCount);
+    const ValueId count = evaluateFloat(lowering, *light.coneCount);
     std::vector<ConeValues> cones;
     for (const sl::Cone &cone : light.cones) {
         ConeValues values;
-        values.axis = tripleOf(lowering.evaluate(*cone.axis));
-        values.angle = lowering.evaluateFloat(*cone.angle);
-        values.exponent = lowering.evaluateFloat(*cone.exponent);
-        values.importance = luminanceOf(b, lowering.evaluate(*cone.importance));
+        values.axis = tripleOf(evaluate(lowering, *cone.axis));
+        values.angle = evaluateFloat(lowering, *cone.angle);
+        values.exponent = evaluateFloat(lowering, *cone.exponent);
+        values.importance = luminanceOf(b, evaluate(lowering, *cone.importance));
         const ValueId index = number(b, float(cones.size()));
         values.importance = select(b, less(b, index, count), values.importance, number(b, 0));
         cones.push_back(values);
@@ -55,36 +58,19 @@ std::vector<ConeValues> evaluateCones(Lowering &lowering, const sl::LightArgumen
 /// Lowers a light statement's body once, with its own jumps.
 void lowerBodyOf(Lowering &lowering, const sl::Stmt &statement) {
     const ValueId none = boolean(lowering.b, false);
-    const int flags = lowering.newCells({none, none});
+    const int flags = lowering.variables.newCells({none, none});
     lowering.frames.back().loops.push_back({&statement, flags, flags + 1});
-    lowering.lower(statement.body);
+    lower(lowering, statement.body);
     lowering.frames.back().loops.pop_back();
 }
 
-/// The cells that a light loop carries: what its body assigns, and the flags of its jumps.
-std::vector<int> carriedCells(Lowering &lowering, const sl::Stmt &statement, int brokenCell) {
-    const LoopEffects effects = loopEffects(statement);
-    std::vector<int> carried;
-    for (const sl::Symbol *symbol : effects.assigned)
-        lowering.appendCells(*symbol, carried);
-    const auto names = [](const std::vector<const sl::Stmt *> &list, const sl::Stmt *target) {
-        return std::find(list.begin(), list.end(), target) != list.end();
-    };
-    if (names(effects.breaks, &statement))
-        carried.push_back(brokenCell);
-    const Frame &frame = lowering.frames.back();
-    for (const OpenLoop &outer : frame.loops) {
-        if (names(effects.breaks, outer.statement))
-            carried.push_back(outer.broken);
-        if (names(effects.continues, outer.statement))
-            carried.push_back(outer.continued);
-    }
-    if (effects.returns) {
-        carried.push_back(frame.returned);
-        const int count = frame.function ? componentCount(frame.function->result.base) : 0;
-        for (int i = 0; i < count; ++i)
-            carried.push_back(frame.result + i);
-    }
+/// What a light loop carries: as any loop, and the flag of its own breaks.
+std::vector<int> cellsInOrder(const CarriedCells &parts, int broken) {
+    std::vector<int> carried = parts.variables;
+    if (parts.breaks)
+        carried.push_back(broken);
+    carried.insert(carried.end(), parts.flags.begin(), parts.flags.end());
+    carried.insert(carried.end(), parts.results.begin(), parts.results.end());
     return carried;
 }
 
@@ -94,13 +80,31 @@ LightRequest describe(Lowering &lowering, const sl::LightArguments &light, int l
     request.form = ConeForm(light.form);
     request.line = line;
     if (light.category) {
-        const ValueId name = lowering.evaluate(*light.category)[0];
+        const ValueId name = evaluate(lowering, *light.category)[0];
         const std::string category =
-            lowering.requiredText(name, light.category->where, "a light category");
+            requiredText(lowering, name, light.category->where, "a light category");
         if (!category.empty())
             request.category = categoryIndex(lowering.b, category);
     }
     return request;
+}
+
+/// The operands that say the cones, which the request counts.
+Components describeCones(Lowering &lowering, const sl::LightArguments &light,
+                         LightRequest &request) {
+    Components operands;
+    if (light.form == sl::ConeForm::Classic) {
+        request.coneCount = 1;
+        operands = evaluate(lowering, *light.axis);
+        operands.push_back(evaluateFloat(lowering, *light.angle));
+    } else if (light.form == sl::ConeForm::Extended) {
+        for (const ConeValues &cone : evaluateCones(lowering, light)) {
+            ++request.coneCount;
+            operands.insert(operands.end(), cone.axis.begin(), cone.axis.end());
+            operands.insert(operands.end(), {cone.angle, cone.exponent, cone.importance});
+        }
+    }
+    return operands;
 }
 
 } // namespace
@@ -109,39 +113,30 @@ static_assert(int(ConeForm::Everywhere) == int(sl::ConeForm::Everywhere) &&
               int(ConeForm::Classic) == int(sl::ConeForm::Classic) &&
               int(ConeForm::Extended) == int(sl::ConeForm::Extended));
 
-void Lowering::lowerIlluminance(const sl::Stmt &statement) {
+void lowerIlluminance(Lowering &lowering, const sl::Stmt &statement) {
+    Builder &b = lowering.b;
     const sl::LightArguments &light = *statement.light;
-    LightRequest request = describe(*this, light, statement.where.line);
-    const Triple position = tripleOf(evaluate(*light.position));
-    Components coneOperands;
-    if (light.form == sl::ConeForm::Classic) {
-        request.coneCount = 1;
-        coneOperands = evaluate(*light.axis);
-        coneOperands.push_back(evaluateFloat(*light.angle));
-    } else if (light.form == sl::ConeForm::Extended) {
-        for (const ConeValues &cone : evaluateCones(*this, light)) {
-            ++request.coneCount;
-            coneOperands.insert(coneOperands.end(), cone.axis.begin(), cone.axis.end());
-            coneOperands.insert(coneOperands.end(), {cone.angle, cone.exponent, cone.importance});
-        }
-    }
-
+    LightRequest request = describe(lowering, light, statement.where.line);
+    const Triple position = tripleOf(evaluate(lowering, *light.position));
+    const Components coneOperands = describeCones(lowering, light, request);
+    Variables &variables = lowering.variables;
+    std::vector<ValueId> &cells = variables.cells;
     const std::vector<ValueId> before = cells;
-    const int flags = newCells({boolean(b, false), boolean(b, false)});
-    const int broken = flags, continued = flags + 1;
-    const std::vector<int> carried = carriedCells(*this, statement, broken);
+    const ValueId none = boolean(b, false);
+    const int broken = variables.newCells({none, none}), continued = broken + 1;
+    const std::vector<int> carried = cellsInOrder(carriedCells(lowering, statement), broken);
     Components initial;
     for (int cell : carried)
         initial.push_back(cells[cell]);
     const auto sample = [&](const Triple &L, const Components &Cl, const Components &arguments) {
         for (size_t i = 0; i < carried.size(); ++i)
             cells[carried[i]] = arguments[i];
-        setPredefined(sl::PredefinedId::L, componentsOf(L));
-        setPredefined(sl::PredefinedId::Cl, Cl);
-        setPredefined(sl::PredefinedId::Ol, Components(colorSamples, number(b, 1)));
-        frames.back().loops.push_back({&statement, broken, continued});
-        whereLive([&] { lower(statement.body); });
-        frames.back().loops.pop_back();
+        variables.store(sl::PredefinedId::L, componentsOf(L));
+        variables.store(sl::PredefinedId::Cl, Cl);
+        variables.store(sl::PredefinedId::Ol, Components(colorSamples, number(b, 1)));
+        lowering.frames.back().loops.push_back({&statement, broken, continued});
+        whereLive(lowering, [&] { lower(lowering, statement.body); });
+        lowering.frames.back().loops.pop_back();
         Components yields;
         for (int cell : carried)
             yields.push_back(cells[cell]);
@@ -188,24 +183,23 @@ Triple directionInCone(Builder &b, const Triple &axis, ValueId angle, ValueId xi
 }
 
 void openLight(Lowering &lowering, const Triple &L) {
-    if (!lowering.lightDirection)
-        lowering.lightDirection = L;
-    lowering.setPredefined(sl::PredefinedId::L, componentsOf(L));
+    if (!lowering.light.direction)
+        lowering.light.direction = L;
+    lowering.variables.store(sl::PredefinedId::L, componentsOf(L));
 }
 
 } // namespace
 
-/// A local emitter: L runs from the light to Ps. Light leaves within the cone of the classic form
-/// alone; the cones of the extended form say where to send it, and cull nothing.
-void Lowering::lowerIlluminate(const sl::Stmt &statement) {
-    lightClass = LightClass::Local;
+void lowerIlluminate(Lowering &lowering, const sl::Stmt &statement) {
+    Builder &b = lowering.b;
+    lowering.light.kind = LightClass::Local;
     const sl::LightArguments &light = *statement.light;
-    const Triple position = tripleOf(evaluate(*light.position));
-    const Triple L = sub(b, tripleOf(predefined(sl::PredefinedId::Ps)), position);
+    const Triple position = tripleOf(evaluate(lowering, *light.position));
+    const Triple L = sub(b, tripleOf(lowering.variables.load(sl::PredefinedId::Ps)), position);
     ValueId lit = boolean(b, true);
     if (light.form == sl::ConeForm::Classic) {
-        const Triple axis = normalize(b, tripleOf(evaluate(*light.axis)));
-        const ValueId angle = evaluateFloat(*light.angle);
+        const Triple axis = normalize(b, tripleOf(evaluate(lowering, *light.axis)));
+        const ValueId angle = evaluateFloat(lowering, *light.angle);
         const ValueId cosine =
             unary(b, Op::Cos, min(b, angle, number(b, std::numbers::pi_v<float>)));
         lit = lessEqual(b, cosine, dot(b, axis, normalize(b, L)));
@@ -213,28 +207,26 @@ void Lowering::lowerIlluminate(const sl::Stmt &statement) {
             known && *known >= std::numbers::pi_v<float>)
             lit = boolean(b, true);
     } else if (light.form == sl::ConeForm::Extended) {
-        evaluateCones(*this, light);
+        evaluateCones(lowering, light);
     }
-    openLight(*this, L);
+    openLight(lowering, L);
     branch(
-        lit, [&] { lowerBodyOf(*this, statement); }, [] {});
+        lowering, lit, [&] { lowerBodyOf(lowering, statement); }, [] {});
 }
 
-/// A distant emitter: the direction of its light is the axis, or one of the cone about it by
-/// lightSample; without any arguments one of the sphere. Of several cones of the extended form
-/// lightSample takes one, by importance.
-void Lowering::lowerSolar(const sl::Stmt &statement) {
-    if (lightClass == LightClass::Ambient)
-        lightClass = LightClass::Distant;
+void lowerSolar(Lowering &lowering, const sl::Stmt &statement) {
+    Builder &b = lowering.b;
+    if (lowering.light.kind == LightClass::Ambient)
+        lowering.light.kind = LightClass::Distant;
     const sl::LightArguments &light = *statement.light;
     Triple axis = triple(b, 0, 0, 1);
     ValueId angle = number(b, std::numbers::pi_v<float>);
     ValueId xi = input(b, ShaderInput::lightSample, 0);
     if (light.form == sl::ConeForm::Classic) {
-        axis = tripleOf(evaluate(*light.axis));
-        angle = evaluateFloat(*light.angle);
+        axis = tripleOf(evaluate(lowering, *light.axis));
+        angle = evaluateFloat(lowering, *light.angle);
     } else if (light.form == sl::ConeForm::Extended) {
-        const std::vector<ConeValues> cones = evaluateCones(*this, light);
+        const std::vector<ConeValues> cones = evaluateCones(lowering, light);
         const ValueId halfDegree = number(b, std::numbers::pi_v<float> / 360);
         ValueId total = number(b, 0);
         for (const ConeValues &cone : cones)
@@ -249,8 +241,8 @@ void Lowering::lowerSolar(const sl::Stmt &statement) {
             sum = add(b, sum, cones[i].importance);
         }
     }
-    openLight(*this, directionInCone(b, axis, angle, xi));
-    lowerBodyOf(*this, statement);
+    openLight(lowering, directionInCone(b, axis, angle, xi));
+    lowerBodyOf(lowering, statement);
 }
 
 } // namespace candela::ir

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Matrices, row by row, acting on row vectors: "A * B" is first A, then B.
+#include "language/ir/lower_matrix.h"
+
 #include "language/ir/builder_arithmetic.h"
 #include "language/ir/builder_sources.h"
-#include "language/ir/lower_internal.h"
+#include "language/ir/lower_builtins.h"
 
 namespace candela::ir {
 
