@@ -6,7 +6,7 @@
 #include "language/ir/builder_sources.h"
 #include "language/ir/builder_vectors.h"
 #include "language/ir/cone_lobes.h"
-#include "language/ir/specializer.h"
+#include "language/ir/value_mapping.h"
 
 #include <iterator>
 #include <numbers>
@@ -161,9 +161,9 @@ std::vector<Cull> addCulls(Function &text) {
     return culls;
 }
 
-StatedCone stateCone(Specializer &telling, Builder &b, const Instruction &request,
+StatedCone stateCone(ValueMapping &mapping, Builder &b, const Instruction &request,
                      const Cone &cone) {
-    auto operand = [&](int k) { return telling.value(0, request.operands[k]); };
+    auto operand = [&](int k) { return mapping.value(0, request.operands[k]); };
     StatedCone stated;
     stated.exponent = number(b, 0);
     switch (cone.kind) {
@@ -180,19 +180,19 @@ StatedCone stateCone(Specializer &telling, Builder &b, const Instruction &reques
         stated.angle = number(b, 360);
         break;
     case Cone::Kind::Classic: {
-        stated.axis = telling.triple(0, cone.axis);
+        stated.axis = mapping.triple(0, cone.axis);
         ValueId degrees = mul(b, operand(6), number(b, 360 / std::numbers::pi_v<float>));
         stated.angle = min(b, degrees, number(b, 360));
         break;
     }
     case Cone::Kind::Lobe: {
-        stated.axis = telling.triple(0, cone.axis);
+        stated.axis = mapping.triple(0, cone.axis);
         if (cone.mirrored) {
-            Triple about = normalize(b, stated.axis), v = telling.triple(0, *cone.mirrored);
+            Triple about = normalize(b, stated.axis), v = mapping.triple(0, *cone.mirrored);
             stated.axis = sub(b, scale(b, about, mul(b, number(b, 2), dot(b, about, v))), v);
         }
         stated.angle = number(b, 180);
-        ValueId exponent = cone.exponent ? telling.value(0, *cone.exponent) : number(b, 1);
+        ValueId exponent = cone.exponent ? mapping.value(0, *cone.exponent) : number(b, 1);
         stated.exponent = mul(b, exponent, number(b, cone.exponentScale));
         break;
     }

@@ -10,7 +10,7 @@
 
 namespace candela::ir {
 
-class Specializer;
+class ValueMapping;
 
 /// One importance cone of a request. Values are of the text.
 struct Cone {
@@ -42,7 +42,8 @@ struct Cone {
 };
 
 /// The cones of all requests in the text, in request order. `recognize`: read lobes off classic
-/// loops; their values may stand in the loops' bodies, which a framed telling computes before.
+/// loops; their values may stand in the loops' bodies, which are computed before if stages are told
+/// apart.
 std::vector<Cone> conesOf(const Function &text, const Dependence &, bool recognize);
 
 /// A cone as outputs have it.
@@ -51,8 +52,8 @@ struct StatedCone {
     ValueId angle = 0, exponent = 0;
     std::optional<ValueId> importance; ///< Only if the shader states it.
 };
-/// Where the text's instruction `request` stands in the telling.
-StatedCone stateCone(Specializer &, Builder &, const Instruction &request, const Cone &);
+/// Where the text's instruction `request` stands where it is written anew.
+StatedCone stateCone(ValueMapping &, Builder &, const Instruction &request, const Cone &);
 
 /// The normalised axis and the cosine of the half angle of a classic loop.
 struct Cull {
