@@ -13,7 +13,7 @@ namespace candela::ir {
 
 namespace {
 
-/// The text specialized, so that equal values are one value and have one frame slot.
+/// Writes the text anew, so that equal values are one value and have one frame slot.
 void eliminateCommonSubexpressions(Function &text, std::vector<Cull> &culls) {
     Dependence dependence = analyzeDependence(text);
     Function shared = emptyLike(text);
