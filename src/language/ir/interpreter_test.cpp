@@ -48,7 +48,7 @@ float cosineNL(const TestBatch &batch, int lane, int row) {
     float sum = 0;
     for (int c = 0; c < 3; ++c)
         sum += batch.inputs[int(ShaderInput::N) + c][lane] *
-               batch.sampleL[c][row * batch.padded() + lane];
+               batch.samples.L[c][row * batch.padded() + lane];
     return sum;
 }
 
@@ -60,7 +60,7 @@ TEST(Interpreter, SumsLightOverSamples) {
     for (int i = 0; i < batch.count; ++i) {
         float expected = 0;
         for (int s = 0; s < 3; ++s)
-            expected += batch.sampleCl[0][s * batch.padded() + i] * cosineNL(batch, i, s);
+            expected += batch.samples.Cl[0][s * batch.padded() + i] * cosineNL(batch, i, s);
         EXPECT_FLOAT_EQ(out[0][i], expected);
     }
     EXPECT_EQ(out[0][21], 0) << "padding is left alone";
@@ -76,7 +76,7 @@ TEST(Interpreter, ClassicLoopsCullOutsideTheirCone) {
         float NN = 0, LL = 0;
         for (int c = 0; c < 3; ++c) {
             NN += std::pow(batch.inputs[int(ShaderInput::N) + c][i], 2.0f);
-            LL += std::pow(batch.sampleL[c][i], 2.0f);
+            LL += std::pow(batch.samples.L[c][i], 2.0f);
         }
         bool accepted = cosineNL(batch, i, 0) / std::sqrt(NN * LL) >= std::cos(1.0f);
         inside += accepted;
@@ -90,11 +90,11 @@ TEST(Interpreter, CategoriesAndMasks) {
     Function function = lightSum(ConeForm::Everywhere, {}, 0);
     TestBatch batch(function, 32, 5);
     batch.setSamples(1, 6);
-    batch.lightCount = 1;
-    batch.categoryAccepts = {0, 1}; // Light 1 speaks, indirect light does not.
-    batch.sampleLight.assign(batch.padded(), 0);
+    batch.samples.lightCount = 1;
+    batch.samples.categoryAccepts = {0, 1}; // Light 1 speaks, indirect light does not.
+    batch.samples.light.assign(batch.padded(), 0);
     for (int i = 0; i < 32; i += 2)
-        batch.sampleLight[i] = 1;
+        batch.samples.light[i] = 1;
     batch.active = {0xffff, 0x00ff};
     auto out = batch.run(function, interpret, 7);
     for (int i = 0; i < 32; ++i) {
@@ -109,13 +109,13 @@ TEST(Interpreter, DeltaRequestsTakeTheirAnswer) {
     Function function = lightSum(ConeForm::Extended, {0, 1, 1}); // Angle 0.
     TestBatch batch(function, 16, 7);
     batch.setSamples(2, 8);
-    batch.useAnswers = true;
+    batch.answers.givesTraced = true;
     auto out = batch.run(function, interpret);
     for (int i = 0; i < 16; ++i) {
         float NN = 0;
         for (int c = 0; c < 3; ++c)
             NN += std::pow(batch.inputs[int(ShaderInput::N) + c][i], 2.0f);
-        EXPECT_FLOAT_EQ(out[0][i], batch.answers[0][i] * NN);
+        EXPECT_FLOAT_EQ(out[0][i], batch.answers.traced[0][i] * NN);
     }
 }
 

@@ -90,9 +90,9 @@ TestBatch randomBatch(const ir::Function &function, unsigned seed) {
     TestBatch batch(function, 1 + int(bits() % 50), seed);
     const int rows = int(bits() % 4);
     batch.setSamples(rows, seed);
-    for (std::size_t i = 0; i < batch.sampleCl[0].size(); ++i)
+    for (std::size_t i = 0; i < batch.samples.Cl[0].size(); ++i)
         if (bits() % 4 == 0)
-            for (auto &plane : batch.sampleCl)
+            for (auto &plane : batch.samples.Cl)
                 plane[i] = 0;
     for (int word = 0; word < batch.padded() / 16 && seed % 3; ++word)
         batch.active.push_back(std::uint16_t(bits() % 4 ? bits() : 0));
@@ -101,16 +101,16 @@ TestBatch randomBatch(const ir::Function &function, unsigned seed) {
     batch.objects.insert(batch.objects.end(), batch.objects.rbegin(), batch.objects.rend());
     for (int &index : batch.objectIndex)
         index = seed % 4 < 2 ? int(bits() % 2) : 1;
-    for (int &request : batch.answered)
+    for (int &request : batch.answeredRequest)
         request = int(bits() % 3) - 1;
-    batch.useAnswers = bits() % 2;
-    batch.useAmbient = bits() % 2;
-    batch.lightCount = 2;
+    batch.answers.givesTraced = bits() % 2;
+    batch.answers.givesAmbient = bits() % 2;
+    batch.samples.lightCount = 2;
     if (bits() % 3)
-        batch.categoryAccepts = {1, 0, 1, 0, 1, 0};
+        batch.samples.categoryAccepts = {1, 0, 1, 0, 1, 0};
     if (bits() % 3) {
-        batch.sampleLight.resize(std::size_t(rows) * batch.padded());
-        for (int &light : batch.sampleLight)
+        batch.samples.light.resize(std::size_t(rows) * batch.padded());
+        for (int &light : batch.samples.light)
             light = int(bits() % 3);
     }
     return batch;
