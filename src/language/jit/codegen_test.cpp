@@ -163,8 +163,7 @@ TEST_P(Codegen, RandomProgramsEqualTheInterpreterInAllLanes) {
     // Code without masked memory operations takes LLVM long.
     const unsigned programs = (!runs ? 5 : hasFma() ? 40 : 20) * campaignFactor();
     for (unsigned seed = 1; seed <= programs && !HasFailure(); ++seed) {
-        ir::Function function;
-        RandomProgram(function, seed, hasFma());
+        const ir::Function function = randomProgram(seed, hasFma());
         ASSERT_EQ(ir::verify(function), "") << "seed " << seed;
         const ShaderFunction wideCode = wide.compile(function);
         const ShaderFunction narrowCode = narrow.compile(function);
