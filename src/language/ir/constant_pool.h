@@ -16,7 +16,7 @@ public:
     ValueId intern(Function &, Op, int immediate, float number);
     /// The instruction that defines the value if it is a constant, else null.
     const Instruction *find(ValueId) const;
-    /// Puts all of them at the head of the function's body and forgets them.
+    /// Puts all of them at the head of the function's body, once nothing more is asked for.
     void moveTo(Function &);
 
 private:

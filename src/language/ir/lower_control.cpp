@@ -148,7 +148,8 @@ CarriedCells carriedCells(const Lowering &lowering, const sl::Stmt &loop) {
 /// round, there only if the round was neither broken nor returned from.
 void lowerLoop(Lowering &lowering, const sl::Stmt &statement) {
     Builder &b = lowering.b;
-    std::vector<ValueId> &cells = lowering.variables.cells;
+    Variables &variables = lowering.variables;
+    std::vector<ValueId> &cells = variables.cells;
     const auto holds = [&] {
         return statement.value ? condition(lowering, *statement.value) : boolean(b, true);
     };
@@ -162,16 +163,14 @@ void lowerLoop(Lowering &lowering, const sl::Stmt &statement) {
     carried.insert(carried.end(), parts.flags.begin(), parts.flags.end());
 
     const std::vector<ValueId> before = cells;
-    Components initial{first};
-    for (int cell : carried)
-        initial.push_back(cells[cell]);
+    Components initial = variables.inCells(carried);
+    initial.insert(initial.begin(), first);
     const auto round = [&](const Components &arguments) {
-        for (size_t i = 0; i < carried.size(); ++i)
-            cells[carried[i]] = arguments[i + 1];
+        variables.setCells(carried, {arguments.begin() + 1, arguments.end()});
         for (int flag : parts.flags)
             cells[flag] = boolean(b, false); // Or there would be no round.
         const ValueId none = boolean(b, false);
-        const int broken = lowering.variables.newCells({none, none, none});
+        const int broken = variables.newCells({none, none, none});
         const int continued = broken + 1, next = broken + 2;
         lowering.frames.back().loops.push_back({&statement, broken, continued});
         lower(lowering, statement.body);
@@ -182,15 +181,13 @@ void lowerLoop(Lowering &lowering, const sl::Stmt &statement) {
             cells[next] = holds();
         });
         lowering.frames.back().loops.pop_back();
-        Components yields{cells[next]};
-        for (int cell : carried)
-            yields.push_back(cells[cell]);
+        Components yields = variables.inCells(carried);
+        yields.insert(yields.begin(), cells[next]);
         return yields;
     };
     const Components results = loop(b, initial, round);
     cells = before;
-    for (size_t i = 0; i < carried.size(); ++i)
-        cells[carried[i]] = results[i + 1];
+    variables.setCells(carried, {results.begin() + 1, results.end()});
 }
 
 } // namespace candela::ir

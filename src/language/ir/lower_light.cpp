@@ -120,34 +120,25 @@ void lowerIlluminance(Lowering &lowering, const sl::Stmt &statement) {
     const Triple position = tripleOf(evaluate(lowering, *light.position));
     const Components coneOperands = describeCones(lowering, light, request);
     Variables &variables = lowering.variables;
-    std::vector<ValueId> &cells = variables.cells;
-    const std::vector<ValueId> before = cells;
+    const std::vector<ValueId> before = variables.cells;
     const ValueId none = boolean(b, false);
     const int broken = variables.newCells({none, none}), continued = broken + 1;
     const std::vector<int> carried = cellsInOrder(carriedCells(lowering, statement), broken);
-    Components initial;
-    for (int cell : carried)
-        initial.push_back(cells[cell]);
+    const Components initial = variables.inCells(carried);
     const auto sample = [&](const Triple &L, const Components &Cl, const Components &arguments) {
-        for (size_t i = 0; i < carried.size(); ++i)
-            cells[carried[i]] = arguments[i];
+        variables.setCells(carried, arguments);
         variables.store(sl::PredefinedId::L, componentsOf(L));
         variables.store(sl::PredefinedId::Cl, Cl);
         variables.store(sl::PredefinedId::Ol, Components(colorSamples, number(b, 1)));
         lowering.frames.back().loops.push_back({&statement, broken, continued});
         whereLive(lowering, [&] { lower(lowering, statement.body); });
         lowering.frames.back().loops.pop_back();
-        Components yields;
-        for (int cell : carried)
-            yields.push_back(cells[cell]);
-        return yields;
+        return variables.inCells(carried);
     };
     const Components results =
         lightLoop(b, addRequest(b, request), position, coneOperands, initial, sample);
-    cells = before;
-    for (size_t i = 0; i < carried.size(); ++i)
-        if (carried[i] < int(cells.size()))
-            cells[carried[i]] = results[i];
+    variables.cells = before;
+    variables.setCells(carried, results);
 }
 
 namespace {

@@ -23,6 +23,19 @@ void Variables::setCells(int first, const Components &values) {
     std::copy(values.begin(), values.end(), cells.begin() + first);
 }
 
+Components Variables::inCells(const std::vector<int> &list) const {
+    Components values;
+    for (int cell : list)
+        values.push_back(cells[cell]);
+    return values;
+}
+
+void Variables::setCells(const std::vector<int> &list, const Components &values) {
+    for (size_t i = 0; i < list.size(); ++i)
+        if (list[i] < int(cells.size()))
+            cells[list[i]] = values[i];
+}
+
 const Storage &Variables::declare(const sl::Symbol &symbol, const Components &initial) {
     Storage storage{.base = symbol.type.base, .length = symbol.type.length};
     if (storage.length == 0 || !inMemory_.contains(&symbol)) {

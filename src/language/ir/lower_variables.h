@@ -39,6 +39,9 @@ public:
     /// What stands in a row of cells.
     Components inCells(int first, int count) const;
     void setCells(int first, const Components &values);
+    Components inCells(const std::vector<int> &list) const;
+    /// Passes over cells that are gone.
+    void setCells(const std::vector<int> &list, const Components &values);
 
     const Storage &declare(const sl::Symbol &, const Components &initial);
     /// What no text has declared yet (a default may name a later parameter) is zero.
