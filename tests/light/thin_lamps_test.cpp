@@ -11,27 +11,29 @@
 namespace candela::test {
 namespace {
 
-constexpr double radius = .013, length = 2.9;
+struct Tube {
+    double radius, length;
+};
 const Vec3 centre{-.973f, -.153f, .827f}, axis = normalize(Vec3{.628f, -.629f, -.458f});
 
 /// Irradiance over pi at (x, y, 1), facing -z, from a thin tube of radiance 1.
-double underTube(double x, double y) {
+double underTube(const Tube &tube, double x, double y) {
     constexpr int steps = 20000;
     double sum = 0;
     for (int k = 0; k < steps; ++k) {
-        const double t = ((k + .5) / steps - .5) * length;
+        const double t = ((k + .5) / steps - .5) * tube.length;
         const double dx = centre.x + t * axis.x - x, dy = centre.y + t * axis.y - y;
         const double dz = centre.z + t * axis.z - 1, d2 = dx * dx + dy * dy + dz * dz;
         const double along = dx * axis.x + dy * axis.y + dz * axis.z;
         sum += std::max(-dz, 0.0) / std::sqrt(d2) * std::sqrt(1 - along * along / d2) / d2;
     }
-    return sum * length / steps * 2 * radius / M_PI;
+    return sum * tube.length / steps * 2 * tube.radius / M_PI;
 }
 
-double meanUnderTube() {
+double meanUnderTube(const Tube &tube) {
     double sum = 0;
     for (int i = 0; i < 64; ++i)
-        sum += underTube(.025 * (i % 8) - .0875, .025 * (i / 8) - .0875);
+        sum += underTube(tube, .025 * (i % 8) - .0875, .025 * (i / 8) - .0875);
     return sum / 64;
 }
 
@@ -54,24 +56,50 @@ std::string placed(const std::string &how) {
            "0 " + numbers({centre}) + "1]\n";
 }
 
+std::string cylinder(const Tube &tube) {
+    const std::string end = std::to_string(tube.length / 2);
+    return "Cylinder " + std::to_string(tube.radius) + " -" + end + " " + end + " 360\n";
+}
+
+/// A prism of 24 faces as broad together as the tube.
+std::string prism(const Tube &tube) {
+    constexpr int faces = 24;
+    const double radius = tube.radius * (M_PI / faces) / std::sin(M_PI / faces);
+    std::string counts, vertices, points;
+    for (int k = 0; k < faces; ++k) {
+        const int next = (k + 1) % faces;
+        counts += "4 ";
+        for (int vertex : {k, next, next + faces, k + faces})
+            vertices += std::to_string(vertex) + " ";
+    }
+    for (int end : {-1, 1})
+        for (int k = 0; k < faces; ++k) {
+            const double angle = 2 * M_PI * k / faces;
+            points +=
+                numbers({Vec3{float(radius * std::cos(angle)), float(radius * std::sin(angle)),
+                              float(end * tube.length / 2)}});
+        }
+    return "PointsPolygons [" + counts + "] [" + vertices + "] \"P\" [" + points + "]\n";
+}
+
 TEST(ThinLamps, TubesGiveWhatTheirLengthAndWidthSay) {
-    const double expected = meanUnderTube();
-    for (const std::string &integrator : {inPath, inClassic})
-        for (const char *how : {"Rotate", "ConcatTransform"})
-            for (const char *rate : {"ShadingRate 1\n", "ShadingRate .01\n"}) {
-                SCOPED_TRACE(integrator + how + " " + rate);
-                const std::string tube = "Cylinder " + std::to_string(radius) + " -1.45 1.45 360\n";
-                const SmallPicture picture = takePicture(
-                    integrator,
-                    std::string("AttributeBegin\nAreaLightSource \"arealight\" 1\n") + rate +
-                        "Surface \"matte\" \"Kd\" [0]\n" + placed(how) + tube +
-                        "AttributeEnd\nIlluminate 1 1\nSurface \"matte\"\n" + squareAt(1),
-                    256);
-                ASSERT_EQ(picture.red.size(), 64u);
-                const double mean =
-                    std::accumulate(picture.red.begin(), picture.red.end(), 0.0) / 64;
-                EXPECT_NEAR(mean / expected, 1, .015);
-            }
+    for (const Tube &tube : {Tube{.013, 2.9}, {.004, 1.2}})
+        for (const std::string &body : {cylinder(tube), prism(tube)})
+            for (const std::string &integrator : {inPath, inClassic})
+                for (const char *how : {"Rotate", "ConcatTransform"})
+                    for (const char *rate : {"ShadingRate 1\n", "ShadingRate .01\n"}) {
+                        SCOPED_TRACE(integrator + how + " " + rate + body);
+                        const SmallPicture picture = takePicture(
+                            integrator,
+                            std::string("AttributeBegin\nAreaLightSource \"arealight\" 1\n") +
+                                rate + "Surface \"matte\" \"Kd\" [0]\n" + placed(how) + body +
+                                "AttributeEnd\nIlluminate 1 1\nSurface \"matte\"\n" + squareAt(1),
+                            256);
+                        ASSERT_EQ(picture.red.size(), 64u);
+                        const double mean =
+                            std::accumulate(picture.red.begin(), picture.red.end(), 0.0) / 64;
+                        EXPECT_NEAR(mean / meanUnderTube(tube), 1, .015);
+                    }
 }
 
 } // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "interface/rib/lexer.h"
 
-#include "interface/ri/request_table.h"
+#include "interface/rib/request_names.h"
 
 #include <algorithm>
 #include <cctype>
@@ -22,11 +22,6 @@ bool isWordPart(int c) { return isLetter(c) || isDigit(c); }
 /// Ends a word or number.
 bool isDelimiter(int c) {
     return c < 0 || isBlank(c) || c == '[' || c == ']' || c == '"' || c == '#';
-}
-
-bool isRequestName(std::string_view word) {
-    return std::ranges::find(requestTable(), word, &RequestDescription::name) !=
-           requestTable().end();
 }
 
 /// "nan", "inf" and "infinity", which programs print for numbers that are none.
@@ -182,7 +177,7 @@ bool Lexer::requestFollowsLineEnd() {
     while (word.size() < 40 && isWordPart(peek(at + word.size())))
         word += char(peek(at + word.size()));
     int after = peek(at + word.size());
-    return isRequestName(word) && (isBlank(after) || after < 0);
+    return requestNamed(word) && (isBlank(after) || after < 0);
 }
 
 RibToken Lexer::string(RibToken token) {

@@ -1,90 +1,67 @@
 // SPDX-License-Identifier: Apache-2.0
-// The names of requests, and their calls.
 #include "interface/rib/request_reader.h"
 
+#include "interface/rib/arguments.h"
+#include "interface/rib/request_names.h"
+
 #include <tuple>
-#include <unordered_map>
 
 namespace candela {
 
-namespace {
-
-using Dispatcher = void (*)(RequestReader &, const SourceLocation &);
-
-RequestSink &receiverOf(RequestReader &reader, const RequestSink *) { return reader.sink(); }
-RequestReader &receiverOf(RequestReader &reader, const RequestReader *) { return reader; }
-
-/// Reads the arguments of a handler by their types, then calls it.
-template <auto Method> struct Call;
-template <class Receiver, class... Arguments,
-          void (Receiver::*Method)(const SourceLocation &, Arguments...)>
-struct Call<Method> {
-    static void dispatch(RequestReader &reader, const SourceLocation &where) {
-        std::tuple<std::decay_t<Arguments>...> values;
-        bool complete = std::apply(
-            [&](auto &...value) { return (reader.read(value) && ...) && reader.argumentsEnd(); },
-            values);
-        if (!complete)
-            return reader.skipToRequest();
-        Receiver &receiver = receiverOf(reader, static_cast<const Receiver *>(nullptr));
-        std::apply([&](const auto &...value) { (receiver.*Method)(where, value...); }, values);
-    }
-};
-
-struct Entry {
-    RequestId id;
-    Dispatcher dispatch;
-};
-
-const Entry *find(const std::string &name) {
-    static const std::unordered_map<std::string_view, Entry> table = {
-#define REQUEST(Name, handler, ...)                                                                \
-    {#Name, {RequestId::Name, &Call<&RequestSink::handler>::dispatch}},
-#define REQUEST_LATER(Name, handler, ...)                                                          \
-    {#Name, {RequestId::Name, &Call<&RequestSink::handler>::dispatch}},
-#define REQUEST_OF_BLOCKS(Name, handler, ...)                                                      \
-    {#Name, {RequestId::Name, &Call<&RequestSink::handler>::dispatch}},
-#define REQUEST_OF_READER(Name, handler, ...)                                                      \
-    {#Name, {RequestId::Name, &Call<&RequestReader::handler>::dispatch}},
-#include "interface/ri/requests.def"
-    };
-    auto found = table.find(name);
-    return found == table.end() ? nullptr : &found->second;
-}
-
-} // namespace
-
-RequestReader::RequestReader(RibReader &reader, Lexer lexer)
-    : reader_(reader), lexer_(std::move(lexer)) {
-    next();
-}
+RequestReader::RequestReader(Lexer lexer, RequestSink &sink, DiagnosticSink &diagnostics,
+                             ArchiveReader archives)
+    : cursor_(std::move(lexer), diagnostics), sink_(sink), diagnostics_(diagnostics),
+      archives_(std::move(archives)) {}
 
 void RequestReader::run() {
-    while (!at(TokenKind::End) && !sink().stopped()) {
-        RibToken name = token_;
-        const Entry *entry = at(TokenKind::Request) ? find(name.text) : nullptr;
-        if (!entry) {
-            reader_.diagnostics_.error(name.where, at(TokenKind::Request)
-                                                       ? "unknown request '" + name.text + "'"
-                                                       : "expected the name of a request");
-            next();
-            skipToRequest();
-            continue;
+    while (!cursor_.at(TokenKind::End) && !sink_.stopped()) {
+        const RibToken name = cursor_.token();
+        const bool word = cursor_.at(TokenKind::Request);
+        if (const auto id = word ? requestNamed(name.text) : std::nullopt) {
+            cursor_.begin(describe(*id));
+            dispatch(*id, name.where);
+        } else {
+            diagnostics_.error(name.where, word ? "unknown request '" + name.text + "'"
+                                                : "expected the name of a request");
+            cursor_.next();
+            cursor_.skipToRequest();
         }
-        const RequestDescription &description = describe(entry->id);
-        request_ = description.name;
-        argumentNames_ = description.argumentNames;
-        argumentIndex_ = -1;
-        inBracket_ = false;
-        next();
-        entry->dispatch(*this, name.where);
     }
 }
 
-/// What follows something wrong is silently passed, up to the next request that is one.
-void RequestReader::skipToRequest() {
-    while (!at(TokenKind::End) && !(at(TokenKind::Request) && find(token_.text)))
-        next();
+/// Calls the handler of the request.
+void RequestReader::dispatch(RequestId id, const SourceLocation &where) {
+    switch (id) {
+#define REQUEST(Name, handler, ...)                                                                \
+    case RequestId::Name:                                                                          \
+        return call(sink_, &RequestSink::handler, where);
+#define REQUEST_LATER(Name, handler, ...)                                                          \
+    case RequestId::Name:                                                                          \
+        return call(sink_, &RequestSink::handler, where);
+#define REQUEST_OF_BLOCKS(Name, handler, ...)                                                      \
+    case RequestId::Name:                                                                          \
+        return call(sink_, &RequestSink::handler, where);
+#define REQUEST_OF_READER(Name, handler, ...)                                                      \
+    case RequestId::Name:                                                                          \
+        return call(*this, &RequestReader::handler, where);
+#include "interface/ri/requests.def"
+    }
+}
+
+/// Reads the arguments of the method by their types, then calls it.
+template <class Receiver, class... Arguments>
+void RequestReader::call(Receiver &receiver,
+                         void (Receiver::*method)(const SourceLocation &, Arguments...),
+                         const SourceLocation &where) {
+    std::tuple<std::decay_t<Arguments>...> values;
+    bool complete = std::apply(
+        [&](auto &...value) {
+            return (readNext(cursor_, value) && ...) && cursor_.atEndOfArguments();
+        },
+        values);
+    if (!complete)
+        return cursor_.skipToRequest();
+    std::apply([&](const auto &...value) { (receiver.*method)(where, value...); }, values);
 }
 
 /// RIB 3.03 and its successors differ in nothing that is read here.
@@ -92,7 +69,7 @@ void RequestReader::version(const SourceLocation &, float) {}
 
 void RequestReader::readArchive(const SourceLocation &where, const std::string &name,
                                 const TokenList &) {
-    reader_.readArchive(where, name);
+    archives_(where, name);
 }
 
 } // namespace candela

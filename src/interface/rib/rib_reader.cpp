@@ -20,6 +20,11 @@ static std::string identityOf(const std::string &path) {
     return error ? path : canonical.string();
 }
 
+void RibReader::read(Lexer lexer) {
+    auto archives = [this](const auto &where, const auto &name) { readArchive(where, name); };
+    RequestReader(std::move(lexer), sink_, diagnostics_, archives).run();
+}
+
 bool RibReader::readFile(const std::string &path) {
     std::string why;
     std::unique_ptr<ByteSource> source = ByteSource::open(path, why);
@@ -29,13 +34,13 @@ bool RibReader::readFile(const std::string &path) {
         return false;
     }
     open_.push_back(identityOf(path));
-    RequestReader(*this, Lexer(std::move(source), path, diagnostics_)).run();
+    read(Lexer(std::move(source), path, diagnostics_));
     open_.pop_back();
     return true;
 }
 
 void RibReader::readText(std::string text, const std::string &name) {
-    RequestReader(*this, Lexer(ByteSource::fromMemory(std::move(text)), name, diagnostics_)).run();
+    read(Lexer(ByteSource::fromMemory(std::move(text)), name, diagnostics_));
 }
 
 void RibReader::readArchive(const SourceLocation &where, const std::string &name) {

@@ -9,6 +9,8 @@
 
 namespace candela {
 
+class Lexer;
+
 class RibReader {
 public:
     /// For a GraphicsState give its ErrorPolicy. Both must outlive it.
@@ -23,7 +25,7 @@ public:
     void readText(std::string text, const std::string &name);
 
 private:
-    friend class RequestReader;
+    void read(Lexer);
     /// The archive that a request asks for, read in its place.
     void readArchive(const SourceLocation &, const std::string &name);
 

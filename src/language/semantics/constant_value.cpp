@@ -25,4 +25,14 @@ std::optional<double> constantValue(const ast::Expr &e) {
     }
 }
 
+bool constantIndexFits(const ast::Expr &index, int length, const std::string &what,
+                       Reporter &reporter) {
+    const std::optional<double> value = constantValue(index);
+    if (!value || (*value >= 0 && *value < length))
+        return true;
+    reporter.error(index.where,
+                   "index is outside of " + what + "; expected 0 to " + std::to_string(length - 1));
+    return false;
+}
+
 } // namespace candela::sl

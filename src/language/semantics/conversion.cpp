@@ -43,6 +43,16 @@ bool castable(BaseType from, BaseType to) {
     return conversionCost(from, to) < impossible || (isTriple(from) && isTriple(to));
 }
 
+const char *conversionHint(BaseType from, BaseType to) {
+    if (isTriple(from) && isTriple(to))
+        return "; a cast says that it is meant";
+    if (isGeometric(from) && to == BaseType::Float)
+        return "; did you mean length(), xcomp() or a dot product?";
+    if (from == BaseType::Color && to == BaseType::Float)
+        return "; comp() takes one component";
+    return "";
+}
+
 // A little more than a promotion of one operand costs: in `color c = noise(x) + 0.5` colour noise
 // wins, but operands that are floats anyway are not promoted before their time.
 int contextCost(BaseType result, std::optional<BaseType> wanted) {

@@ -47,6 +47,8 @@ int conversionCost(BaseType from, BaseType to);
 int conversionCost(const TypeSet &from, BaseType to);
 /// Whether a cast may do it.
 bool castable(BaseType from, BaseType to);
+/// What an error about a conversion that cannot be may add: "; comp() takes one component", or "".
+const char *conversionHint(BaseType from, BaseType to);
 
 /// What a result costs in a context that wants a certain type (none: nothing).
 int contextCost(BaseType result, std::optional<BaseType> wanted);

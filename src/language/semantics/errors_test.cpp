@@ -102,6 +102,16 @@ TEST(Errors, NamesAndTypes) {
         {"printf(\"%s\", f);", "14: error: '%s' in the pattern of printf cannot print a float"},
         {"extern float zz;", "14: error: extern variable zz is not known outside of here"},
         {"extern color P;", "14: error: extern variable P is a point where it is defined"},
+        {"c = (1, w, 2);", "9: error: a component of a tuple must be a float, not a vector; did "
+                           "you mean length(), xcomp() or a dot product?"},
+        {"f = !name;", "6: error: the operand of '!' must be a float, not a string"},
+        {"f = f && name;", "7: error: operator '&&' cannot be applied to float and string"},
+        {"c = c . name;", "7: error: operator '.' cannot be applied to color and string"},
+        {"f = q ? 1 : 2;", "5: error: the condition of '?:' must be a float, not a point; did you "
+                           "mean length(), xcomp() or a dot product?"},
+        {"f += name;", "3: error: operator '+=' cannot be applied to float and string"},
+        {"string t[2] = {\"a\", 1};",
+         "21: error: the initial value of t must be a string, not a float"},
     };
     for (const Mistake &mistake : table)
         expectInSurface(mistake);
@@ -157,6 +167,13 @@ TEST(Errors, ControlAndFunctions) {
          "15: error: array argument x is given an array of another length: 2"},
         {"float g(float x = 1) { return x; } f = g(1);",
          "15: error: arguments of functions have no default values"},
+        {"float g(float x[3]) { return x[0]; } f = g(f);",
+         "42: error: g cannot be called with (float); expected float g(float x[])"},
+        {"float g() { extern float f; float f = 1; return f; } f = g();",
+         "35: error: f is declared in line 1 already"},
+        {"float g() { float p; extern float p; return p; } f = g();",
+         "35: error: p is declared here already"},
+        {"float g() { } f = g();", "7: warning: function g returns no value; its result is 0"},
     };
     for (const Mistake &mistake : table)
         expectInSurface(mistake);
@@ -200,6 +217,19 @@ TEST(Errors, LightStatements) {
          "solar statement; here it is 0"},
         {"f == 1;", "3: warning: this expression has no effect"},
         {"if (f = 1) c = 1;", "7: warning: '=' assigns; did you mean '=='?"},
+        {"varying string v = name; illuminance(v, P) { }",
+         "38: error: the category of illuminance must be uniform"},
+        {"illuminance(P, c, 1) { }", "16: error: the axis of illuminance must be a vector, not a "
+                                     "color; a cast says that it is meant"},
+        {"illuminance(P, N, c) { }", "19: error: the angle of illuminance must be a float, not a "
+                                     "color; comp() takes one component"},
+        {"illuminance(P, 1, c, 1, 0, 1) { }", "19: error: the axis of a cone must be a vector, not "
+                                              "a color; a cast says that it is meant"},
+        {"illuminance(P, 1, N, 1, w, 1) { }",
+         "25: error: the exponent of a cone must be a float, not a vector; did you mean length(), "
+         "xcomp() or a dot product?"},
+        {"illuminance(P, 1, N, 1, 0, name) { }",
+         "28: error: the importance of a cone must be a float, not a string"},
     };
     for (const Mistake &mistake : table)
         expectInSurface(mistake);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/semantics/front.h"
 
-#include "language/semantics/checker.h"
+#include "language/semantics/shader_checker.h"
 #include "language/syntax/parser.h"
 #include "language/syntax/preprocessor.h"
 
@@ -17,7 +17,7 @@ static void checkShaders(const ast::File &file, const SourceFile &mainFile, Repo
             if (other->name == syntax->name)
                 reporter.error(syntax->where,
                                "a shader named " + syntax->name + " stands in this file already");
-        front.shaders.push_back(Checker(file, mainFile, reporter).check(*syntax));
+        front.shaders.push_back(checkShader(*syntax, file, mainFile, reporter));
         front.shaders.back()->sources = front.sources;
     }
 }

@@ -8,6 +8,8 @@
 
 namespace candela::sl {
 
+Scope &Scope::addInner() { return *inner_.emplace_back(std::make_unique<Scope>(this)); }
+
 bool Scope::declare(const std::string &name, Symbol *symbol, Symbol **existing) {
     auto [entry, isNew] = symbols_.emplace(name, symbol);
     *existing = entry->second;

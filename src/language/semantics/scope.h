@@ -30,9 +30,11 @@ struct FunctionDefinition {
 class Scope {
 public:
     /// `externs`: where extern declarations look besides the outer scopes; may be null.
-    explicit Scope(Scope *outer, Scope *externs = nullptr) : outer_(outer), externs_(externs) {}
+    explicit Scope(Scope *outer = nullptr, Scope *externs = nullptr)
+        : outer_(outer), externs_(externs) {}
 
-    Scope *outer() const { return outer_; }
+    /// A new scope inside of this one, which owns it.
+    Scope &addInner();
 
     /// False if this very scope has the name already; `existing` is that symbol then.
     bool declare(const std::string &name, Symbol *, Symbol **existing);
@@ -53,6 +55,7 @@ private:
     Scope *externs_;
     std::map<std::string, Symbol *> symbols_;
     std::map<std::string, std::vector<FunctionDefinition *>> functions_;
+    std::vector<std::unique_ptr<Scope>> inner_;
 };
 
 /// "; did you mean 'x'?" with the candidate that is nearest to the word, or "" if none is near.

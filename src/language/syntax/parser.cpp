@@ -1,120 +1,112 @@
 // SPDX-License-Identifier: Apache-2.0
+// Shaders, and the file as a whole.
 #include "language/syntax/parser.h"
 
 #include <algorithm>
 
-#include "language/syntax/parser_state.h"
+#include "language/syntax/declaration_parser.h"
+#include "language/syntax/expression_parser.h"
+#include "language/syntax/lookahead.h"
+#include "language/syntax/statement_parser.h"
+#include "language/syntax/token_cursor.h"
 
 namespace candela::sl {
+namespace {
 
-// Deep enough for any shader that a person or a generator writes, and safe on a small stack.
-static constexpr int nestingLimit = 200;
-
-Parser::Nesting::Nesting(Parser &parser) : parser_(parser) {
-    if (++parser_.depth_ <= nestingLimit)
-        return;
-    --parser_.depth_;
-    parser_.fail(parser_.peek().where,
-                 "nested too deeply; the limit is " + std::to_string(nestingLimit) + " levels");
+std::string commentBefore(const Place &where) {
+    if (where.file)
+        for (const Comment &comment : where.file->comments)
+            if (comment.lastLine < where.line && comment.lastLine >= where.line - 2)
+                return comment.text;
+    return {};
 }
 
-const Token &Parser::peek(size_t ahead) const {
-    return tokens_[std::min(at_ + ahead, tokens_.size() - 1)];
-}
-
-const Token &Parser::take() {
-    const Token &token = peek();
-    if (at_ + 1 < tokens_.size())
-        ++at_;
-    return token;
-}
-
-bool Parser::atAny(Names names, size_t ahead) const {
-    return std::ranges::any_of(names, [&](const char *name) { return at(name, ahead); });
-}
-
-bool Parser::accept(const char *spelling) {
-    if (!at(spelling))
-        return false;
-    take();
-    return true;
-}
-
-Place Parser::afterPrevious() const {
-    if (at_ == 0)
-        return peek().where;
-    Place where = tokens_[at_ - 1].where;
-    where.column += where.length;
-    where.length = 1;
-    return where;
-}
-
-void Parser::fail(const Place &where, const std::string &message) {
-    reporter_.error(where, message);
-    throw Panic{};
-}
-
-void Parser::unexpected(const std::string &expected) {
-    std::string found = atEnd() ? "the end of the file" : "'" + peek().spelling + "'";
-    fail(peek().where, "expected " + expected + ", not " + found);
-}
-
-void Parser::expect(const char *spelling, const std::string &context) {
-    if (!accept(spelling))
-        unexpected("'" + std::string(spelling) + "' " + context);
-}
-
-// A forgotten semicolon is best shown where it belongs; if the next word starts a line, parsing
-// goes on as if it had been there.
-void Parser::expectSemicolon(const std::string &context) {
-    if (accept(";"))
-        return;
-    reporter_.error(afterPrevious(), "expected ';' " + context);
-    if (!peek().startsLine && !at("}"))
-        throw Panic{};
-}
-
-size_t Parser::behindBrackets(size_t ahead) const {
-    int depth = 0;
-    for (size_t i = ahead; !atEnd(i) && !at("{", i) && !at("}", i); ++i) {
-        depth += at("(", i) - at(")", i);
-        if (depth == 0)
-            return i + 1;
+/// Gives each variable the comment on its line, or else the one above it.
+void attachComments(std::vector<ast::Variable> &list) {
+    auto onLine = [&](int line) {
+        return std::ranges::any_of(list, [&](auto &v) { return v.where.line == line; });
+    };
+    for (ast::Variable &variable : list) {
+        const SourceFile *file = variable.where.file;
+        for (const Comment &comment : file->comments) {
+            bool same = comment.firstLine == variable.where.line;
+            bool above = comment.lastLine == variable.where.line - 1 && !onLine(comment.firstLine);
+            if (same || (above && variable.doc.empty()))
+                variable.doc = comment.text;
+        }
     }
-    return 0;
 }
 
-bool Parser::isReserved(size_t ahead) const {
-    return atAny({"if", "else", "while", "for", "break", "continue", "return", "extern", "uniform",
-                  "varying"},
-                 ahead);
+class FileParser {
+public:
+    FileParser(const std::vector<Token> &tokens, Reporter &reporter) : tokens_(tokens, reporter) {}
+
+    ast::File file();
+
+private:
+    ast::Item item();
+    ast::Shader shader();
+    void recover();
+
+    TokenCursor tokens_;
+    Lookahead ahead_{tokens_};
+    ExpressionParser expressions_{tokens_, ahead_};
+    DeclarationParser declarations_{tokens_, ahead_, expressions_};
+    StatementParser statements_{tokens_, ahead_, expressions_, declarations_};
+};
+
+ast::File FileParser::file() {
+    ast::File result;
+    while (!tokens_.atEnd() && !tokens_.reporter().hopeless()) {
+        if (tokens_.accept(";"))
+            continue;
+        try {
+            result.items.push_back(item());
+        } catch (Panic) {
+            recover();
+        }
+    }
+    return result;
 }
 
-// 3.1 shaders call their variables "normal" or "vector": a type word is a name where a type makes
-// no sense. Before a '-' both make sense; there it is a name if a variable is called so.
-bool Parser::isName(size_t ahead) const {
-    if (!peek(ahead).isIdentifier() || isReserved(ahead))
-        return false;
-    return !baseTypeNamed(peek(ahead).spelling) ||
-           (at("-", ahead + 1) && namedAsTypes_.contains(peek(ahead).spelling)) ||
-           atAny({"=", "+=", "-=", "*=", "/=", ";",  ",",  ")",  "]",  ".", "*", "/", "^",
-                  "+", "==", "!=", "<",  ">",  "<=", ">=", "&&", "||", "?", ":", "["},
-                 ahead + 1);
+ast::Item FileParser::item() {
+    if (ahead_.startsShader())
+        return shader();
+    if (ahead_.startsFunction())
+        return statements_.function();
+    if (tokens_.at("}"))
+        tokens_.fail(tokens_.peek().where, "'}' closes nothing; is there one too many above?");
+    tokens_.unexpected("a shader (such as: surface name(...) {...}) or a function");
 }
 
-bool Parser::isTypeWord(size_t ahead) const {
-    return peek(ahead).isIdentifier() && baseTypeNamed(peek(ahead).spelling) && !isName(ahead);
+ast::Shader FileParser::shader() {
+    Lookahead::InnerScope own(ahead_);
+    ast::Shader result;
+    result.doc = commentBefore(tokens_.peek().where);
+    result.kind = *shaderKindNamed(tokens_.take().spelling);
+    result.where = tokens_.peek().where;
+    result.name = tokens_.take().spelling;
+    result.parameters = declarations_.formals(result.name);
+    attachComments(result.parameters);
+    result.body = statements_.body("shader " + result.name);
+    return result;
 }
 
-std::string Parser::takeName(const std::string &what, Place &where) {
-    if (!isName())
-        unexpected(what);
-    where = peek().where;
-    return take().spelling;
+/// To the next line that starts a shader or a function, outside of braces.
+void FileParser::recover() {
+    tokens_.take();
+    for (int depth = 0; !tokens_.atEnd(); tokens_.take()) {
+        if (tokens_.peek().startsLine &&
+            (ahead_.startsShader() || (depth <= 0 && ahead_.startsFunction())))
+            return;
+        depth += tokens_.at("{") - tokens_.at("}");
+    }
 }
+
+} // namespace
 
 ast::File parse(const std::vector<Token> &tokens, Reporter &reporter) {
-    return Parser(tokens, reporter).file();
+    return FileParser(tokens, reporter).file();
 }
 
 } // namespace candela::sl

@@ -137,6 +137,18 @@ TEST(Preprocessor, Reports) {
         {"#error stop here", "test.sl:1:2: error: #error: stop here"},
         {"#include nothing", "test.sl:1:2: error: expected \"file\" or <file> after #include"},
         {"#include \"none.h\"", "test.sl:1:10: error: cannot read \"none.h\"; searched: ."},
+        {"#if 1 2\n#endif", "test.sl:1:7: error: unexpected '2' in this condition"},
+        {"#if 1 ? 2\n#endif", "test.sl:1:2: error: expected ':' in this condition"},
+        {"#if (1\n#endif", "test.sl:1:2: error: expected ')' in this condition"},
+        {"#if *\n#endif", "test.sl:1:5: error: expected a value in this condition, not '*'"},
+        {"#ifdef 3\n#endif", "test.sl:1:2: error: expected a macro's name after #ifdef"},
+        {"#ifndef\n#endif", "test.sl:1:2: error: expected a macro's name after #ifndef"},
+        {"#if defined +\n#endif", "test.sl:1:5: error: expected a macro's name after 'defined'"},
+        {"#if defined(\n#endif", "test.sl:1:5: error: expected a macro's name after 'defined'"},
+        {"#undef", "test.sl:1:2: error: expected a macro's name after #undef"},
+        {"#undef 3", "test.sl:1:2: error: expected a macro's name after #undef"},
+        {"#warning look here", "test.sl:1:2: warning: #warning: look here"},
+        {"#elif 1", "test.sl:1:2: error: #elif without an #if before it"},
     };
     for (auto [text, expected] : table)
         EXPECT_EQ(Result(text).firstMessage(), expected) << text;

@@ -14,7 +14,7 @@ void seeOpacity(PathWave &wave) {
     const int count = wave.chunk.count();
     for (int c = 0; c < colorSamples; ++c) {
         float *opacity = wave.results.opacity[c];
-        const float *through = paths.throughput[c], *Oi = wave.chunk.vertices.Oi(c);
+        const float *through = paths.throughput[c], *Oi = wave.chunk.vertices.prepared().Oi[c];
         if (slotsAreConsecutive(wave)) { // All of them are seen.
             lanes::multiplyAdd(count, through, Oi, opacity + paths.slot[0]);
             continue;
@@ -45,12 +45,12 @@ void ask(PathWave &wave) {
     VertexChunk &chunk = wave.chunk;
     const Scene &scene = wave.frame.scene;
     chunk.ambient = nullptr;
-    if (scene.hasAmbient() && chunk.vertices.code().facts().readsAmbient) {
+    if (scene.lights().hasAmbient() && chunk.vertices.code().facts().readsAmbient) {
         std::array<float *, colorSamples> ambient;
         for (int c = 0; c < colorSamples; ++c)
             std::fill_n(ambient[c] = chunk.ambientLight[c], chunk.count(), 0.0f);
-        scene.ambient(chunk.count(), chunk.vertices.P(), chunk.vertices.points.lightSet,
-                      ambient.data());
+        scene.lights().ambient(chunk.count(), chunk.vertices.P(), chunk.vertices.points.lightSet,
+                               ambient.data());
         chunk.ambient = chunk.ambientTable.data();
     }
     chunk.vertices.prepare(chunk.ambient);

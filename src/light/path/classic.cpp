@@ -30,8 +30,8 @@ void sampleRow(PathWave &wave, int light) {
     const int count = chunk.count();
     const VertexNumbers &numbers = chunk.numbers;
     const float *u = numbers.x(lightPositionPair), *v = numbers.y(lightPositionPair);
-    wave.frame.scene.sampleLight(light, lightQuery(chunk.vertices, chunk.N, nullptr, {u, u, v}),
-                                 samples);
+    wave.frame.scene.lights().sampleOne(
+        light, lightQuery(chunk.vertices, chunk.N, nullptr, {u, u, v}), samples);
     lightSampleFactors(count, samples.pdfSolidAngle, classic.none[0], classic.wanted,
                        classic.factor);
     const MutableVec3Planes L = classic.rows.L(light);
@@ -56,7 +56,7 @@ void lightClassic(PathWave &wave) {
     ClassicLight &classic = *wave.classic;
     chunk.N = {classic.none[0], classic.none[0], classic.none[0]};
     std::fill_n(classic.wanted, chunk.count(), 1.0f);
-    const int lights = wave.frame.scene.lightCount();
+    const int lights = wave.frame.scene.lights().count();
     classic.rows.reserve(lights, chunk.vertices.lanes());
     for (int light = 0; light < lights; ++light)
         sampleRow(wave, light);

@@ -35,7 +35,7 @@ void leaveOutUnheard(const Scene &scene, int count, const std::int32_t *light,
                      const RayOrigins &left, float *weight) {
     for (int i = 0; i < count; ++i)
         if (light[i] != 0 && left.pdf[i] > 0 &&
-            !(scene.lightIsOn(left.lightSet[i], light[i]) &&
+            !(scene.lights().isOn(left.lightSet[i], light[i]) &&
               scene.code(left.code[i]).hearsAsIndirect(light[i])))
             weight[i] = 0;
 }
@@ -58,7 +58,7 @@ void emit(PathWave &wave) {
     std::array<float *, colorSamples> radiance;
     for (int c = 0; c < colorSamples; ++c)
         std::fill_n(radiance[c] = emission.radiance[c], count, 0.0f);
-    wave.frame.scene.emission(chunk.code, points, radiance.data());
+    wave.frame.scene.lights().emission(chunk.code, points, radiance.data());
 
     takeOrigins(wave, emission);
     const RayOrigins &left = emission.left;
@@ -72,7 +72,7 @@ void emit(PathWave &wave) {
     asked.scattered = emission.heard[0];
     const MutableVec3Planes met{emission.met[0], emission.met[1], emission.met[2]};
     wave.frame.scene.elementPoints(wave.active.rays, wave.hits, chunk.rays.data(), count, met);
-    wave.frame.scene.lightDensity(asked, points, {met[0], met[1], met[2]}, lightPdf);
+    wave.frame.scene.lights().density(asked, points, {met[0], met[1], met[2]}, lightPdf);
     emissionWeights(count, left.pdf, lightPdf, weight);
     leaveOutUnheard(wave.frame.scene, count, points.light, left, weight);
     for (float *plane : radiance)

@@ -62,7 +62,7 @@ void stateMixture(VertexChunk &chunk, bool hemisphereOnly, GatheredLight &gather
     const int count = chunk.count();
     std::vector<ConePlanes> cones;
     if (!hemisphereOnly)
-        cones = chunk.vertices.cones();
+        cones = chunk.vertices.prepared().cones;
     GatheringCones &stated = gathered.cones;
     if (stated.importance.planes() < int(cones.size()))
         stated.importance = Planes<float>(int(cones.size()), chunk.vertices.lanes());
@@ -87,7 +87,7 @@ void addLightRow(PathWave &wave, GatheredLight &gathered, LightGroup group, int 
     const RoundNumbers &numbers = gathered.numbers;
     LightSamples &samples = gathered.sample.samples;
     const int count = chunk.count();
-    vertices.scene().sampleLights(
+    vertices.scene().lights().sample(
         group,
         lightQuery(vertices, chunk.N, gathered.wave ? rays.wanted : nullptr,
                    {numbers.x(lightPair), numbers.x(onLightPair), numbers.y(onLightPair)}),
@@ -228,7 +228,7 @@ void lightGathered(PathWave &wave) {
         for (RoundPair pair : {onLightPair, alongPair, lightPair})
             sobolPairs(count, numbers.pixelKey, numbers.sampleIndex, pair, numbers.x(pair),
                        numbers.y(pair));
-        for (LightGroup group : wave.frame.scene.lightGroupsInUse())
+        for (LightGroup group : wave.frame.scene.lights().groupsInUse())
             addLightRow(wave, gathered, group, rows++);
         if (gathered.wave)
             addDirectionRow(wave, gathered, rows++);

@@ -43,7 +43,7 @@ void sampleLights(PathWave &wave, LightGroup group) {
     LightSamples &samples = direct.sample.samples;
     const int count = chunk.count();
     const VertexNumbers &numbers = chunk.numbers;
-    wave.frame.scene.sampleLights(
+    wave.frame.scene.lights().sample(
         group,
         lightQuery(chunk.vertices, chunk.N, direct.scattered,
                    {numbers.x(lightChoicePair), numbers.x(lightPositionPair),
@@ -101,11 +101,12 @@ void lightFrom(PathWave &wave, LightGroup group) {
 void light(PathWave &wave) {
     VertexChunk &chunk = wave.chunk;
     SurfaceVertices &vertices = chunk.vertices;
-    if (vertices.Ca(0))
-        chunk.gather({vertices.Ca(0), vertices.Ca(1), vertices.Ca(2)});
+    if (vertices.prepared().Ca[0])
+        chunk.gather(
+            {vertices.prepared().Ca[0], vertices.prepared().Ca[1], vertices.prepared().Ca[2]});
     markShallow(chunk.count(), chunk.paths.depth, wave.frame.settings.maxDepth,
                 chunk.mixture.total(), chunk.direct.wanted, chunk.direct.scattered);
-    for (LightGroup group : wave.frame.scene.lightGroupsInUse())
+    for (LightGroup group : wave.frame.scene.lights().groupsInUse())
         lightFrom(wave, group);
 }
 

@@ -51,7 +51,7 @@ void meet(PathWave &wave) {
 
 bool drawsLightChoice(const PathWave &wave) {
     // No camera path is deeper than the wave.
-    return wave.frame.scene.readsLightChoice() || wave.vertex + 1 >= rouletteDepth ||
+    return wave.frame.scene.lights().readsChoice() || wave.vertex + 1 >= rouletteDepth ||
            wave.purpose != Purpose::Camera;
 }
 

@@ -84,9 +84,10 @@ void respond(PathWave &wave, const ConstVec3Planes &direction) {
     eventScales(count, chunk.events.event(), way.mixturePdf, float(directionsAt(wave)),
                 chunk.paths.depth, wave.frame.settings.maxDepth, way.scale, way.pdf);
     const Planes<float> &before = chunk.paths.throughput, &after = way.throughput;
-    nextThroughput(count, {before[0], before[1], before[2]}, {g[0], g[1], g[2]},
-                   {vertices.Oi(0), vertices.Oi(1), vertices.Oi(2)}, chunk.events.event(),
-                   way.scale, {after[0], after[1], after[2]}, way.brightest);
+    nextThroughput(
+        count, {before[0], before[1], before[2]}, {g[0], g[1], g[2]},
+        {vertices.prepared().Oi[0], vertices.prepared().Oi[1], vertices.prepared().Oi[2]},
+        chunk.events.event(), way.scale, {after[0], after[1], after[2]}, way.brightest);
     if (lanes::allFinite(count, way.brightest))
         return;
     for (int i = 0; i < count; ++i)

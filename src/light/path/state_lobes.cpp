@@ -17,7 +17,7 @@ void stateMixture(VertexChunk &chunk, bool hemisphereOnly) {
     SurfaceVertices &vertices = chunk.vertices;
     const ConstVec3Planes facing = vertices.facingPlanes();
     const float *transmits = chunk.events.transmission();
-    chunk.mixture.state(count, vertices.cones(), facing, transmits);
+    chunk.mixture.state(count, vertices.prepared().cones, facing, transmits);
     if (!hemisphereOnly)
         return;
     HemisphereCone &cone = chunk.hemisphere;

@@ -6,7 +6,7 @@
 
 namespace candela {
 
-/// Storage for Scene::sampleLights().
+/// Storage for Lights::sample().
 struct LightSampleStorage {
     explicit LightSampleStorage(int capacity);
     Planes<float> floats;

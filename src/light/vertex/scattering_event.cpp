@@ -50,10 +50,10 @@ void ScatteringEvents::look(const SurfaceVertices &vertices) {
     const int count = vertices.count();
     opaque_ = true;
     for (int c = 0; c < colorSamples; ++c)
-        opaque_ &= lanes::allEqual(count, vertices.Oi(c), 1);
+        opaque_ &= lanes::allEqual(count, vertices.prepared().Oi[c], 1);
     deltas_.clear();
-    for (int k = 0; k < int(vertices.cones().size()); ++k) {
-        const ConePlanes &cone = vertices.cones()[k];
+    for (int k = 0; k < int(vertices.prepared().cones.size()); ++k) {
+        const ConePlanes &cone = vertices.prepared().cones[k];
         if (cone.first && !lanes::allPositive(count, cone.kindAngle))
             deltas_.push_back(k);
     }
@@ -61,12 +61,12 @@ void ScatteringEvents::look(const SurfaceVertices &vertices) {
         return;
     std::fill_n(transmission_[0], count, 0.0f);
     for (int c = 0; c < colorSamples; ++c)
-        addTransmission(count, vertices.Oi(c), luminanceWeights[c], transmission_[0]);
+        addTransmission(count, vertices.prepared().Oi[c], luminanceWeights[c], transmission_[0]);
 }
 
 float ScatteringEvents::weightOf(const SurfaceVertices &vertices, int kind, int i) const {
     const bool delta = kind < int(deltas_.size());
-    return delta ? deltaWeight(vertices.cones()[deltas_[kind]], i) : transmission_[0][i];
+    return delta ? deltaWeight(vertices.prepared().cones[deltas_[kind]], i) : transmission_[0][i];
 }
 
 void ScatteringEvents::weigh(const SurfaceVertices &vertices, const float *finiteTotal) {
@@ -89,7 +89,7 @@ bool ScatteringEvents::takeFinite(int count, const float *total) {
 bool ScatteringEvents::takeKind(SurfaceVertices &vertices, int kind) {
     finite_ = false;
     const bool delta = kind < int(deltas_.size());
-    const ConePlanes *cone = delta ? &vertices.cones()[deltas_[kind]] : nullptr;
+    const ConePlanes *cone = delta ? &vertices.prepared().cones[deltas_[kind]] : nullptr;
     const ConstVec3Planes along = delta ? cone->axis : vertices.input(ShaderInput::I);
     bool some = false;
     for (int i = 0; i < vertices.count(); ++i) {

@@ -54,6 +54,29 @@ void reserve(Planes<float> &planes, int count, int lanes) {
         planes = Planes<float>(count, lanes);
 }
 
+/// The planes of the cones, as they are before the shader is asked.
+void beginCones(int count, const ir::SurfaceFacts &facts, float *const *outputs,
+                std::vector<ConePlanes> &cones) {
+    cones.clear();
+    for (const ir::ConeSlot &cone : facts.cones) {
+        float *const *out = outputs + cone.output;
+        std::fill_n(out[5], count, 0.0f); // Lanes that do not reach the request leave it.
+        lanes::fill(count, 180.0f, out[3]);
+        for (int c = 0; c < 3 && !facts.affine; ++c)
+            std::fill_n(out[c], count, 0.0f); // Gathering asks whether there is an axis.
+        const bool first = cones.empty() || cones.back().request != cone.request;
+        const float *kindAngle = first ? out[3] : cones.back().kindAngle;
+        cones.push_back({{out[0], out[1], out[2]},
+                         out[3],
+                         out[4],
+                         out[5],
+                         kindAngle,
+                         cone.request,
+                         first,
+                         cone.exact});
+    }
+}
+
 } // namespace
 
 SurfaceVertices::SurfaceVertices(int capacity)
@@ -97,43 +120,19 @@ void SurfaceVertices::prepare(const float *const *ambient) {
     storage_.outputTable.resize(question.function.outputs.size());
     for (std::size_t slot = 0; slot < storage_.outputTable.size(); ++slot)
         storage_.outputTable[slot] = storage_.outputs[int(slot)];
-    takeCones();
+    float *const *outputs = storage_.outputTable.data();
+    beginCones(points.count, code().facts(), outputs, prepared_.cones);
 
     ShaderArgs args = arguments();
-    args.outputs = storage_.outputTable.data();
+    args.outputs = outputs;
     args.frame = storage_.frame[0];
     args.ambient = ambient;
     question.code(&args);
-    takeOpacity(question);
-}
-
-void SurfaceVertices::takeCones() {
-    answers_.cones.clear();
-    for (const ir::ConeSlot &cone : code().facts().cones) {
-        float *const *out = storage_.outputTable.data() + cone.output;
-        std::fill_n(out[5], points.count, 0.0f); // Lanes that do not reach the request leave it.
-        lanes::fill(points.count, 180.0f, out[3]);
-        for (int c = 0; c < 3 && !code().facts().affine; ++c)
-            std::fill_n(out[c], points.count, 0.0f); // Gathering asks whether there is an axis.
-        const bool first = answers_.cones.empty() || answers_.cones.back().request != cone.request;
-        const float *kindAngle = first ? out[3] : answers_.cones.back().kindAngle;
-        answers_.cones.push_back({{out[0], out[1], out[2]},
-                                  out[3],
-                                  out[4],
-                                  out[5],
-                                  kindAngle,
-                                  cone.request,
-                                  first,
-                                  cone.exact});
-    }
-}
-
-void SurfaceVertices::takeOpacity(const QuestionCode &question) {
     const int Oi = question.output("Oi"), Ca = question.output("Ca");
     for (int c = 0; c < colorSamples; ++c) {
-        answers_.Oi[c] = storage_.outputTable[Oi + c];
-        answers_.Ca[c] = Ca >= 0 ? storage_.outputTable[Ca + c] : nullptr;
-        clampOpacities(points.count, answers_.Oi[c]);
+        clampOpacities(points.count, outputs[Oi + c]);
+        prepared_.Oi[c] = outputs[Oi + c];
+        prepared_.Ca[c] = Ca >= 0 ? outputs[Ca + c] : nullptr;
     }
 }
 

@@ -10,6 +10,13 @@
 
 namespace candela {
 
+/// What surfaces said to Prepare; the planes are the vertices'.
+struct PreparedSurface {
+    std::vector<ConePlanes> cones;                ///< One for each of facts().cones.
+    std::array<const float *, colorSamples> Oi{}; ///< In [0,1].
+    std::array<const float *, colorSamples> Ca{}; ///< Null = none.
+};
+
 class SurfaceVertices {
 public:
     explicit SurfaceVertices(int capacity);
@@ -45,32 +52,21 @@ public:
     ConstVec3Planes P() { return input(ShaderInput::P); }
     ConstVec3Planes input(ShaderInput first);
 
-    /// The cones of the last prepare(), one for each of facts().cones.
-    const std::vector<ConePlanes> &cones() const { return answers_.cones; }
-    const float *Oi(int channel) const { return answers_.Oi[channel]; } ///< In [0,1].
-    const float *Ca(int channel) const { return answers_.Ca[channel]; } ///< Null = none.
+    const PreparedSurface &prepared() const { return prepared_; }
 
     ShadingPoints points;
 
 private:
-    /// What prepare() was told; the planes are those of `storage_`.
-    struct Answers {
-        std::vector<ConePlanes> cones;
-        std::array<float *, colorSamples> Oi{};
-        std::array<const float *, colorSamples> Ca{};
-    };
     struct Storage {
         Planes<float> facing, litPoints, frame, outputs, shadeOutputs;
         std::vector<float *> outputTable;
     };
     ShaderArgs arguments() const;
-    void takeCones();
-    void takeOpacity(const QuestionCode &);
 
     const Scene *scene_ = nullptr;
     int codeIndex_ = 0, capacity_;
     Storage storage_;
-    Answers answers_;
+    PreparedSurface prepared_;
 };
 
 } // namespace candela

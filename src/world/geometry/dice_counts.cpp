@@ -27,10 +27,6 @@ static bool refineU(const DerivativeBounds &bounds, double u, double v) {
     return errorU >= errorV;
 }
 
-double cellsForWidth(double length, double width) {
-    return width > 0 && length > slenderest * width ? std::ceil(length / (slenderest * width)) : 1;
-}
-
 DiceCounts chooseCounts(const DerivativeBounds &bounds, const DiceRate &rate, DiceCounts least,
                         double cells) {
     // A rate that is no positive number asks for the finest dicing there is.
@@ -48,8 +44,6 @@ DiceCounts chooseCounts(const DerivativeBounds &bounds, const DiceRate &rate, Di
         double &side = refineU(bounds, u, v) ? u : v;
         side = std::ceil(side * 1.07 + 0.5);
     }
-    u = std::max(u, cellsForWidth(bounds.du, bounds.dv / v));
-    v = std::max(v, cellsForWidth(bounds.dv, bounds.du / u));
     if (double excess = std::sqrt(u * v / cells); excess > 1) {
         u = std::max(double(least.u), std::min(u / excess, cells));
         v = std::max(double(least.v), std::min(v / excess, cells / u));

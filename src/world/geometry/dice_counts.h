@@ -20,12 +20,6 @@ struct DiceCounts {
 /// No surface is diced into more cells than this, whatever the rate: two triangles a cell.
 inline constexpr double maximalCells = 1 << 20;
 
-/// Cells are no longer than so many times their width: normals of triangles are off by rounding the
-/// more, the slenderer they are, and rays would meet those of a long thin tube out of order.
-inline constexpr double slenderest = 64;
-/// The fewest cells along a side that keep to that.
-double cellsForWidth(double length, double width);
-
 /// The largest distance between a triangle whose corners lie in one cell and the surface: between
 /// points of the same (u,v), so that the name of a hit is as good as its place. Linear
 /// interpolation over weights l_i errs by sum l_i d_i'H d_i / 2, and a quantity that varies by D

@@ -37,7 +37,6 @@ static double rowsFor(const ProfileLimits &limits, double turn, double edge, dou
     // A diagonal of a cell that is skew is as long as its two sides together.
     double share = bounds.skew ? 1 - std::sqrt(0.5) : std::sqrt(0.5);
     double rows = std::max((twist + root) / left, bounds.dv / (edge * share));
-    rows = std::max(rows, cellsForWidth(bounds.dv, bounds.du / turn));
     return std::max(double(limits.leastRows), std::ceil(rows));
 }
 

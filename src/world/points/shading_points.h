@@ -21,10 +21,10 @@ struct ShadingPoints {
     std::vector<float *> inputTable; ///< inputs as ShaderArgs wants it.
     Planes<std::int32_t> integers;
     std::int32_t *parameterOffset, *objectIndex;
-    std::int32_t *lightSet; ///< Which lights shine on it: index for Scene::lightIsOn.
+    std::int32_t *lightSet; ///< Which lights shine on it: index for Lights::isOn.
     std::int32_t *id;       ///< Which placed shape, from 1.
     std::int32_t *light;    ///< The light that the point belongs to: index + 1, 0 = none.
-    /// Where on the light, for Scene::lightDensity: instance, shape and element that it lies on.
+    /// Where on the light, for Lights::density: instance, shape and element that it lies on.
     std::uint32_t *instance, *shape, *element;
     Planes<std::uint32_t> places;
     /// Half of the thickness of the zone around P in which a new ray would meet the very

@@ -91,12 +91,20 @@ void SceneState::emission(int code, ShadingPoints &points, float *const *radianc
     }
 }
 
-void Scene::emission(int code, ShadingPoints &points, float *const *radiance) const {
+std::span<const LightGroup> Lights::groupsInUse() const { return state_->lights.groups; }
+bool Lights::hasAmbient() const { return !state_->lights.ambient.empty(); }
+bool Lights::readsChoice() const { return !state_->lights.isSingle; }
+int Lights::count() const { return int(state_->lights.lights.size()); }
+bool Lights::isOn(std::int32_t lightSet, std::int32_t light) const {
+    return state_->lights.on(lightSet, light);
+}
+
+void Lights::emission(int code, ShadingPoints &points, float *const *radiance) const {
     state_->emission(code, points, radiance);
 }
 
-void Scene::ambient(int count, const std::array<const float *, 3> &P, const std::int32_t *lightSet,
-                    float *const *ambient) const {
+void Lights::ambient(int count, const std::array<const float *, 3> &P, const std::int32_t *lightSet,
+                     float *const *ambient) const {
     for (int c = 0; c < colorSamples; ++c)
         std::fill_n(ambient[c], count, 0.0f);
     thread_local std::optional<LightBatch> batch;
@@ -114,7 +122,7 @@ void Scene::ambient(int count, const std::array<const float *, 3> &P, const std:
             }
             batch->ask(*state_, *light.shader.code);
             for (int i = 0; i < batch->count; ++i)
-                if (lightIsOn(lightSet[first + i], index + 1))
+                if (isOn(lightSet[first + i], index + 1))
                     for (int c = 0; c < colorSamples; ++c)
                         ambient[c][first + i] += batch->Cl[c][i];
         }

@@ -21,8 +21,8 @@ ElementRows &elementRows(int count) {
 
 } // namespace
 
-void Scene::lightDensity(const LightQuery &query, const ShadingPoints &points,
-                         const std::array<const float *, 3> &elementPoint, float *pdf) const {
+void Lights::density(const LightQuery &query, const ShadingPoints &points,
+                     const std::array<const float *, 3> &elementPoint, float *pdf) const {
     if (state_->lights.elements.empty())
         return void(std::fill_n(pdf, query.count, 0.0f));
     thread_local Scratch<std::int32_t> sources;

@@ -17,7 +17,7 @@ struct Drawn {
 Drawn draw(const Scene &scene, int count) {
     Samples samples(count);
     samples.draw(7, {0, 0, 0});
-    scene.sampleLights(scene.lightGroupsInUse().front(), samples.query, samples.out);
+    scene.lights().sample(scene.lights().groupsInUse().front(), samples.query, samples.out);
     double sum = 0, squares = 0;
     Drawn drawn;
     for (int i = 0; i < count; ++i) {
@@ -143,7 +143,7 @@ TEST(LightDirections, ManyLightsAreChosenByPower) {
     world.render([](const Scene &scene) {
         Samples samples(1 << 15);
         samples.draw(3, {0, 0, 0});
-        scene.sampleLights(scene.lightGroupsInUse().front(), samples.query, samples.out);
+        scene.lights().sample(scene.lights().groupsInUse().front(), samples.query, samples.out);
         int strong = 0;
         for (int i = 0; i < samples.query.count; ++i)
             strong += samples.out.light[i] % 2 == 0;

@@ -113,8 +113,8 @@ public:
     Estimates at(Vec3 P, Vec3 N, unsigned seed) {
         P_ = P, N_ = N, sums_ = {};
         samples_.draw(seed, P);
-        for (LightGroup group : scene_.lightGroupsInUse()) {
-            scene_.sampleLights(group, samples_.query, samples_.out);
+        for (LightGroup group : scene_.lights().groupsInUse()) {
+            scene_.lights().sample(group, samples_.query, samples_.out);
             addLightSamples();
         }
         addHits();
@@ -224,7 +224,7 @@ TEST(LightPieces, RadianceInsideIsOneByEachStrategyAlone) {
 std::size_t compareDensities(const Scene &scene, LightGroup group, Vec3 inside) {
     Samples samples(512);
     samples.draw(9, inside);
-    scene.sampleLights(group, samples.query, samples.out);
+    scene.lights().sample(group, samples.query, samples.out);
     RayBatch rays(512);
     HitBatch hits(512);
     rays.count = 512;
@@ -255,7 +255,7 @@ TEST(LightPieces, SamplesAndHitsTellOneDensity) {
         build(world, body);
         world.render([&](const Scene &scene) {
             std::size_t met = 0;
-            for (LightGroup group : scene.lightGroupsInUse())
+            for (LightGroup group : scene.lights().groupsInUse())
                 met += compareDensities(scene, group, body.inside);
             EXPECT_GT(met, 150u); // The torus hides much of itself.
         });

@@ -64,6 +64,66 @@ std::int32_t codeOf(const SceneState &state, std::int32_t source) {
     return points.appearances[points.appearanceOf(element.instance, element.shape)].code;
 }
 
+/// Without extent, classic units are what a white diffuser sends.
+void setPower(SceneLight &light, double power) {
+    if (!light.finite() && !light.si)
+        power *= pi;
+    light.power = std::isfinite(power) && power > 0 ? power : 0;
+}
+
+/// A cone about the directions that are lit, if it is narrow and enough of them are; of the lanes
+/// [first, first + samples).
+void findBeam(const LightBatch &batch, int first, int samples, SceneLight &light) {
+    constexpr int enough = 6;
+    const float apart = 2.2f / std::sqrt(float(samples)); // Of neighbouring directions.
+    auto forLit = [&](auto body) {
+        for (int lane = first; lane < first + samples; ++lane)
+            if (totalCl(batch, lane) > 0)
+                body(normalize(vectorL(batch, lane)));
+    };
+    Vec3 sum;
+    int lit = 0;
+    forLit([&](Vec3 d) { sum += d, ++lit; });
+    const Vec3 axis = normalize(sum);
+    float least = 1;
+    forLit([&](Vec3 d) { least = std::min(least, dot(axis, d)); });
+    const float spread = std::acos(std::clamp(least, -1.0f, 1.0f)) + apart;
+    const bool narrow = lit >= enough && spread < pi / 2;
+    light.axis = narrow ? axis : Vec3{};
+    light.spread = narrow ? spread : pi;
+}
+
+/// Points on lights, as shading points.
+struct PlacedSamples {
+    ElementRows rows{lightBatchSize};
+    SourcePoints drawn{lightBatchSize};
+    ShadingPoints points{lightBatchSize};
+
+    /// One on each of the sources, uniform by area.
+    void place(const SceneState &state, const SurfaceCode &code, int count,
+               const std::int32_t *source, const float *u, const float *v) {
+        rows.draw(state.lights, count, source, u);
+        placeOnElements(rows, rows.u, v, drawn);
+        placePoints(rows, drawn, points);
+        for (ShaderInput input : {ShaderInput::I, ShaderInput::E})
+            for (int c = 0; c < 3; ++c)
+                std::fill_n(points.input(input, c), count, 0.0f);
+        evaluatePoints(state.points, state.camera, code, nullptr, points);
+    }
+
+    /// A cosine-distributed viewer of the point by quasi-random number i: even ones in front, odd
+    /// ones behind.
+    void placeViewer(int lane, int i) {
+        Vec3 Ng;
+        for (int c = 0; c < 3; ++c)
+            Ng[c] = points.input(ShaderInput::Ng, c)[lane];
+        // A unit vector added to the normal has the cosine distribution about it.
+        const Vec3 way = normalize(Ng + onSphere(quasiRandom(i, 2), quasiRandom(i, 3)));
+        for (int c = 0; c < 3; ++c)
+            points.input(ShaderInput::I, c)[lane] = i % 2 ? way[c] : -way[c];
+    }
+};
+
 /// Asks a few lights at a time, all of one shader; lane k * samples + i is sample i of light k.
 class Estimator {
 public:
@@ -118,13 +178,6 @@ private:
         ask();
     }
 
-    /// Without extent, classic units are what a white diffuser sends.
-    static void setPower(SceneLight &light, double power) {
-        if (!light.finite() && !light.si)
-            power *= pi;
-        light.power = std::isfinite(power) && power > 0 ? power : 0;
-    }
-
     void askDistant() {
         prepare(samples_);
         askFromAround(samples_);
@@ -150,7 +203,8 @@ private:
         prepare(samples_);
         askAbout([&](int k, int) { return centres[k]; });
         findPlaces(samples_);
-        findBeams();
+        for (int k = 0; k < lights(); ++k)
+            findBeam(batch_, k * samples_, samples_, light(k));
     }
 
     void findPlaces(int samples) {
@@ -177,33 +231,8 @@ private:
             setPower(light(k), sums[k] / samples_ * 4 * pi);
     }
 
-    /// A cone about the directions that are lit, if it is narrow and enough of them are.
-    void findBeams() {
-        constexpr int enough = 6;
-        const float apart = 2.2f / std::sqrt(float(samples_)); // Of neighbouring directions.
-        for (int k = 0; k < lights(); ++k) {
-            Vec3 sum;
-            int lit = 0;
-            auto forLit = [&](auto body) {
-                for (int lane = k * samples_; lane < (k + 1) * samples_; ++lane)
-                    if (totalCl(batch_, lane) > 0)
-                        body(normalize(vectorL(batch_, lane)));
-            };
-            forLit([&](Vec3 d) { sum += d, ++lit; });
-            const Vec3 axis = normalize(sum);
-            float least = 1;
-            forLit([&](Vec3 d) { least = std::min(least, dot(axis, d)); });
-            const float spread = std::acos(std::clamp(least, -1.0f, 1.0f)) + apart;
-            const bool narrow = lit >= enough && spread < pi / 2;
-            light(k).axis = narrow ? axis : Vec3{};
-            light(k).spread = narrow ? spread : pi;
-        }
-    }
-
-    /// Points on the lights, uniform by area, as shading points of `code`. Where a light's shapes
-    /// have other codes, those of the first one stand for all.
+    /// Where a light's shapes have other codes, those of the first one stand for all.
     void place(const SurfaceCode &code) {
-        const int count = samples_ * lights();
         std::int32_t source[lightBatchSize];
         float u[lightBatchSize], v[lightBatchSize];
         forLanes(samples_, [&](int k, int i, int lane) {
@@ -214,26 +243,7 @@ private:
                 source[lane] = first;
             u[lane] = quasiRandom(i, 0), v[lane] = quasiRandom(i, 1);
         });
-        rows_.draw(state_.lights, count, source, u);
-        placeOnElements(rows_, rows_.u, v, drawn_);
-        placePoints(rows_, drawn_, points_);
-        for (ShaderInput input : {ShaderInput::I, ShaderInput::E})
-            for (int c = 0; c < 3; ++c)
-                std::fill_n(points_.input(input, c), count, 0.0f);
-        evaluatePoints(state_.points, state_.camera, code, nullptr, points_);
-    }
-
-    /// Cosine-distributed viewers: even samples in front, odd ones behind.
-    void placeViewers() {
-        forLanes(samples_, [&](int, int i, int lane) {
-            Vec3 Ng;
-            for (int c = 0; c < 3; ++c)
-                Ng[c] = points_.input(ShaderInput::Ng, c)[lane];
-            // A unit vector added to the normal has the cosine distribution about it.
-            const Vec3 way = normalize(Ng + onSphere(quasiRandom(i, 2), quasiRandom(i, 3)));
-            for (int c = 0; c < 3; ++c)
-                points_.input(ShaderInput::I, c)[lane] = i % 2 ? way[c] : -way[c];
-        });
+        placed_.place(state_, code, samples_ * lights(), source, u, v);
     }
 
     /// Radiant exitance of both sides times area.
@@ -243,8 +253,8 @@ private:
         for (int c = 0; c < colorSamples; ++c)
             std::fill_n(radiance[c] = radiance_[c], lightBatchSize, 0.0f);
         place(state_.points.codes[code]);
-        placeViewers();
-        state_.emission(code, points_, radiance);
+        forLanes(samples_, [&](int, int i, int lane) { placed_.placeViewer(lane, i); });
+        state_.emission(code, placed_.points, radiance);
         std::vector<std::array<double, 2>> sums(lights());
         forLanes(samples_, [&](int k, int i, int lane) {
             for (int c = 0; c < colorSamples; ++c)
@@ -266,7 +276,7 @@ private:
         place(SurfaceCode{});
         for (ShaderInput input : {ShaderInput::P, ShaderInput::N, ShaderInput::Ng})
             for (int c = 0; c < 3; ++c)
-                std::copy_n(points_.input(input, c), batch_.count, batch_.input(input, c));
+                std::copy_n(placed_.points.input(input, c), batch_.count, batch_.input(input, c));
         askAbout([&](int, int lane) { return get(batch_, ShaderInput::P, lane); });
     }
 
@@ -274,9 +284,7 @@ private:
     std::span<const int> group_;
     int samples_ = mostSamples;
     LightBatch batch_{lightBatchSize};
-    ElementRows rows_{lightBatchSize};
-    SourcePoints drawn_{lightBatchSize};
-    ShadingPoints points_{lightBatchSize};
+    PlacedSamples placed_;
     Planes<float> radiance_{colorSamples, lightBatchSize};
 };
 

@@ -414,7 +414,7 @@ Block blockOf(const LightQuery &query, const std::int32_t *source, const float *
 
 } // namespace
 
-void Scene::sampleLights(LightGroup group, const LightQuery &query, LightSamples &samples) const {
+void Lights::sample(LightGroup group, const LightQuery &query, LightSamples &samples) const {
     if (query.count == 0)
         return;
     SamplingScratch &own = scratch();
@@ -427,7 +427,7 @@ void Scene::sampleLights(LightGroup group, const LightQuery &query, LightSamples
     answer(*state_, blockOf(query, source, probability, query.position[0], samples), own);
 }
 
-void Scene::sampleLight(int index, const LightQuery &query, LightSamples &samples) const {
+void Lights::sampleOne(int index, const LightQuery &query, LightSamples &samples) const {
     if (query.count == 0)
         return;
     SamplingScratch &own = scratch();

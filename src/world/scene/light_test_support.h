@@ -63,7 +63,7 @@ inline std::vector<float> densities(const Scene &scene, const RayBatch &rays, co
     }
     query.N = {zero[0], zero[0], zero[0]};
     query.lightSet = sets[0];
-    scene.lightDensity(query, points, {met[0], met[1], met[2]}, pdf[0]);
+    scene.lights().density(query, points, {met[0], met[1], met[2]}, pdf[0]);
     return {pdf[0], pdf[0] + count};
 }
 

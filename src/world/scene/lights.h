@@ -7,8 +7,12 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 namespace candela {
+
+struct SceneState;
+struct ShadingPoints;
 
 /// Lights come in groups, and each point takes a sample of each group: lamps, and what shines from
 /// far and wide (suns, domes, ceilings). So neither leaves the other too few samples.
@@ -45,6 +49,42 @@ struct LightSamples {
     std::int32_t *light = nullptr;  ///< Index + 1; 0 = no sample (black).
     /// 1 if a shadow ray is due (else the light shines through everything, as classic ones may).
     std::uint8_t *castsShadow = nullptr;
+};
+
+/// The lights of a scene: samples of them, what they emit, and how likely samples would have met
+/// what a ray has.
+class Lights {
+public:
+    bool hasAmbient() const;
+    /// The groups that have lights: whoever gathers light takes a sample of each.
+    std::span<const LightGroup> groupsInUse() const;
+    /// One sample a point, of one of the group's lights that are on for it, chosen by what they may
+    /// bring.
+    void sample(LightGroup, const LightQuery &, LightSamples &) const;
+    /// sample() reads LightQuery::choice: which light, and where on it.
+    bool readsChoice() const;
+    /// `classic`: one sample of light `index` (of count()) at every point, no choice. Lamps
+    /// that cast no shadows hide nothing but parts of themselves.
+    int count() const;
+    void sampleOne(int index, const LightQuery &, LightSamples &) const;
+    /// pdf[i] per steradian with which sample(), asked by `query` (of which count, P, N,
+    /// lightSet and scattered are read), would have sent to the points, which rays from query.P
+    /// have met on elements at `elementPoint`. 0 where the point is no light, or off.
+    void density(const LightQuery &query, const ShadingPoints &,
+                 const std::array<const float *, 3> &elementPoint, float *pdf) const;
+    /// radiance[c][i] that area lights (si) and emitting surfaces send from the points to the
+    /// viewers they were hit from (I), W m^-2 sr^-1; added to what is there.
+    void emission(int code, ShadingPoints &, float *const *radiance) const;
+    /// Sum of the ambient lights at the points, as ambient() returns it.
+    void ambient(int count, const std::array<const float *, 3> &P, const std::int32_t *lightSet,
+                 float *const *ambient) const;
+    /// `light` as in ShadingPoints and LightSamples: index + 1, and 0 (indirect) is always on.
+    bool isOn(std::int32_t lightSet, std::int32_t light) const;
+
+private:
+    friend class Scene;
+    explicit Lights(const SceneState &state) : state_(&state) {}
+    const SceneState *state_;
 };
 
 } // namespace candela

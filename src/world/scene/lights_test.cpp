@@ -14,7 +14,7 @@ namespace {
 /// Irradiance at P with normal N, unoccluded, from n samples.
 double irradiance(const Scene &scene, Samples &samples, unsigned seed, Vec3 P, Vec3 N) {
     samples.draw(seed, P);
-    scene.sampleLights(scene.lightGroupsInUse().front(), samples.query, samples.out);
+    scene.lights().sample(scene.lights().groupsInUse().front(), samples.query, samples.out);
     double sum = 0;
     for (int i = 0; i < samples.query.count; ++i) {
         if (samples.out.light[i] == 0)
@@ -113,13 +113,13 @@ TEST(Lights, PowersDecideHowOftenALightIsChosen) {
     world.render([](const Scene &scene) {
         Samples samples(1 << 15);
         samples.draw(3, {0, 0, 0});
-        scene.sampleLights(scene.lightGroupsInUse().front(), samples.query, samples.out);
+        scene.lights().sample(scene.lights().groupsInUse().front(), samples.query, samples.out);
         int second = 0;
         for (int i = 0; i < samples.query.count; ++i)
             second += samples.out.light[i] == 2;
         EXPECT_NEAR(second / double(samples.query.count), 0.75, 5 * 0.5 / std::sqrt(1 << 15));
-        EXPECT_TRUE(scene.lightIsOn(0, 1));
-        EXPECT_TRUE(scene.lightIsOn(0, 0));
+        EXPECT_TRUE(scene.lights().isOn(0, 1));
+        EXPECT_TRUE(scene.lights().isOn(0, 0));
     });
 }
 
@@ -137,7 +137,7 @@ TEST(Lights, SurfacesDrawOnlyFromLightsThatAreOn) {
         samples.draw(3, {0, 0, 0});
         for (int i = 512; i < 1024; ++i)
             samples.integers[0][i] = 1;
-        scene.sampleLights(scene.lightGroupsInUse().front(), samples.query, samples.out);
+        scene.lights().sample(scene.lights().groupsInUse().front(), samples.query, samples.out);
         for (int i = 0; i < 1024; ++i)
             EXPECT_EQ(samples.out.light[i], i < 512 ? 38 : 0);
     });
@@ -187,7 +187,7 @@ TEST(Lights, DensitiesOfHitsIntegrateToOne) {
         const double total = sum * 4 * M_PI / (double(rows) * columns);
         Samples samples(1 << 15);
         samples.draw(5, {0, 0, 0});
-        scene.sampleLights(scene.lightGroupsInUse().front(), samples.query, samples.out);
+        scene.lights().sample(scene.lights().groupsInUse().front(), samples.query, samples.out);
         int hidden = 0;
         rays.count = 1;
         for (int i = 0; i < samples.query.count; ++i) {
@@ -212,7 +212,7 @@ TEST(Lights, SamplesAndHitsAgree) {
     world.render([](const Scene &scene) {
         Samples samples(64);
         samples.draw(9, {0, 0, 0});
-        scene.sampleLights(scene.lightGroupsInUse().front(), samples.query, samples.out);
+        scene.lights().sample(scene.lights().groupsInUse().front(), samples.query, samples.out);
         RayBatch rays(64);
         HitBatch hits(64);
         rays.count = 64;
@@ -231,7 +231,7 @@ TEST(Lights, SamplesAndHitsAgree) {
             EXPECT_NEAR(pdf / samples.out.pdfSolidAngle[i], 1, 1e-5);
             Planes<float> planes(colorSamples, 1);
             float *radiance[colorSamples] = {planes[0], planes[1], planes[2]};
-            scene.emission(scene.codeOf(hits, i), point, radiance);
+            scene.lights().emission(scene.codeOf(hits, i), point, radiance);
             EXPECT_FLOAT_EQ(radiance[0][0], 7);
             EXPECT_FLOAT_EQ(samples.out.value[0][i], 7);
             ++compared;
@@ -249,17 +249,17 @@ TEST(Lights, ClassicLightsHandOverTheirNumber) {
     world.render([](const Scene &scene) {
         Samples samples(4);
         samples.draw(1, {0, 0, 0});
-        scene.sampleLight(0, samples.query, samples.out);
+        scene.lights().sampleOne(0, samples.query, samples.out);
         EXPECT_EQ(samples.out.value[0][3], 1);
         EXPECT_EQ(samples.out.pdfSolidAngle[3], 0);
         EXPECT_EQ(samples.out.castsShadow[3], 0) << "classic lights shine through everything";
         EXPECT_TRUE(std::isinf(samples.out.distance[3]));
-        scene.sampleLight(1, samples.query, samples.out);
+        scene.lights().sampleOne(1, samples.query, samples.out);
         EXPECT_EQ(samples.out.light[0], 0);
         Planes<float> planes(colorSamples, 4);
         float *ambient[colorSamples] = {planes[0], planes[1], planes[2]};
-        ASSERT_TRUE(scene.hasAmbient());
-        scene.ambient(4, samples.query.P, samples.query.lightSet, ambient);
+        ASSERT_TRUE(scene.lights().hasAmbient());
+        scene.lights().ambient(4, samples.query.P, samples.query.lightSet, ambient);
         EXPECT_EQ(ambient[1][2], 0.25f);
     });
 }
@@ -269,11 +269,11 @@ TEST(Lights, FaultyAndBareLightsAreDark) {
     world.addLight("missing", {});
     world.addLight("arealight", {intensity(1)}, LightUnits::Si, true);
     world.render([](const Scene &scene) {
-        EXPECT_TRUE(scene.lightGroupsInUse().empty());
-        EXPECT_EQ(scene.lightCount(), 2);
+        EXPECT_TRUE(scene.lights().groupsInUse().empty());
+        EXPECT_EQ(scene.lights().count(), 2);
         Samples samples(2);
         samples.draw(1, {0, 0, 0});
-        scene.sampleLights(lampGroup, samples.query, samples.out);
+        scene.lights().sample(lampGroup, samples.query, samples.out);
         EXPECT_EQ(samples.out.light[0], 0);
         EXPECT_EQ(samples.out.value[0][0], 0);
     });

@@ -86,6 +86,7 @@ Scene::~Scene() = default;
 const Options &Scene::options() const { return state_->options; }
 const Camera &Scene::camera() const { return state_->camera; }
 bool Scene::isClassic() const { return state_->classic; }
+Lights Scene::lights() const { return Lights(*state_); }
 Scene::Statistics Scene::statistics() const { return state_->statistics; }
 
 void Scene::intersect(const RayBatch &rays, HitBatch &hits, Coherence coherence) const {
@@ -186,14 +187,6 @@ Vec3 Scene::offsetOrigin(Vec3 P, Vec3 Ng, Vec3 direction, float offset) {
     return P + Ng * (side / length);
 }
 
-std::span<const LightGroup> Scene::lightGroupsInUse() const { return state_->lights.groups; }
-
 bool Scene::readsFootprints() const { return state_->readsFootprints; }
-bool Scene::hasAmbient() const { return !state_->lights.ambient.empty(); }
-bool Scene::readsLightChoice() const { return !state_->lights.isSingle; }
-int Scene::lightCount() const { return int(state_->lights.lights.size()); }
-bool Scene::lightIsOn(std::int32_t lightSet, std::int32_t light) const {
-    return state_->lights.on(lightSet, light);
-}
 
 } // namespace candela

@@ -64,32 +64,7 @@ public:
     /// The documented ray-offset rule: where a ray that leaves P along `direction` starts.
     static Vec3 offsetOrigin(Vec3 P, Vec3 Ng, Vec3 direction, float offset);
 
-    // ---- Light ----
-    bool hasAmbient() const;
-    /// The groups that have lights: whoever gathers light takes a sample of each.
-    std::span<const LightGroup> lightGroupsInUse() const;
-    /// One sample a point, of one of the group's lights that are on for it, chosen by what they may
-    /// bring.
-    void sampleLights(LightGroup, const LightQuery &, LightSamples &) const;
-    /// sampleLights() reads LightQuery::choice: which light, and where on it.
-    bool readsLightChoice() const;
-    /// `classic`: one sample of light `index` (of lightCount()) at every point, no choice. Lamps
-    /// that cast no shadows hide nothing but parts of themselves.
-    int lightCount() const;
-    void sampleLight(int index, const LightQuery &, LightSamples &) const;
-    /// pdf[i] per steradian with which sampleLights(), asked by `query` (of which count, P, N,
-    /// lightSet and scattered are read), would have sent to the points, which rays from query.P
-    /// have met on elements at `elementPoint`. 0 where the point is no light, or off.
-    void lightDensity(const LightQuery &query, const ShadingPoints &,
-                      const std::array<const float *, 3> &elementPoint, float *pdf) const;
-    /// radiance[c][i] that area lights (si) and emitting surfaces send from the points to the
-    /// viewers they were hit from (I), W m^-2 sr^-1; added to what is there.
-    void emission(int code, ShadingPoints &, float *const *radiance) const;
-    /// Sum of the ambient lights at the points, as ambient() returns it.
-    void ambient(int count, const std::array<const float *, 3> &P, const std::int32_t *lightSet,
-                 float *const *ambient) const;
-    /// `light` as in ShadingPoints and LightSamples: index + 1, and 0 (indirect) is always on.
-    bool lightIsOn(std::int32_t lightSet, std::int32_t light) const;
+    Lights lights() const;
 
     struct Statistics {
         std::size_t primitives = 0, instances = 0, triangles = 0, lights = 0, codes = 0;
@@ -98,9 +73,6 @@ public:
     Statistics statistics() const;
 
 private:
-    void walkThroughTransparent(const RayBatch &, const std::uint8_t *blocked,
-                                float *const *transmittance) const;
-
     friend class SceneCompiler;
     explicit Scene(std::unique_ptr<SceneState>);
     std::unique_ptr<SceneState> state_;

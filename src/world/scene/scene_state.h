@@ -31,7 +31,7 @@ struct SceneState {
 
     /// Numbers the bins, once it is known what is a light.
     void numberBins();
-    /// Scene::emission.
+    /// Lights::emission.
     void emission(int code, ShadingPoints &, float *const *radiance) const;
 };
 

@@ -3,16 +3,9 @@
 #pragma once
 
 #include "world/scene/declared_world.h"
-#include "world/scene/scene_state.h"
+#include "world/scene/ray_geometry.h"
 
 namespace candela {
-
-/// What rays are to meet: RayWorld's arguments.
-struct RayGeometry {
-    RayObject world;
-    std::vector<RayObject> objects;
-    std::vector<RayInstance> instances;
-};
 
 /// Fills SceneState::points, the light sets, the scene's extent and the statistics.
 RayGeometry buildShapes(const DeclaredWorld &, SceneState &, ShaderLibrary &, DiagnosticSink &);

@@ -108,6 +108,29 @@ void passSurface(Walk &walk, int k, float *const *transmittance) {
     walk.keep[i] = open;
 }
 
+/// Multiplies by what the transparent surfaces let through.
+void walkThroughTransparent(const Scene &scene, const RayWorld &world, const RayBatch &rays,
+                            const std::uint8_t *blocked, float *const *transmittance) {
+    Walk &walk = walkFor(rays.count);
+    walk.begin(rays, blocked);
+    for (int layer = 0; layer < layersAtMost && !walk.lane.empty(); ++layer) {
+        world.intersect(walk.rays, walk.hits, RayWorld::Which::Transparent, false);
+        walk.keep.assign(walk.lane.size(), 0);
+        for (int code = 0; code < scene.codeCount(); ++code) {
+            walk.takeHitsOf(scene, code);
+            if (walk.order.empty())
+                continue;
+            askOpacity(scene, code, walk);
+            for (int k = 0; k < walk.points.count; ++k)
+                passSurface(walk, k, transmittance);
+        }
+        walk.dropTheRest();
+    }
+    for (int lane : walk.lane)
+        for (int c = 0; c < colorSamples; ++c)
+            transmittance[c][lane] = 0;
+}
+
 } // namespace
 
 bool Scene::transmittance(const RayBatch &rays, float *const *transmittance) const {
@@ -118,31 +141,8 @@ bool Scene::transmittance(const RayBatch &rays, float *const *transmittance) con
     for (int c = 0; c < (colored ? colorSamples : 1); ++c)
         passUnblocked(rays.count, blocked, transmittance[c]);
     if (colored)
-        walkThroughTransparent(rays, blocked, transmittance);
+        walkThroughTransparent(*this, *state_->rays, rays, blocked, transmittance);
     return colored;
-}
-
-/// Multiplies by what the transparent surfaces let through.
-void Scene::walkThroughTransparent(const RayBatch &rays, const std::uint8_t *blocked,
-                                   float *const *transmittance) const {
-    Walk &walk = walkFor(rays.count);
-    walk.begin(rays, blocked);
-    for (int layer = 0; layer < layersAtMost && !walk.lane.empty(); ++layer) {
-        state_->rays->intersect(walk.rays, walk.hits, RayWorld::Which::Transparent, false);
-        walk.keep.assign(walk.lane.size(), 0);
-        for (int code = 0; code < codeCount(); ++code) {
-            walk.takeHitsOf(*this, code);
-            if (walk.order.empty())
-                continue;
-            askOpacity(*this, code, walk);
-            for (int k = 0; k < walk.points.count; ++k)
-                passSurface(walk, k, transmittance);
-        }
-        walk.dropTheRest();
-    }
-    for (int lane : walk.lane)
-        for (int c = 0; c < colorSamples; ++c)
-            transmittance[c][lane] = 0;
 }
 
 } // namespace candela

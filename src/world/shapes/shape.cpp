@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/shapes/shape.h"
 
+#include "world/geometry/corner_order.h"
 #include "world/shapes/cut_triangles.h"
 #include "world/shapes/dice_rate.h"
 
@@ -43,8 +44,9 @@ float signByVote(const Shape &shape, const RayShape &mesh) {
 /// How far along its elements rounding leads astray who meets them.
 struct Reach {
     float longestEdge = 0;
-    /// The longest edge, and more where elements are slender: the normal of one is off by rounding
-    /// over the sine between its edges. No more than what lifts one off by its own width.
+    /// The longest edge, and more where the edges at an element's first corner are nearly parallel:
+    /// its normal is off by rounding over the sine between them. No more than what lifts one off by
+    /// its own width.
     float slender = 0;
 };
 
@@ -58,7 +60,7 @@ Reach reachOf(const RayShape &mesh) {
             squared = std::max(squared, dot(edge[k], edge[k]));
         }
         const float longest = std::sqrt(squared), area = length(cross(edge[0], edge[1]));
-        const float product = length(edge[0]) * length(edge[1]);
+        const float product = length(edge[0]) * length(edge[2]);
         reach.longestEdge = std::max(reach.longestEdge, longest);
         if (!(area > 0))
             continue;
@@ -67,6 +69,13 @@ Reach reachOf(const RayShape &mesh) {
     }
     reach.slender = std::max(reach.slender, reach.longestEdge);
     return reach;
+}
+
+/// Meshes that name points directly keep the order that they have: it is part of the names.
+void beginAtBluntCorners(DicedMesh &mesh) {
+    const std::vector<Vec3> &p = mesh.positions;
+    for (auto &triangle : mesh.triangles)
+        beginAt(bluntCorner(p[triangle[0]], p[triangle[1]], p[triangle[2]]), triangle);
 }
 
 bool hasFlatNormals(const Surface &surface, const DicedMesh &diced) {
@@ -148,6 +157,7 @@ RayShape dice(Shape &shape, const DiceRate &rate, const Vec3 *eye) {
         shape.pieces = cutLargeTriangles(diced, *eye);
     shape.naming = diced.vertexUv.empty() ? Naming::Direct : Naming::Corners;
     if (shape.naming == Naming::Corners) {
+        beginAtBluntCorners(diced);
         shape.triangles = diced.triangles;
         shape.vertexUv = std::move(diced.vertexUv);
     }

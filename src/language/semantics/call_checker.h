@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Calls: the function that is meant, and its arguments.
+#pragma once
+
+#include <string>
+
+#include "language/semantics/expression_checker.h"
+
+namespace candela::sl {
+
+class CallChecker {
+public:
+    CallChecker(const Surroundings &here, ExpressionChecker &expressions)
+        : here_(here), expressions_(expressions) {}
+
+    ExprPtr check(const ast::Expr &call, ExpressionChecker::Wanted);
+
+private:
+    ExprPtr unknown(const ast::Expr &);
+    ExprPtr fittingNone(const ast::Expr &);
+    ExprPtr builtin(const ast::Expr &, const BuiltinOverload &);
+    ExprPtr argument(const ast::Expr &, const BuiltinParameter &, const std::string &name);
+    ExprPtr user(const ast::Expr &, FunctionDefinition &);
+    ExprPtr userArgument(const ast::Expr &, const ast::Variable &formal, const std::string &name);
+
+    const Surroundings &here_;
+    ExpressionChecker &expressions_;
+};
+
+} // namespace candela::sl

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// The type checker of one shader.
+#pragma once
+
+#include <memory>
+
+#include "language/semantics/typed_ast.h"
+#include "language/syntax/ast.h"
+#include "language/syntax/reporter.h"
+
+namespace candela::sl {
+
+/// The typed form of a shader of the file; of use only if the reporter has counted no errors.
+std::unique_ptr<TypedShader> checkShader(const ast::Shader &, const ast::File &,
+                                         const SourceFile &mainFile, Reporter &);
+
+} // namespace candela::sl

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// The points of a batch that lie on one shape, as its surface names them.
+#pragma once
+
+#include "foundation/base/scratch.h"
+#include "world/points/point_tables.h"
+#include "world/points/shading_points.h"
+
+namespace candela {
+
+/// Planes are dense, and not those of the batch.
+struct ShapeRun {
+    const PointTables &tables;
+    const Shape &shape;
+    const std::int32_t *order; ///< Where the points stand in the batch.
+    int count, stride;         ///< Stride: of planes that hold as many.
+    bool placed;               ///< By instances.
+    float *u, *v, *sign;       ///< Sign: of normals against the natural ones.
+    std::uint32_t *instance, *element, *piece;
+
+    SurfaceQuery query() const { return {count, piece, u, v}; }
+};
+
+/// Storage of a thread's runs.
+struct RunScratch {
+    Scratch<std::uint32_t> integers;
+    Scratch<float> names, planes;
+    Scratch<float *> variablePlanes;
+};
+
+/// The points order[0..count) of the batch, all of one shape, `normalSign` by place in the batch.
+ShapeRun makeRun(const PointTables &, ShadingPoints &, const std::int32_t *order, int count,
+                 const float *normalSign, RunScratch &);
+
+// From the surface's own space to current space.
+void placeVectors(const ShapeRun &, Vec3Planes);
+void placePoints(const ShapeRun &, Vec3Planes);
+void placeNormals(const ShapeRun &, Vec3Planes); ///< As covectors; of any length.
+
+/// To the batch's order.
+void deliver(const ShapeRun &, const float *from, float *to);
+void deliver(const ShapeRun &, Vec3Planes from, ShadingPoints &, ShaderInput to);
+
+} // namespace candela

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world/scene/ray_geometry.h"
+
+#include "world/shapes/dice_rate.h"
+
+#include <algorithm>
+#include <map>
+
+namespace candela {
+
+namespace {
+
+/// How rays meet what looks so.
+void dress(RayShape &shape, std::int32_t index, const PointTables &points,
+           const AppearanceBuilder &looks) {
+    shape.opaque = looks.isOpaque(index);
+    if (points.details[index].attributes->sides == 1)
+        shape.frontSign = points.appearances[index].elementSign < 0 ? -1 : 1;
+}
+
+} // namespace
+
+RayGeometry arrange(std::vector<RayShape> meshes, std::span<const std::uint32_t> shapeCounts,
+                    const PointTables &points, const AppearanceBuilder &looks) {
+    RayGeometry geometry;
+    for (std::uint32_t i = 0; i < points.worldShapes; ++i) {
+        dress(meshes[i], std::int32_t(i), points, looks);
+        geometry.world.push_back(std::move(meshes[i]));
+    }
+    // Objects that rays meet differently (opacity, one-sidedness) are objects of their own.
+    std::map<std::vector<std::int32_t>, std::uint32_t> variants;
+    for (std::size_t i = 0; i < points.instances.size(); ++i) {
+        const Instance &instance = points.instances[i];
+        RayObject object;
+        std::vector<std::int32_t> key{std::int32_t(instance.firstShape)};
+        for (std::uint32_t k = 0; k < shapeCounts[i]; ++k) {
+            RayShape met;
+            dress(met, instance.firstAppearance + std::int32_t(k), points, looks);
+            key.push_back(met.opaque * 4 + met.frontSign);
+            object.push_back(std::move(met));
+        }
+        auto [place, isNew] =
+            variants.try_emplace(std::move(key), std::uint32_t(geometry.objects.size()));
+        if (isNew) {
+            for (std::uint32_t k = 0; k < shapeCounts[i]; ++k) {
+                RayShape mesh = meshes[instance.firstShape + k];
+                mesh.opaque = object[k].opaque, mesh.frontSign = object[k].frontSign;
+                object[k] = std::move(mesh);
+            }
+            geometry.objects.push_back(std::move(object));
+        }
+        RayInstance placed{place->second, instance.firstShape, {}};
+        std::copy_n(points.matricesOf(std::uint32_t(i)), 16, placed.currentFromObject.m.begin());
+        geometry.instances.push_back(placed);
+    }
+    return geometry;
+}
+
+void measure(const std::vector<RayShape> &meshes, std::span<const std::uint32_t> shapeCounts,
+             SceneState &state) {
+    const PointTables &points = state.points;
+    Box3 box;
+    std::vector<Box3> own(meshes.size());
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+        const RayShape &mesh = meshes[i];
+        for (Vec3 position : mesh.positions)
+            own[i].add(position);
+        if (const Vec3 r{mesh.radius, mesh.radius, mesh.radius}; mesh.radius > 0)
+            own[i].add(mesh.centre - r), own[i].add(mesh.centre + r);
+        state.statistics.triangles += mesh.triangles.size();
+        if (i < points.worldShapes && !own[i].empty())
+            box.add(own[i]);
+    }
+    for (std::size_t i = 0; i < points.instances.size(); ++i) {
+        Matrix4 currentFromObject;
+        std::copy_n(points.matricesOf(std::uint32_t(i)), 16, currentFromObject.m.begin());
+        for (std::uint32_t k = 0; k < shapeCounts[i]; ++k)
+            if (const Box3 &part = own[points.instances[i].firstShape + k]; !part.empty())
+                box.add(transformBox(currentFromObject, part));
+    }
+    state.statistics.primitives = meshes.size();
+    state.statistics.instances = points.instances.size();
+    if (!box.empty()) {
+        state.centre = box.centre();
+        state.radius = std::max(length(box.extent()) / 2, 1e-6f);
+    }
+}
+
+} // namespace candela
