@@ -113,17 +113,18 @@ void addLoopCones(const Function &text, const Dependence &dependence, bool recog
     cones.insert(cones.end(), lobes.begin(), lobes.end());
 }
 
-void addCulls(Builder &b, const Function &text, Region &region, std::vector<Cull> &culls) {
+void addConeTests(Builder &b, const Function &text, Region &region,
+                  std::vector<ConeTest> &coneTests) {
     std::vector<Instruction> body;
     for (Instruction &i : region.body) {
         for (Region &inner : i.regions)
-            addCulls(b, text, inner, culls);
+            addConeTests(b, text, inner, coneTests);
         if (i.op == Op::LightLoop && text.requests[i.immediate].form == ConeForm::Classic) {
-            Cull &cull = culls[i.immediate];
+            ConeTest &test = coneTests[i.immediate];
             Region before = b.region({}, [&] {
-                cull.known = true;
-                cull.axis = normalize(b, {i.operands[3], i.operands[4], i.operands[5]});
-                cull.cosine = unary(b, Op::Cos, i.operands[6]);
+                test.known = true;
+                test.axis = normalize(b, {i.operands[3], i.operands[4], i.operands[5]});
+                test.cosine = unary(b, Op::Cos, i.operands[6]);
                 return Values{};
             });
             std::move(before.body.begin(), before.body.end(), std::back_inserter(body));
@@ -153,12 +154,12 @@ std::vector<Cone> conesOf(const Function &text, const Dependence &dependence, bo
     return cones;
 }
 
-std::vector<Cull> addCulls(Function &text) {
-    std::vector<Cull> culls(text.requests.size());
+std::vector<ConeTest> addConeTests(Function &text) {
+    std::vector<ConeTest> coneTests(text.requests.size());
     Builder b(text);
-    addCulls(b, text, text.body, culls);
+    addConeTests(b, text, text.body, coneTests);
     b.finish();
-    return culls;
+    return coneTests;
 }
 
 StatedCone stateCone(ValueMapping &mapping, Builder &b, const Instruction &request,

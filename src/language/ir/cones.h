@@ -55,14 +55,14 @@ struct StatedCone {
 /// Where the text's instruction `request` stands where it is written anew.
 StatedCone stateCone(ValueMapping &, Builder &, const Instruction &request, const Cone &);
 
-/// The normalised axis and the cosine of the half angle of a classic loop.
-struct Cull {
+/// What a classic loop tests directions with: the normalised axis, the cosine of the half angle.
+struct ConeTest {
     bool known = false;
     Triple axis{};
     ValueId cosine = 0;
 };
 
-/// Adds the values of the culls to the text before its classic loops.
-std::vector<Cull> addCulls(Function &text);
+/// Adds the values of the tests to the text before its classic loops.
+std::vector<ConeTest> addConeTests(Function &text);
 
 } // namespace candela::ir

@@ -14,7 +14,7 @@ namespace candela::ir {
 namespace {
 
 /// Writes the text anew, so that equal values are one value and have one frame slot.
-void eliminateCommonSubexpressions(Function &text, std::vector<Cull> &culls) {
+void eliminateCommonSubexpressions(Function &text, std::vector<ConeTest> &coneTests) {
     Dependence dependence = analyzeDependence(text);
     Function shared = emptyLike(text);
     Builder b(shared);
@@ -25,10 +25,10 @@ void eliminateCommonSubexpressions(Function &text, std::vector<Cull> &culls) {
     for (const OutputSlot &slot : text.outputs)
         if (auto v = specialized.output(0, slot.name, slot.component))
             output(b, slot.name, slot.component, *v);
-    for (Cull &cull : culls)
-        if (cull.known) {
-            cull.axis = specialized.mapping.triple(0, cull.axis);
-            cull.cosine = specialized.mapping.value(0, cull.cosine);
+    for (ConeTest &test : coneTests)
+        if (test.known) {
+            test.axis = specialized.mapping.triple(0, test.axis);
+            test.cosine = specialized.mapping.value(0, test.cosine);
         }
     b.finish();
     text = std::move(shared);
@@ -77,7 +77,7 @@ Function specializeUnder(const Plan &plan, const Assumption &assumption, const s
     Function result = emptyLike(plan.text);
     Builder b(result);
     SpecializationOptions options;
-    options.culls = &plan.culls;
+    options.coneTests = &plan.coneTests;
     SpecializedText specialized = specialize(plan.text, plan.dependence, b, {assumption}, options);
     for (int k = 0; k < colorSamples; ++k)
         output(b, slot, k, specialized.output(0, from, k).value_or(number(b, 0)));
@@ -90,8 +90,8 @@ std::unique_ptr<Plan> makePlan(const Function &whole) {
     auto plan = std::make_unique<Plan>();
     plan->text = whole;
     removeDeadCode(plan->text);
-    plan->culls = addCulls(plan->text);
-    eliminateCommonSubexpressions(plan->text, plan->culls);
+    plan->coneTests = addConeTests(plan->text);
+    eliminateCommonSubexpressions(plan->text, plan->coneTests);
     plan->dependence = analyzeDependence(plan->text);
     plan->framed = plan->dependence.staticRequests;
     plan->cones = conesOf(plan->text, plan->dependence, plan->framed);

@@ -13,9 +13,9 @@
 namespace candela::ir {
 
 struct Plan {
-    Function text; ///< Without dead code, with culls, equal values shared.
+    Function text; ///< Without dead code, with cone tests, equal values shared.
     Dependence dependence;
-    std::vector<Cull> culls;
+    std::vector<ConeTest> coneTests;
     std::vector<Cone> cones;
     std::array<bool, 3> emits{}; ///< By channel: Ce is not provably zero.
     bool readsAmbient = false;   ///< Ci does.

@@ -98,7 +98,7 @@ Function specializePrepare(const Plan &plan, Stage first, const std::map<ValueId
     options.prints = true;
     options.slots = &slots;
     options.cones = &plan.cones;
-    options.culls = &plan.culls;
+    options.coneTests = &plan.coneTests;
     std::vector<Assumption> assumptions{{}};
     if (plan.readsAmbient)
         assumptions.push_back({Assumption::Light::None, true, nullptr});
@@ -131,7 +131,7 @@ Function specializeSurface(const Plan &plan, const std::map<ValueId, int> &slots
     options.last = Stage::Surface;
     options.framed = true;
     options.slots = &slots;
-    options.culls = &plan.culls;
+    options.coneTests = &plan.coneTests;
     if (plan.framed)
         specialize(plan.text, plan.dependence, b, {{}}, options);
     finishFramed(plan, b, result, slots);
@@ -146,7 +146,7 @@ Function specializeScatter(const Plan &plan, const std::map<ValueId, int> &slots
     options.framed = plan.framed;
     options.recomputeCost = scatterRecomputes;
     options.slots = &slots;
-    options.culls = &plan.culls;
+    options.coneTests = &plan.coneTests;
     std::vector<Assumption> assumptions{{Assumption::Light::Sampled, false, nullptr}};
     if (!plan.framed)
         assumptions.push_back({});

@@ -43,8 +43,8 @@ struct SpecializationOptions {
     const std::map<ValueId, int> *slots = nullptr;
     /// Cones to state in outputs, where the light loops stand.
     const std::vector<Cone> *cones = nullptr;
-    /// Culls of classic loops, by request.
-    const std::vector<Cull> *culls = nullptr;
+    /// Cone tests of classic loops, by request.
+    const std::vector<ConeTest> *coneTests = nullptr;
 };
 
 /// What has been written, in terms of the text.

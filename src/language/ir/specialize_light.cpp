@@ -67,10 +67,10 @@ ValueId sampleReaches(Specialization &s, int h, const Instruction &i) {
     }
     if (request.form != ConeForm::Classic)
         return finite;
-    const Cull &cull = (*s.options.culls)[i.immediate];
+    const ConeTest &test = (*s.options.coneTests)[i.immediate];
     Triple direction = normalize(s.b, input3(s.b, ShaderInput::sampleL));
-    ValueId cosine = dot(s.b, direction, s.mapping.triple(h, cull.axis));
-    return both(s.b, finite, lessEqual(s.b, s.mapping.value(h, cull.cosine), cosine));
+    ValueId cosine = dot(s.b, direction, s.mapping.triple(h, test.axis));
+    return both(s.b, finite, lessEqual(s.b, s.mapping.value(h, test.cosine), cosine));
 }
 
 /// One turn of the loop's body, with unit light from Input sampleL where it reaches.
