@@ -22,7 +22,7 @@ Value *randomNumber(CodeFunction &, Value *seed, int place);
 Value *callMath(CodeFunction &, runtime::MathFunction, const Values &arguments);
 
 Value *dot(CodeFunction &, const Values &, const Values &);
-/// As ir::Builder::normalize: a zero vector stays zero.
+/// As ir::normalize: a zero vector stays zero.
 Values normalized(CodeFunction &, const Values &);
 /// Lanes in which a channel is not zero.
 Value *anyNonZero(CodeFunction &, const Values &color);
