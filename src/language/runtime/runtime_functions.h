@@ -20,7 +20,7 @@ struct RuntimeFunctionInfo {
 };
 
 /// No function of functions.def has more inputs or outputs than these.
-inline constexpr int maxRuntimeInputs = 8, maxRuntimeOutputs = 3;
+inline constexpr int maxRuntimeInputs = 8, maxRuntimeOutputs = 15;
 
 RuntimeFunctionInfo info(RuntimeFunction);
 
@@ -32,7 +32,8 @@ void callScalar(RuntimeFunction, const float *const *inputs, float *const *outpu
 /// 64-byte aligned at width 16; likewise the outputs. The blocks must not overlap.
 using RuntimeCode = void (*)(const float *inputs, float *outputs);
 
-/// Code at width 1 or 16 for an instruction-set level. All of them agree bit by bit.
+/// Code at width 1 or 16 for an instruction-set level. Both widths agree bit by bit, and so do V3
+/// and V4.
 RuntimeCode code(RuntimeFunction, int width, IsaLevel);
 
 } // namespace candela::runtime
