@@ -337,7 +337,7 @@ FunctionGenerator::Value *FunctionGenerator::dot(const Values &a, const Values &
     return builder_.CreateFAdd(two, builder_.CreateFMul(a[2], b[2]));
 }
 
-/// As ir::Builder::normalize: a zero vector stays zero.
+/// As ir::normalize: a zero vector stays zero.
 FunctionGenerator::Values FunctionGenerator::normalized(const Values &a) {
     auto *size = intrinsic(llvm::Intrinsic::sqrt, dot(a, a));
     auto *isZero = builder_.CreateFCmpOEQ(size, like(size, 0));
