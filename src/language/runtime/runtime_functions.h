@@ -5,6 +5,8 @@
 
 #include "language/runtime/isa_level.h"
 
+#include <optional>
+
 namespace candela::runtime {
 
 enum class RuntimeFunction {
@@ -23,6 +25,13 @@ struct RuntimeFunctionInfo {
 inline constexpr int maxRuntimeInputs = 8, maxRuntimeOutputs = 15;
 
 RuntimeFunctionInfo info(RuntimeFunction);
+
+/// How many of the inputs values change with smoothly; the others are periods. 0: they jump.
+int coordinatesOf(RuntimeFunction);
+/// The function that gives the values of this one and behind them their slopes, those of the first
+/// value along each coordinate before those of the second. Nothing for cell noise, and for what
+/// gives slopes already.
+std::optional<RuntimeFunction> withSlopes(RuntimeFunction);
 
 /// Evaluates at one point, exactly as compiled code does at every width: inputs[k] and outputs[k]
 /// point to one float each.
