@@ -14,15 +14,6 @@ namespace {
 using runtime::RuntimeFunction;
 using MaybeValue = std::optional<ValueId>;
 
-/// A lattice function: how many of its inputs are coordinates; 0 if it is piecewise constant.
-int coordinatesOf(int function) {
-    const auto f = RuntimeFunction(function);
-    if (f >= RuntimeFunction::cellnoise1)
-        return 0;
-    const int inputs = runtime::info(f).inputs;
-    return f >= RuntimeFunction::pnoise1 ? inputs / 2 : inputs;
-}
-
 struct InputSlope {
     ShaderInput of, byU, byV;
 };
@@ -44,7 +35,7 @@ public:
 
     void apply() {
         if (i.op == Op::Call)
-            return lattice();
+            return runtime::withSlopes(RuntimeFunction(i.immediate)) ? lattice() : latticeSlopes();
         if (const MaybeValue slope = i.op == Op::Input ? inputSlope() : arithmetic())
             slopes[i.results[0]][direction] = slope;
     }
@@ -147,9 +138,27 @@ private:
         return plus(ofBase, ofExponent);
     }
 
-    /// Noise: a central difference along the coordinates' derivative, over 1/128 of a cell.
+    /// Noise knows its slopes along the coordinates.
     void lattice() {
-        const int coordinates = coordinatesOf(i.immediate);
+        const int coordinates = runtime::coordinatesOf(RuntimeFunction(i.immediate));
+        const size_t components = i.results.size();
+        Values values;
+        for (int k = 0; k < coordinates; ++k)
+            if (const MaybeValue dx = slope(k)) {
+                if (values.empty())
+                    values = callRuntime(b, int(*runtime::withSlopes(RuntimeFunction(i.immediate))),
+                                         i.operands);
+                for (size_t c = 0; c < components; ++c) {
+                    MaybeValue &sum = slopes[i.results[c]][direction];
+                    sum = plus(sum, times(dx, values[components + c * coordinates + k]));
+                }
+            }
+    }
+
+    /// Derivatives of derivatives of noise: a central difference along the coordinates' derivative,
+    /// over 1/128 of a cell.
+    void latticeSlopes() {
+        const int coordinates = runtime::coordinatesOf(RuntimeFunction(i.immediate));
         MaybeValue size;
         for (int k = 0; k < coordinates; ++k)
             if (const MaybeValue dx = slope(k)) {
@@ -206,7 +215,8 @@ std::vector<ValueId> differentiableOperands(const Instruction &i) {
     case Op::Call:
         if (i.immediate < 0)
             return {};
-        return {i.operands.begin(), i.operands.begin() + coordinatesOf(i.immediate)};
+        return {i.operands.begin(),
+                i.operands.begin() + runtime::coordinatesOf(RuntimeFunction(i.immediate))};
     default: return {};
     }
 }

@@ -44,8 +44,8 @@ struct RandomPools {
 /// Adds single operations, those without regions.
 class RandomOperations : protected RandomChoices {
 public:
-    RandomOperations(ir::Builder &b, unsigned seed, bool transcendentals)
-        : RandomChoices(seed), b_(b), transcendentals_(transcendentals) {
+    RandomOperations(ir::Builder &b, unsigned seed, bool oneLevel)
+        : RandomChoices(seed), b_(b), oneLevel_(oneLevel) {
         for (int k = 0; k < 3; ++k)
             pools_.floats.push_back(number(b_, constant()));
         for (ir::ValueId v : input3(b_, ShaderInput::P))
@@ -111,7 +111,7 @@ protected:
 private:
     ir::ValueId arithmetic(const ir::Values &pool) {
         const int first = int(Op::Add);
-        const int last = int(transcendentals_ ? Op::Pow : Op::Sqrt);
+        const int last = int(oneLevel_ ? Op::Pow : Op::Sqrt);
         const Op op = Op(first + below(last - first + 1));
         const bool two =
             op <= Op::Div || op == Op::Min || op == Op::Max || op == Op::Atan2 || op == Op::Pow;
@@ -142,7 +142,9 @@ private:
         }
     }
     void call(const ir::Values &pool) {
-        const int function = below(int(runtime::RuntimeFunction::Count));
+        constexpr int all = int(runtime::RuntimeFunction::Count);
+        constexpr int exact = int(runtime::RuntimeFunction::cellnoise1);
+        const int function = oneLevel_ ? below(all) : exact + below(all - exact);
         ir::Values inputs;
         for (int k = 0; k < runtime::info(runtime::RuntimeFunction(function)).inputs; ++k)
             inputs.push_back(pick(pool));
@@ -184,7 +186,7 @@ private:
                      pick(pools_.uniforms), pick(pools_.floats), pick(pools_.floats)});
     }
 
-    bool transcendentals_;
+    bool oneLevel_;
     std::vector<int> arrays_;
     int boolArray_ = 0;
 };

@@ -130,11 +130,12 @@ private:
     }
 };
 
-/// Without transcendentals all instruction sets give the same bits.
-inline ir::Function randomProgram(unsigned seed, bool transcendentals) {
+/// Unless it is for one instruction-set level alone, all of them give the same bits: there are no
+/// transcendentals then, and no gradient noise.
+inline ir::Function randomProgram(unsigned seed, bool oneLevel) {
     ir::Function function;
     ir::Builder b(function);
-    RandomProgram(b, seed, transcendentals).write("random" + std::to_string(seed));
+    RandomProgram(b, seed, oneLevel).write("random" + std::to_string(seed));
     return function;
 }
 
