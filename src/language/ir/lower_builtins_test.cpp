@@ -47,6 +47,8 @@ const Case floats[] = {
          return std::max({u, v, 0.25});
      }},
     {"clamp(u, -0.25, 0.5)", [](double u, double) { return clampTo(u, -0.25, 0.5); }},
+    {"clamp(u, 0.5, -0.25)", [](double u, double) { return u < 0.5 ? 0.5 : -0.25; }},
+    {"clamp(v, u, -u)", [](double u, double v) { return v < u ? u : std::min(v, -u); }},
     {"floor(5 * u)", [](double u, double) { return std::floor(5 * u); }},
     {"ceil(5 * u)", [](double u, double) { return std::ceil(5 * u); }},
     {"round(5 * u) + round(0.5) * 10 + round(-0.5) * 100",

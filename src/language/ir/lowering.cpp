@@ -47,8 +47,9 @@ Components startOf(Builder &b, sl::ShaderKind kind, const sl::PredefinedVariable
 
 } // namespace
 
-Lowering::Lowering(const sl::TypedShader &shader, Function &function, DiagnosticSink &sink)
-    : shader(shader), b(function), messages(sink), variables(b, computedArrays(shader)),
+Lowering::Lowering(const sl::TypedShader &shader, const LoweringOptions &options, Function &function,
+                   DiagnosticSink &sink)
+    : shader(shader), options(options), b(function), messages(sink), variables(b, computedArrays(shader)),
       spaces(b, messages) {
     for (const sl::PredefinedVariable &variable : sl::predefinedVariables())
         variables.declarePredefined(variable.id, variable.type.base,

@@ -41,9 +41,10 @@ struct EmittedLight {
 /// A shader that is being lowered.
 struct Lowering {
     /// Predefined variables get what the renderer gives, outputs their starting values.
-    Lowering(const sl::TypedShader &shader, Function &function, DiagnosticSink &sink);
+    Lowering(const sl::TypedShader &, const LoweringOptions &, Function &, DiagnosticSink &);
 
     const sl::TypedShader &shader;
+    const LoweringOptions options;
     Builder b;
     Messages messages;
     Variables variables;
