@@ -93,8 +93,8 @@ bool arraysFit(const sl::TypedShader &shader, DiagnosticSink &sink) {
 
 std::optional<LoweredShader> lower(const sl::TypedShader &shader,
                                    const std::vector<StringValue> &strings,
-                                   const std::vector<std::string> &variables,
-                                   DiagnosticSink &sink, const LoweringOptions &options) {
+                                   const std::vector<std::string> &variables, DiagnosticSink &sink,
+                                   const LoweringOptions &options) {
     if (shader.kind != sl::ShaderKind::Surface && shader.kind != sl::ShaderKind::Light) {
         sink.report(sl::diagnosticAt(Severity::Error, shader.where,
                                      std::string(sl::nameOf(shader.kind)) +

@@ -62,9 +62,9 @@ Components specular(BuiltinCall &call) {
 
 Components specularbrdf(BuiltinCall &call) {
     Builder &b = call.b;
-    return Components(colorSamples,
-                      highlight(call.lowering, normalize(b, call.triple(0)), normalize(b, call.triple(1)),
-                                normalize(b, call.triple(2)), call.number(3)));
+    return Components(colorSamples, highlight(call.lowering, normalize(b, call.triple(0)),
+                                              normalize(b, call.triple(1)),
+                                              normalize(b, call.triple(2)), call.number(3)));
 }
 
 Components phong(BuiltinCall &call) {

@@ -3,6 +3,7 @@
 #include "language/ir/lower_test_support.h"
 
 #include <cmath>
+#include <functional>
 
 namespace candela::ir {
 namespace {
@@ -27,7 +28,7 @@ float redUnder(const std::string &body, const LoweringOptions &options = {},
     return run.run().at("Ci")[0][1];
 }
 
-float sumOf(float (*term)(Vec3 L, float Cl)) {
+float sumOf(const std::function<float(Vec3 L, float Cl)> &term) {
     float sum = 0;
     for (const auto &sample : samples)
         sum += term(sample.L, sample.Cl[0]);
@@ -129,7 +130,8 @@ TEST(LowerLight, BuiltinLoops) {
         });
     };
     EXPECT_NEAR(redUnder("Ci = specular(N, -I, 0.1);"), highlights(80), 1e-5);
-    EXPECT_NEAR(redUnder("Ci = specular(N, -I, 0.1);", {.highlightScale = 1}), highlights(10), 1e-5);
+    EXPECT_NEAR(redUnder("Ci = specular(N, -I, 0.1);", {.highlightScale = 1}), highlights(10),
+                1e-5);
     EXPECT_NEAR(redUnder("Ci = phong(N, -I, 5);"), sumOf([](Vec3 L, float Cl) {
                     if (L.z < 0)
                         return 0.0f;

@@ -67,10 +67,14 @@ public:
         return result;
     }
 
+    bool draws = false, loopsDraw = false;
+
 protected:
     void visit(const sl::Stmt &statement) override {
         if (statement.kind == sl::StmtKind::Declare)
             inside_.insert(statement.symbol);
+        if (statement.kind == sl::StmtKind::Loop)
+            loopsDraw |= loopEffects(statement).drawsAnew;
     }
     void visit(const sl::Expr &expr) override {
         if (expr.kind == sl::ExprKind::Assign)
@@ -87,6 +91,7 @@ private:
             addOnce(assigned_, symbol);
     }
     void assignOutputs(const sl::Expr &call) {
+        draws |= call.overload->function->id == sl::BuiltinId::random;
         const auto &parameters = call.overload->parameters;
         for (size_t i = 0; i < call.operands.size() && i < parameters.size(); ++i)
             if (parameters[i].output)
@@ -201,6 +206,7 @@ LoopEffects loopEffects(const sl::Stmt &loop) {
     else
         assignments.walk(loop.body);
     effects.assigned = assignments.outside();
+    effects.drawsAnew = loop.kind == sl::StmtKind::Loop ? assignments.draws : assignments.loopsDraw;
     JumpWalker jumps(effects);
     jumps.walk(loop.body);
     jumps.forgetInner();

@@ -49,6 +49,8 @@ struct Lowering {
     Messages messages;
     Variables variables;
     Spaces spaces;
+    /// Cell: a number that is another in each turn of each loop that draws random numbers.
+    const int turn;
     std::vector<Frame> frames; ///< The shader, and the functions that are being inlined in it.
     std::vector<Components> targetValues; ///< Of the assignments that are being evaluated.
     EmittedLight light;
