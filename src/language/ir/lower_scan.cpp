@@ -67,14 +67,13 @@ public:
         return result;
     }
 
-    bool draws = false, loopsDraw = false;
+    bool draws = false, loops = false;
 
 protected:
     void visit(const sl::Stmt &statement) override {
         if (statement.kind == sl::StmtKind::Declare)
             inside_.insert(statement.symbol);
-        if (statement.kind == sl::StmtKind::Loop)
-            loopsDraw |= loopEffects(statement).drawsAnew;
+        loops |= statement.kind == sl::StmtKind::Loop;
     }
     void visit(const sl::Expr &expr) override {
         if (expr.kind == sl::ExprKind::Assign)
@@ -206,7 +205,7 @@ LoopEffects loopEffects(const sl::Stmt &loop) {
     else
         assignments.walk(loop.body);
     effects.assigned = assignments.outside();
-    effects.drawsAnew = loop.kind == sl::StmtKind::Loop ? assignments.draws : assignments.loopsDraw;
+    effects.drawsAnew = assignments.draws && assignments.loops;
     JumpWalker jumps(effects);
     jumps.walk(loop.body);
     jumps.forgetInner();

@@ -129,7 +129,7 @@ const ir::LoweredShader *ShaderLibrary::State::lowerOnce(const sl::TypedShader &
             overriding.push_back(parameter.symbol->name);
         }
     ir::LoweringOptions lowering;
-    if (options.string("shading:highlights", "production") == "ri") {
+    if (options.named.string("shading:highlights", "production") == "ri") {
         lowering.highlightScale = 1;
         addToKey(key, "RI's highlights");
     }
