@@ -275,6 +275,13 @@ TEST_F(State, integratorsAreChecked) {
     EXPECT_EQ(errors(), 1);
 }
 
+TEST_F(State, highlightsAreChecked) {
+    for (const char *name : {"production", "ri", "shiny"})
+        state.option(at, "shading", text("highlights", name));
+    EXPECT_EQ(errors(), 1);
+    EXPECT_TRUE(says("the known ones are \"production\""));
+}
+
 TEST_F(State, samplesHaveALimit) {
     state.pixelSamples(at, 4096, 4096);
     EXPECT_EQ(errors(), 0);

@@ -241,11 +241,22 @@ static void checkIntegrator(RequestDiagnostics &diagnostics, const SourceLocatio
                               "\": the known ones are \"path\" and \"classic\"; taking \"path\"");
 }
 
+static void checkHighlights(RequestDiagnostics &diagnostics, const SourceLocation &where,
+                            const std::string &name) {
+    if (name != "production" && name != "ri")
+        diagnostics.error(where, "Option",
+                          "there are no highlights \"" + name +
+                              "\": the known ones are \"production\" (exponent 8/roughness) and "
+                              "\"ri\" (1/roughness); taking \"production\"");
+}
+
 void StateHandlers::option(const SourceLocation &where, const std::string &category,
                            const TokenList &tokens) {
     for (Parameter &parameter : parameters_.ofCategory(tokens, "Option", category)) {
         if (category == "render" && parameter.name == "integrator" && !parameter.strings.empty())
             checkIntegrator(diagnostics_, where, parameter.strings.front());
+        if (category == "shading" && parameter.name == "highlights" && !parameter.strings.empty())
+            checkHighlights(diagnostics_, where, parameter.strings.front());
         if (category == "searchpath" && !parameter.strings.empty())
             expandSearchPath(parameter, settings_.searchPaths, state_.options);
         std::string name = category + ":" + parameter.name;
