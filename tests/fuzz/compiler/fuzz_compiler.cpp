@@ -129,14 +129,19 @@ bool showsEnough(const Tally &tally, std::uint64_t count) {
 int runCampaign(const Arguments &arguments) {
     const Corpus corpus = readCorpus(
         {sourceFolder + "/shaders", sourceFolder + "/tests", sourceFolder + "/examples"});
+    const TrialSettings settings{includeFolder};
     if (arguments.print) {
+        const auto accepts = [&](const std::string &text) { return compiles(text, settings); };
         for (const InputKind kind : {InputKind::MutatedShader, InputKind::TokenStream})
-            std::cout << makeInput({kind, arguments.first}, corpus) << "\n";
+            std::cout << makeInput({kind, arguments.first}, corpus, accepts) << "\n";
         return 0;
     }
-    const TrialSettings settings{includeFolder};
     const Subject subject = [&](std::uint64_t number, Monitor &monitor) {
-        return tryText(makeInput(inputOf(number), corpus), settings, monitor);
+        const auto accepts = [&](const std::string &text) {
+            monitor.show(text);
+            return compiles(text, settings);
+        };
+        return tryText(makeInput(inputOf(number), corpus, accepts), settings, monitor);
     };
     int failed = 0;
     Workers workers(subject, limits(), arguments.jobs);
@@ -145,7 +150,7 @@ int runCampaign(const Arguments &arguments) {
         const InputName name = inputOf(failure.input);
         const auto kept = std::filesystem::path(arguments.keep) / name.file();
         std::filesystem::create_directories(arguments.keep);
-        std::ofstream(kept, std::ios::binary) << makeInput(name, corpus);
+        std::ofstream(kept, std::ios::binary) << failure.text;
         std::cout << kept.string() << " fails in " << describe(failure) << std::endl;
     });
     std::cout << failed << " failed of ";

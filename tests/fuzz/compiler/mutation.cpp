@@ -135,9 +135,11 @@ void moveStatement(Words &words, const Corpus &corpus, Chance &chance) {
 
 struct Wrapping {
     const char *before, *after;
+    std::size_t most = 5000; ///< Layers.
 };
 
-/// Layers around an argument or a statement: a few, or far too many.
+/// Layers around an argument or a statement: a few, or far too many. Few of loops: they are lowered
+/// twice a level.
 void nest(Words &words, const Corpus &, Chance &chance) {
     static constexpr Wrapping expressions[] = {
         {"(", ")"},     {"-", ""},          {"!", ""},         {"sin(", ")"},
@@ -146,9 +148,9 @@ void nest(Words &words, const Corpus &, Chance &chance) {
     static constexpr Wrapping statements[] = {{"{", "}"},
                                               {"if (u < v) ", ""},
                                               {"if (u < 0.5) {", "} else { Ci = 0; }"},
-                                              {"for (i = 0; i < 2; i += 1) ", ""},
+                                              {"for (i = 0; i < 2; i += 1) ", "", 5},
                                               {"illuminance(P) {", "}"},
-                                              {"while (0) ", ""}};
+                                              {"while (0) ", "", 5}};
     const bool statement = chance.oneIn(2);
     const std::vector<Span> parts = statement ? statementsOf(words) : argumentsOf(words);
     if (parts.empty())
@@ -156,7 +158,7 @@ void nest(Words &words, const Corpus &, Chance &chance) {
     constexpr std::size_t depths[] = {1, 1, 1, 1, 2, 2, 3, 3, 5, 30, 300, 5000};
     const Span span = chance.pick(parts);
     const Wrapping layer = statement ? chance.pick(statements) : chance.pick(expressions);
-    const std::size_t depth = chance.pick(depths);
+    const std::size_t depth = std::min(layer.most, chance.pick(depths));
     std::string before, after;
     for (std::size_t n = 0; n < depth; ++n) {
         before += layer.before;

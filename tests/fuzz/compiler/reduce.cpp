@@ -62,6 +62,8 @@ std::string reduceText(const std::string &text, const Fails &fails) {
         for (std::size_t length = words.size() / 2; length > 0; length /= 2)
             again |= removePieces(words, length, fails);
     }
+    if (!words.empty())
+        words.front().space.clear();
     return textOf(words);
 }
 

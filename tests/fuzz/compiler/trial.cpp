@@ -86,10 +86,16 @@ std::string tryShader(const sl::TypedShader &shader, Listener &listener, Chance 
 
 } // namespace
 
+bool compiles(const std::string &text, const TrialSettings &settings) {
+    Listener listener;
+    return sl::analyzeSource({"fuzzed.sl", text}, {{settings.includeFolder}, {}}, listener)
+        .has_value();
+}
+
 std::string tryText(const std::string &text, const TrialSettings &settings, Monitor &monitor) {
     Chance chance(std::hash<std::string>()(text));
     Listener listener;
-    monitor.enter(Stage::Front, "");
+    monitor.show(text);
     const auto front =
         sl::analyzeSource({"fuzzed.sl", text}, {{settings.includeFolder}, {}}, listener);
     if (std::string problem = listener.judge(front.has_value()); !problem.empty())

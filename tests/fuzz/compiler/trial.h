@@ -20,6 +20,9 @@ struct TrialSettings {
     int generateOneIn = 3; ///< With Share: of the texts that compile.
 };
 
+/// Whether the front end accepts the text.
+bool compiles(const std::string &text, const TrialSettings &);
+
 /// What is wrong with the compiler's answer to the text, or nothing.
 std::string tryText(const std::string &text, const TrialSettings &, Monitor &);
 

@@ -29,6 +29,8 @@ struct Slot {
     Stage stage;
     char detail[100];
     char problem[4000];
+    std::size_t textSize;
+    char text[1 << 20];
 };
 
 void copyText(const std::string &from, char *to, std::size_t size) {
@@ -59,6 +61,11 @@ public:
 
     void begin(std::uint64_t input) {
         slot_.input = input;
+        show({});
+    }
+    void show(const std::string &text) override {
+        slot_.textSize = std::min(text.size(), sizeof slot_.text);
+        std::memcpy(slot_.text, text.data(), slot_.textSize);
         slot_.stage = Stage::Front;
         slot_.detail[0] = '\0';
         allowMemory(limits_.mebibytes);
@@ -164,7 +171,8 @@ struct Workers::State {
     std::vector<pid_t> processes; ///< 0: none.
 
     void start(std::size_t which) {
-        slots[which] = {};
+        slots[which].stage = {};
+        slots[which].problem[0] = '\0';
         std::fflush(nullptr);
         if (ftruncate(said[which], 0) != 0 || lseek(said[which], 0, SEEK_SET) != 0 ||
             (processes[which] = fork()) < 0)
@@ -218,10 +226,10 @@ void Workers::run(std::uint64_t first, std::uint64_t count,
         if (which == state.processes.end())
             continue;
         const auto n = std::size_t(which - state.processes.begin());
-        const Slot slot = state.slots[n];
+        const Slot &slot = state.slots[n];
         *which = 0;
         if (const std::string problem = state.judge(slot, status, state.said[n]); !problem.empty())
-            report({slot.input, slot.stage, slot.detail, problem});
+            report({slot.input, slot.stage, slot.detail, {slot.text, slot.textSize}, problem});
         if (state.shared->next < state.shared->end)
             state.start(n);
     }

@@ -30,15 +30,17 @@ struct Tally {
 };
 
 struct Limits {
-    double seconds = 5;           ///< Of the processor for all stages but these:
-    double interpretSeconds = 1;  ///< and 20 times as many to execute.
-    std::size_t mebibytes = 1024; ///< More memory than before the input.
+    double seconds = 2;          ///< Of the processor for all stages but these:
+    double interpretSeconds = 1; ///< and 20 times as many to execute.
+    std::size_t mebibytes = 500; ///< More memory than before the input.
 };
 
 /// What a process says of the input that it tries.
 class Monitor {
 public:
     virtual ~Monitor() = default;
+    /// What is being tried from here on; limits count anew.
+    virtual void show(const std::string &text) = 0;
     /// `detail` names the question or the like; it may be empty.
     virtual void enter(Stage, const std::string &detail) = 0;
     virtual Tally &tally() = 0;
@@ -51,6 +53,7 @@ struct Failure {
     std::uint64_t input = 0;
     Stage stage{};
     std::string detail;
+    std::string text;    ///< As shown last.
     std::string problem; ///< Its first line is the same for inputs that fail alike.
 };
 
