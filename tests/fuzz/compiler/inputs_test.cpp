@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the campaign's inputs are made of, and that they are the same each time.
 #include "chance.h"
+#include "expressions.h"
 #include "inputs.h"
 #include "reduce.h"
 #include "trial.h"
@@ -68,6 +69,18 @@ TEST(Inputs, StartFromShadersThatCompile) {
     ASSERT_GE(corpus.texts.size(), 3u);
     for (const Words &words : corpus.texts)
         EXPECT_TRUE(compiles(textOf(words), {})) << textOf(words);
+}
+
+/// Mistakes of type or place would hide what the statements are for.
+TEST(Expressions, CompileMostly) {
+    Chance chance(3);
+    int good = 0;
+    for (int n = 0; n < 300; ++n) {
+        const std::string text =
+            "surface s() { Ci = Cs; Oi = Os; " + randomStatement(chance) + " }";
+        good += compiles(text, {});
+    }
+    EXPECT_GE(good, 270);
 }
 
 TEST(Reduce, KeepsWhatFails) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mutation.h"
 
+#include "expressions.h"
 #include "token_stream.h"
 #include "vocabulary.h"
 
@@ -133,6 +134,23 @@ void moveStatement(Words &words, const Corpus &corpus, Chance &chance) {
     replace(words, {at, at}, piece);
 }
 
+void insertStatement(Words &words, const Corpus &, Chance &chance) {
+    const std::vector<Span> statements = statementsOf(words);
+    if (statements.empty())
+        return;
+    const std::size_t at = chance.pick(statements).end;
+    replace(words, {at, at}, wordsOf("\n" + randomStatement(chance)));
+}
+
+void insertExpression(Words &words, const Corpus &, Chance &chance) {
+    const Places numbers = places(words, isNumber);
+    if (numbers.empty())
+        return;
+    const std::size_t at = chance.pick(numbers);
+    const std::string text = randomExpression(sl::BaseType::Float, 3, chance);
+    replace(words, {at, at + 1}, wordsOf(" (" + text + ")"));
+}
+
 struct Wrapping {
     const char *before, *after;
     std::size_t most = 5000; ///< Layers.
@@ -207,6 +225,8 @@ constexpr Way ways[] = {
     {exchangePart<statementsOf>, 5},
     {repeatStatement, 6},
     {moveStatement, 5},
+    {insertStatement, 14},
+    {insertExpression, 6},
     {nest, 8},
     {insertDirective, 3},
     {cut, 1},

@@ -7,6 +7,7 @@
 #include <ctime>
 #include <gtest/gtest.h>
 #include <map>
+#include <memory>
 
 namespace candela::fuzz {
 namespace {
@@ -19,9 +20,9 @@ void hang() {
 }
 
 void eat() {
-    static char *volatile eaten;
-    while (true)
-        eaten = new char[50 << 20];
+    std::vector<std::unique_ptr<char[]>> eaten;
+    for (std::size_t n = 1; n != 0; ++n)
+        eaten.emplace_back(new char[50 << 20]);
 }
 
 std::string misbehave(std::uint64_t input, Monitor &monitor) {
