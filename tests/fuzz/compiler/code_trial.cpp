@@ -40,7 +40,7 @@ std::string compareCode(const ir::Function &function, Batch &batch, const std::s
         return run([code](const ir::Function &, const ShaderArgs &args) { code(&args); });
     };
     monitor.enter(Stage::Interpret, question);
-    const Run expected = run(ir::interpret);
+    const RunResult expected = run(ir::interpret);
     monitor.enter(Stage::Generate, question + ", W = 16");
     const ShaderFunction wide = generators.wide.compile(function);
     monitor.enter(Stage::Generate, question + ", W = 1");
@@ -48,9 +48,9 @@ std::string compareCode(const ir::Function &function, Batch &batch, const std::s
     if (!wide || !narrow)
         return "has no code\n" + generators.diagnostics.text();
     monitor.enter(Stage::Execute, question + ", W = 16");
-    const Run fromWide = execute(wide);
+    const RunResult fromWide = execute(wide);
     monitor.enter(Stage::Execute, question + ", W = 1");
-    const Run fromNarrow = execute(narrow);
+    const RunResult fromNarrow = execute(narrow);
     ++monitor.tally().compared;
     std::string difference = differenceOf(fromWide, fromNarrow);
     if (!difference.empty())

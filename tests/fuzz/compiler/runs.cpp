@@ -18,13 +18,13 @@ void notePrint(void *context, const char *text) {
     // The sign of NaN is not defined.
     for (std::size_t at; (at = line.find("-nan")) != std::string::npos;)
         line.erase(at, 1);
-    Run &run = *static_cast<Run *>(context);
+    RunResult &run = *static_cast<RunResult *>(context);
     ++run.lines;
     run.digest += std::hash<std::string>()(line);
 }
 
 void noteOutside(void *context, const char *file, std::int32_t line) {
-    static_cast<Run *>(context)->outside.emplace(file, line);
+    static_cast<RunResult *>(context)->outside.emplace(file, line);
 }
 
 std::vector<Plane> randomPlanes(std::size_t count, int size, Chance &chance) {
@@ -74,7 +74,7 @@ bool sameBits(float a, float b) {
            (std::isnan(a) && std::isnan(b));
 }
 
-std::string differenceOf(const Run &expected, const Run &found) {
+std::string differenceOf(const RunResult &expected, const RunResult &found) {
     for (std::size_t k = 0; k < expected.outputs.size(); ++k)
         for (std::size_t i = 0; i < expected.outputs[k].size(); ++i)
             if (!sameBits(expected.outputs[k][i], found.outputs[k][i]))
@@ -88,9 +88,9 @@ std::string differenceOf(const Run &expected, const Run &found) {
     return expected.outside == found.outside ? "" : "indices outside are not those reported";
 }
 
-std::string differenceOfOutputs(const ir::Function &whole, const Run &expected,
+std::string differenceOfOutputs(const ir::Function &whole, const RunResult &expected,
                                 const std::string &wholeName, const ir::Function &slice,
-                                const Run &found, const std::string &name) {
+                                const RunResult &found, const std::string &name) {
     for (int component = 0;; ++component) {
         const int a = findOutput(whole, wholeName, component);
         const int b = findOutput(slice, name, component);
@@ -135,8 +135,8 @@ void Batch::fit(const ir::Function &function) {
     answers_ = randomPlanes(function.requests.size() * colorSamples, points_.padded(), chance);
 }
 
-Run Batch::run(const ir::Function &function, const Code &code, Light light) {
-    Run result;
+RunResult Batch::run(const ir::Function &function, const Code &code, Light light) {
+    RunResult result;
     points_.callbacks = {&result, notePrint, noteOutside};
     const auto ambient = pointersTo(ambient_), answers = pointersTo(answers_);
     const auto withLight = [&](const ir::Function &, const ShaderArgs &dark) {

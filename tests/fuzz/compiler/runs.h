@@ -19,7 +19,7 @@ namespace candela::fuzz {
 /// What outputs hold that no lane has reached.
 inline constexpr float unreached = -123;
 
-struct Run {
+struct RunResult {
     using Plane = ir::TestBatch::Plane;
 
     std::vector<Plane> outputs;
@@ -33,14 +33,14 @@ struct Run {
 bool sameBits(float, float);
 
 /// Where two runs of a function differ; empty if nowhere.
-std::string differenceOf(const Run &expected, const Run &found);
+std::string differenceOf(const RunResult &expected, const RunResult &found);
 
 /// Where the output `name` of a slice differs from an output of the whole text. Zeros of either
 /// sign are equal; numbers of the whole text that are not finite are not compared, since what is
 /// without light need not be multiplied by none.
-std::string differenceOfOutputs(const ir::Function &whole, const Run &expected,
+std::string differenceOfOutputs(const ir::Function &whole, const RunResult &expected,
                                 const std::string &wholeName, const ir::Function &slice,
-                                const Run &found, const std::string &name);
+                                const RunResult &found, const std::string &name);
 
 enum class Light : std::uint8_t {
     None,  ///< No samples; all answers are black.
@@ -60,7 +60,7 @@ public:
     void fit(const ir::Function &);
 
     /// Starts from the frame that the last run has left.
-    Run run(const ir::Function &, const Code &, Light);
+    RunResult run(const ir::Function &, const Code &, Light);
     ir::TestBatch::Plane &frame() { return points_.frame; }
 
 private:

@@ -53,7 +53,7 @@ public:
     /// The slices answer as the whole text does.
     std::string interpret() {
         monitor_.enter(Stage::Interpret, "whole");
-        const Run lit = batch_.run(whole_, ir::interpret, Light::Given);
+        const RunResult lit = batch_.run(whole_, ir::interpret, Light::Given);
         countNumbers(lit);
         ++monitor_.tally().interpreted;
         if (!isSurface_)
@@ -63,7 +63,7 @@ public:
         if (!problem.empty())
             return problem;
         monitor_.enter(Stage::Interpret, "whole, dark");
-        const Run dark = batch_.run(whole_, ir::interpret, Light::None);
+        const RunResult dark = batch_.run(whole_, ir::interpret, Light::None);
         for (const auto &[question, names] :
              {std::pair<Question, std::vector<Names>>{Question::Emit, {{"Ce", "Ci"}}},
               {Question::Opacity, {{"Oi", "Oi"}}},
@@ -90,11 +90,11 @@ private:
         const char *slice, *whole;
     };
 
-    std::string expectOutputs(Question question, Light light, const Run &whole,
+    std::string expectOutputs(Question question, Light light, const RunResult &whole,
                               const std::vector<Names> &names) {
         monitor_.enter(Stage::Interpret, nameOf(question));
         const ir::Function &function = slices_.at(question);
-        const Run found = batch_.run(function, ir::interpret, light);
+        const RunResult found = batch_.run(function, ir::interpret, light);
         for (const Names &name : names)
             if (const std::string difference =
                     differenceOfOutputs(whole_, whole, name.whole, function, found, name.slice);
@@ -103,7 +103,7 @@ private:
         return {};
     }
 
-    void countNumbers(const Run &run) {
+    void countNumbers(const RunResult &run) {
         for (const auto &plane : run.outputs)
             for (const float x : plane) {
                 ++monitor_.tally().numbers;
@@ -132,7 +132,7 @@ std::string tryFolded(const ir::Function &whole, const ir::Function &folded, Bat
         return "folds to an invalid function\n" + problem;
     monitor.enter(Stage::Interpret, "fold");
     batch.fit(whole);
-    const Run expected = batch.run(whole, ir::interpret, Light::None);
+    const RunResult expected = batch.run(whole, ir::interpret, Light::None);
     const std::string difference =
         differenceOf(expected, batch.run(folded, ir::interpret, Light::None));
     return difference.empty() ? "" : "does not answer as before folding\n" + difference;
