@@ -72,8 +72,8 @@ void matteByHand(const ShaderArgs *args) {
 static WideFloats noise(const WideFloats *P, float frequency) {
     Axis<WideFloats> axes[3];
     for (int k = 0; k < 3; ++k)
-        axes[k] = makeAxis<WideFloats, false>(P[k] * frequency, WideFloats{}, axisSeeds[k]);
-    return gradientComponent<WideFloats, 3, 0>(axes);
+        axes[k] = makeAxis<WideFloats, false>(P[k] * frequency, WideFloats{}, axisFactors[k]);
+    return blend<WideFloats, 3, 0, 2, 0>(axes, hashCorners<WideFloats, 3>(axes)).value + 0.5f;
 }
 
 void marbleByHand(const ShaderArgs *args) {
@@ -91,7 +91,7 @@ void marbleByHand(const ShaderArgs *args) {
         const WideFloats raw = sum * 4.0f - 0.5f;
         const WideFloats above = raw > 0.0f ? raw : WideFloats{};
         const WideFloats x = (above < 1.0f ? above : WideFloats{} + 1.0f) * float(marbleKnots - 3);
-        const WideFloats whole = floorOf<WideFloats>(x);
+        const WideFloats whole = Lanes<WideFloats>::floor(x);
         const WideFloats segment =
             whole < float(marbleKnots - 4) ? whole : WideFloats{} + float(marbleKnots - 4);
         const WideFloats t = x - segment;

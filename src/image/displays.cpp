@@ -44,7 +44,8 @@ PlaneSettings planeSettings(const Job &job) {
 
 void describe(const Job &job, Picture &picture) {
     const Options &options = job.options;
-    picture.pixelAspectRatio = options.pixelAspectRatio > 0 ? options.pixelAspectRatio : 1;
+    picture.pixelAspectRatio =
+        options.format.pixelAspectRatio > 0 ? options.format.pixelAspectRatio : 1;
     picture.worldToCamera = job.frame.worldToCamera;
     picture.worldToNdc = job.frame.worldToNdc;
     picture.metadata = job.frame.metadata;

@@ -25,9 +25,9 @@ IntegratorSettings integratorSettings(const Scene &scene, const RenderSettings &
         std::round(double(std::max(1.0f, options.xSamples)) * std::max(1.0f, options.ySamples));
     result.lastSample = int(std::min<double>(samples, maximumSamplesPerPixel));
     result.seed = settings.seed;
-    result.maxDepth = int(options.number("trace:maxdepth", defaultDepth));
+    result.maxDepth = int(options.named.number("trace:maxdepth", defaultDepth));
     result.hemisphereOnly = settings.hemisphereOnly;
-    result.crop = options.cropPixels();
+    result.crop = options.format.cropPixels();
     return result;
 }
 
@@ -74,7 +74,7 @@ bool canHold(const Film::Settings &film, const Options &options, DiagnosticSink 
 Film::Settings filmSettings(const Options &options, const std::array<int, 4> &crop,
                             const PixelFilterSampler &filter) {
     const std::vector<DisplayRecord> displays = displaysOf(options);
-    const auto [width, height] = options.effectiveResolution();
+    const auto [width, height] = options.format.effectiveResolution();
     const auto [x0, x1, y0, y1] = crop;
     return {{width, height, x0, x1, y0, y1},
             wantedChannels(displays, firstHitChannels()),

@@ -20,8 +20,8 @@ std::unique_ptr<Film> rendered(const Scene &scene, const std::vector<Range> &ran
                                DiagnosticSink &diagnostics) {
     const Options &options = scene.options();
     const PixelFilterSampler filter(options.filter, diagnostics, options.places.pixelFilter);
-    const std::array<int, 4> crop = options.cropPixels();
-    const auto [width, height] = options.effectiveResolution();
+    const std::array<int, 4> crop = options.format.cropPixels();
+    const auto [width, height] = options.format.effectiveResolution();
     auto film =
         std::make_unique<Film>(Film::Settings{{width, height, crop[0], crop[1], crop[2], crop[3]},
                                               firstHitChannels(),

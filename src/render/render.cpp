@@ -24,12 +24,12 @@ void overrideOptions(const RenderSettings &settings, Options &options) {
         options.ySamples = 1;
     }
     if (settings.crop) {
-        options.cropWindow = *settings.crop;
+        options.format.cropWindow = *settings.crop;
         options.places.cropWindow = {};
     }
     if (settings.resolution) {
-        options.xResolution = (*settings.resolution)[0];
-        options.yResolution = (*settings.resolution)[1];
+        options.format.xResolution = (*settings.resolution)[0];
+        options.format.yResolution = (*settings.resolution)[1];
         options.places.format = {};
     }
     if (settings.integrator) {

@@ -8,7 +8,6 @@
 #include "interface/ri/parameter_list.h"
 
 #include <array>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -72,12 +71,8 @@ struct Attributes {
     /// not both".
     bool flipNormal = false;
     BasisRecord uBasis, vBasis;
-    std::string name; ///< Attribute "identifier" "name".
-    /// RiAttribute values as "category:name".
-    std::map<std::string, Parameter> named;
-
-    float number(const std::string &qualifiedName, float fallback) const;
-    std::string string(const std::string &qualifiedName, std::string fallback) const;
+    std::string name;      ///< Attribute "identifier" "name".
+    NamedParameters named; ///< RiAttribute.
 };
 
 } // namespace candela

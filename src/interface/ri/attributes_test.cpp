@@ -156,16 +156,16 @@ TEST_F(State, namedOptionsAndAttributesAreKept) {
     state.attribute(at, "identifier", text("name", "ball"));
     state.attribute(at, "user", numbers("uniform float x", {3}));
     sphere();
-    EXPECT_EQ(builder.worlds[0].options.string("render:integrator", ""), "path");
-    EXPECT_EQ(builder.worlds[0].options.named.at("mine:pair").floats, (Floats{1, 2}));
+    EXPECT_EQ(builder.worlds[0].options.named.string("render:integrator", ""), "path");
+    EXPECT_EQ(builder.worlds[0].options.named.find("mine:pair")->floats, (Floats{1, 2}));
     EXPECT_EQ(last().name, "ball");
-    EXPECT_EQ(last().number("user:x", 0), 3);
+    EXPECT_EQ(last().named.number("user:x", 0), 3);
     EXPECT_EQ(warnings(), 0);
     state.attribute(at, "user", numbers("undeclared", {3, 4}));
     state.attribute(at, "user", numbers("undeclared", {5, 6}));
     EXPECT_EQ(warnings(), 1);
     sphere();
-    EXPECT_EQ(last().named.at("user:undeclared").floats, (Floats{5, 6}));
+    EXPECT_EQ(last().named.find("user:undeclared")->floats, (Floats{5, 6}));
 }
 
 TEST_F(State, searchPathsAreExpanded) {
@@ -173,7 +173,8 @@ TEST_F(State, searchPathsAreExpanded) {
     other.option(at, "searchpath", text("shader", "mine:@"));
     other.option(at, "searchpath", text("string shader", "first:&"));
     other.worldBegin(at);
-    EXPECT_EQ(builder.worlds[0].options.string("searchpath:shader", ""), "first:mine:lib:more");
+    EXPECT_EQ(builder.worlds[0].options.named.string("searchpath:shader", ""),
+              "first:mine:lib:more");
 }
 
 TEST_F(State, displaysReplaceOrAdd) {
@@ -209,9 +210,9 @@ TEST_F(State, nonsenseInOptionsIsReportedAndHasNoEffect) {
     EXPECT_EQ(errors(), 14);
     state.worldBegin(at);
     const Options &options = builder.worlds[0].options, standard;
-    EXPECT_EQ(options.xResolution, standard.xResolution);
-    EXPECT_FALSE(options.frameAspectRatio || options.screenWindow);
-    EXPECT_EQ(options.cropWindow, standard.cropWindow);
+    EXPECT_EQ(options.format.xResolution, standard.format.xResolution);
+    EXPECT_FALSE(options.format.frameAspectRatio || options.format.screenWindow);
+    EXPECT_EQ(options.format.cropWindow, standard.format.cropWindow);
     EXPECT_EQ(options.camera.fieldOfView, 90);
     EXPECT_EQ(options.camera.near, standard.camera.near);
     EXPECT_EQ(options.xSamples, 2);

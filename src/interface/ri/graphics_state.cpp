@@ -22,8 +22,9 @@ const char *beginOf(int kind) {
 
 GraphicsState::GraphicsState(SceneBuilder &builder, ShaderLookup &shaders, ErrorPolicy &policy,
                              GraphicsStateSettings settings)
-    : policy_(policy),
-      handlers_(std::make_unique<StateHandlers>(builder, shaders, policy_, std::move(settings))) {}
+    : policy_(policy), diagnostics_(policy),
+      handlers_(
+          std::make_unique<StateHandlers>(builder, shaders, diagnostics_, std::move(settings))) {}
 
 GraphicsState::~GraphicsState() = default;
 
@@ -61,17 +62,17 @@ void GraphicsState::reportScope(RequestId id, const SourceLocation &where, unsig
     else if ((wrong & scope::InObject) && name.ends_with("Begin"))
         policy_.error(where, name + " is not legal between ObjectBegin and ObjectEnd");
     else if (wrong & scope::InObject)
-        handlers_->warnOnce(where, "scope:" + name,
-                            name + " has no effect between ObjectBegin and ObjectEnd: an object "
-                                   "takes its attributes from its instances");
+        diagnostics_.warnOnce(where, "scope:" + name,
+                              name + " has no effect between ObjectBegin and ObjectEnd: an object "
+                                     "takes its attributes from its instances");
     else if (wrong & scope::Outside)
         policy_.error(where, name + " is legal only between WorldBegin and WorldEnd");
     else if (id == RequestId::WorldBegin || id == RequestId::FrameBegin)
         policy_.error(where, name + " is not legal between WorldBegin and WorldEnd");
     else
-        handlers_->warnOnce(where, "scope:" + name,
-                            name + " has no effect between WorldBegin and WorldEnd: WorldBegin "
-                                   "has frozen the options");
+        diagnostics_.warnOnce(where, "scope:" + name,
+                              name + " has no effect between WorldBegin and WorldEnd: WorldBegin "
+                                     "has frozen the options");
 }
 
 /// Only the first sample of a motion block counts; the others must be of the same kind.

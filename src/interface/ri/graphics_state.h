@@ -6,6 +6,7 @@
 
 #include "interface/ri/error_policy.h"
 #include "interface/ri/graphics_state_settings.h"
+#include "interface/ri/request_diagnostics.h"
 #include "interface/ri/request_sink.h"
 #include "interface/ri/scene_builder.h"
 
@@ -60,6 +61,7 @@ private:
     void endInnermost(const SourceLocation &);
 
     ErrorPolicy &policy_;
+    RequestDiagnostics diagnostics_;
     std::unique_ptr<StateHandlers> handlers_;
     std::vector<Block> blocks_;
     std::optional<RequestId> motionRequest_; ///< What the open motion block is about.

@@ -17,7 +17,7 @@ namespace candela {
     void GraphicsState::handler(                                                                   \
         const SourceLocation &where CANDELA_PARAMETER_TYPES(__VA_ARGS__)) {                        \
         if (admit(RequestId::Name, where))                                                         \
-            handlers_->warnOnce(where, #Name, #Name ": this version " consequence);                \
+            diagnostics_.warnOnce(where, #Name, #Name ": this version " consequence);              \
     }
 #include "interface/ri/requests.def"
 
@@ -27,9 +27,9 @@ void GraphicsState::motionBegin(const SourceLocation &where, const LooseFloats &
     motionRequest_.reset();
     if (!std::ranges::is_sorted(times.values) || times.values.empty())
         policy_.error(where, "MotionBegin: expected times in increasing order");
-    handlers_->warnOnce(where, "MotionBegin",
-                        "MotionBegin: this version draws moving things where they are at the "
-                        "first time");
+    diagnostics_.warnOnce(where, "MotionBegin",
+                          "MotionBegin: this version draws moving things where they are at the "
+                          "first time");
 }
 
 void GraphicsState::motionEnd(const SourceLocation &where) {

@@ -91,7 +91,7 @@ TEST_F(State, framesAreIndependent) {
     ASSERT_EQ(builder.worlds.size(), 2u);
     EXPECT_EQ(builder.worlds[0].options.frame, 1);
     EXPECT_EQ(builder.worlds[1].options.frame, 2);
-    EXPECT_EQ(builder.worlds[1].options.xResolution, 200);
+    EXPECT_EQ(builder.worlds[1].options.format.xResolution, 200);
     EXPECT_EQ(builder.worlds[0].options.exposureGain, 2);
     EXPECT_EQ(builder.worlds[1].options.exposureGain, 1);
     EXPECT_EQ(builder.worlds[0].lights.size(), 1u);
@@ -108,16 +108,16 @@ TEST_F(State, optionsAreFrozenInTheWorld) {
     EXPECT_EQ(warnings(), 2); // Once a request.
     state.worldEnd(at);
     state.worldBegin(at);
-    EXPECT_EQ(builder.worlds[1].options.xResolution, 640);
+    EXPECT_EQ(builder.worlds[1].options.format.xResolution, 640);
 }
 
 TEST_F(State, theCommandLineHasTheLastWord) {
     GraphicsState other(builder, shaders, policy,
-                        {{}, [](Options &options) { options.xResolution = 77; }});
+                        {{}, [](Options &options) { options.format.xResolution = 77; }});
     other.format(at, 10, 10, 1);
     other.worldBegin(at);
-    EXPECT_EQ(builder.worlds[0].options.xResolution, 77);
-    EXPECT_EQ(builder.worlds[0].options.yResolution, 10);
+    EXPECT_EQ(builder.worlds[0].options.format.xResolution, 77);
+    EXPECT_EQ(builder.worlds[0].options.format.yResolution, 10);
 }
 
 TEST_F(State, primitivesOutsideTheWorldAreReported) {

@@ -6,37 +6,25 @@
 
 namespace candela {
 
-float Options::number(const std::string &qualifiedName, float fallback) const {
-    auto found = named.find(qualifiedName);
-    return found != named.end() && !found->second.floats.empty() ? found->second.floats.front()
-                                                                 : fallback;
+static float aspectRatioOf(const FrameFormat &format) {
+    return float(format.xResolution) * format.pixelAspectRatio / float(format.yResolution);
 }
 
-std::string Options::string(const std::string &qualifiedName, std::string fallback) const {
-    auto found = named.find(qualifiedName);
-    return found != named.end() && !found->second.strings.empty() ? found->second.strings.front()
-                                                                  : fallback;
-}
-
-static float formatAspectRatio(const Options &options) {
-    return float(options.xResolution) * options.pixelAspectRatio / float(options.yResolution);
-}
-
-std::array<float, 4> Options::effectiveScreenWindow() const {
+std::array<float, 4> FrameFormat::effectiveScreenWindow() const {
     if (screenWindow)
         return *screenWindow;
-    float aspect = frameAspectRatio.value_or(formatAspectRatio(*this));
+    float aspect = frameAspectRatio.value_or(aspectRatioOf(*this));
     if (aspect >= 1)
         return {-aspect, aspect, -1, 1};
     return {-1, 1, -1 / aspect, 1 / aspect};
 }
 
-std::array<int, 2> Options::effectiveResolution() const {
+std::array<int, 2> FrameFormat::effectiveResolution() const {
     if (!frameAspectRatio)
         return {xResolution, yResolution};
-    float format = formatAspectRatio(*this);
+    float whole = aspectRatioOf(*this);
     // The frame lies inside the format: a wider one loses rows, a narrower one columns.
-    if (*frameAspectRatio >= format) {
+    if (*frameAspectRatio >= whole) {
         float rows = float(xResolution) * pixelAspectRatio / *frameAspectRatio;
         return {xResolution, std::clamp(int(std::lround(rows)), 1, yResolution)};
     }
@@ -51,7 +39,7 @@ static int firstPixelFrom(float edge, int resolution) {
     return int(std::clamp(pixel, 0.0f, float(resolution)));
 }
 
-std::array<int, 4> Options::cropPixels() const {
+std::array<int, 4> FrameFormat::cropPixels() const {
     auto [width, height] = effectiveResolution();
     return {firstPixelFrom(cropWindow[0], width), firstPixelFrom(cropWindow[1], width),
             firstPixelFrom(cropWindow[2], height), firstPixelFrom(cropWindow[3], height)};

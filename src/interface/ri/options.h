@@ -5,6 +5,7 @@
 #include "foundation/base/matrix4.h"
 #include "interface/ri/parameter_list.h"
 
+#include <array>
 #include <map>
 #include <memory>
 #include <optional>
@@ -47,12 +48,24 @@ struct CameraRecord {
     float fStop = 0, focalLength = 0, focalDistance = 0; ///< fStop 0 = pinhole.
 };
 
-struct Options {
+/// Which part of the screen the picture shows, and in how many pixels (RI 3.2, 4.1.1).
+struct FrameFormat {
     int xResolution = 640, yResolution = 480;
     float pixelAspectRatio = 1;
     std::optional<float> frameAspectRatio;
     std::optional<std::array<float, 4>> screenWindow; ///< left, right, bottom, top.
     std::array<float, 4> cropWindow{0, 1, 0, 1};      ///< x0, x1, y0, y1 in NDC.
+
+    /// Screen window and resolution after aspect ratios have been applied: where the frame aspect
+    /// ratio disagrees with the resolution, the picture is made smaller to fit.
+    std::array<float, 4> effectiveScreenWindow() const;
+    std::array<int, 2> effectiveResolution() const;
+    /// First and one-past-last pixel of the crop window: x0, x1, y0, y1.
+    std::array<int, 4> cropPixels() const;
+};
+
+struct Options {
+    FrameFormat format;
     CameraRecord camera;
 
     float xSamples = 2, ySamples = 2;
@@ -71,20 +84,9 @@ struct Options {
         SourceLocation format, cropWindow, pixelFilter;
     } places;
 
-    /// RiOption values as "category:name", for example "render:integrator".
-    std::map<std::string, Parameter> named;
+    NamedParameters named; ///< RiOption.
     /// Named coordinate systems, each as currentFromSpace; "world", "camera" among them.
     std::map<std::string, Matrix4> coordinateSystems;
-
-    float number(const std::string &qualifiedName, float fallback) const;
-    std::string string(const std::string &qualifiedName, std::string fallback) const;
-
-    /// Screen window and resolution after aspect ratios have been applied (RI 3.2, 4.1.1): where
-    /// the frame aspect ratio disagrees with the format, the picture is made smaller to fit.
-    std::array<float, 4> effectiveScreenWindow() const;
-    std::array<int, 2> effectiveResolution() const;
-    /// First and one-past-last pixel of the crop window: x0, x1, y0, y1 (RI 3.2, 4.1.1).
-    std::array<int, 4> cropPixels() const;
 };
 
 } // namespace candela

@@ -27,14 +27,33 @@ const Parameter *ParameterList::find(std::string_view name) const {
     return found == all.end() ? nullptr : &*found;
 }
 
-float ParameterList::number(std::string_view name, float fallback) const {
-    const Parameter *parameter = find(name);
+static float firstFloat(const Parameter *parameter, float fallback) {
     return parameter && !parameter->floats.empty() ? parameter->floats.front() : fallback;
 }
 
-std::string ParameterList::string(std::string_view name, std::string fallback) const {
-    const Parameter *parameter = find(name);
+static std::string firstString(const Parameter *parameter, std::string fallback) {
     return parameter && !parameter->strings.empty() ? parameter->strings.front() : fallback;
+}
+
+float ParameterList::number(std::string_view name, float fallback) const {
+    return firstFloat(find(name), fallback);
+}
+
+std::string ParameterList::string(std::string_view name, std::string fallback) const {
+    return firstString(find(name), std::move(fallback));
+}
+
+const Parameter *NamedParameters::find(const std::string &qualifiedName) const {
+    auto found = all_.find(qualifiedName);
+    return found == all_.end() ? nullptr : &found->second;
+}
+
+float NamedParameters::number(const std::string &qualifiedName, float fallback) const {
+    return firstFloat(find(qualifiedName), fallback);
+}
+
+std::string NamedParameters::string(const std::string &qualifiedName, std::string fallback) const {
+    return firstString(find(qualifiedName), std::move(fallback));
 }
 
 } // namespace candela

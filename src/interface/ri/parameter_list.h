@@ -4,6 +4,7 @@
 
 #include "foundation/base/diagnostics.h"
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,6 +44,21 @@ public:
     /// First float or string of the parameter of that name, or the fallback.
     float number(std::string_view name, float fallback) const;
     std::string string(std::string_view name, std::string fallback) const;
+};
+
+/// The values of Option or Attribute requests as "category:name", for example "render:integrator".
+class NamedParameters {
+public:
+    /// Of that name; a new one has no values yet.
+    Parameter &operator[](const std::string &qualifiedName) { return all_[qualifiedName]; }
+    /// The parameter of that name, or null.
+    const Parameter *find(const std::string &qualifiedName) const;
+    /// Its first float or string, or the fallback.
+    float number(const std::string &qualifiedName, float fallback) const;
+    std::string string(const std::string &qualifiedName, std::string fallback) const;
+
+private:
+    std::map<std::string, Parameter> all_;
 };
 
 } // namespace candela

@@ -58,7 +58,7 @@ std::string expandSearchPath(std::string_view text, std::string_view previous,
 }
 
 std::vector<std::string> searchFolders(const Options &options, const std::string &kind) {
-    return splitSearchPath(options.string("searchpath:" + kind, ""));
+    return splitSearchPath(options.named.string("searchpath:" + kind, ""));
 }
 
 std::optional<std::string> findFile(const std::string &name,

@@ -16,7 +16,7 @@ TEST_F(Reading, bringsASceneToTheBuilder) {
     ASSERT_EQ(builder.worlds.size(), 1u);
     const auto &world = builder.worlds[0];
     EXPECT_TRUE(world.ended);
-    EXPECT_EQ(world.options.xResolution, 320);
+    EXPECT_EQ(world.options.format.xResolution, 320);
     EXPECT_TRUE(world.options.camera.perspective);
     EXPECT_EQ(world.options.camera.fieldOfView, 40);
     EXPECT_EQ(world.options.camera.cameraFromWorld, translation(0, 0, 5));

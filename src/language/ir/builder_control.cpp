@@ -1,49 +1,48 @@
 // SPDX-License-Identifier: Apache-2.0
-// The builder's structured control flow.
-#include "foundation/units/color.h"
-#include "language/ir/builder.h"
+#include "language/ir/builder_control.h"
 
-#include <optional>
+#include "language/ir/builder_arithmetic.h"
+#include "language/ir/builder_sources.h"
 
 namespace candela::ir {
 
-Builder::Values Builder::ifElse(ValueId condition, const std::function<Values()> &then,
-                                const std::function<Values()> &otherwise) {
-    if (auto known = constantBool(condition))
+Values ifElse(Builder &b, ValueId condition, const std::function<Values()> &then,
+              const std::function<Values()> &otherwise) {
+    if (auto known = constantBool(b, condition))
         return *known ? then() : otherwise();
-    int line = line_;
-    Region yes = region({}, then);
-    Region no = region({}, otherwise);
+    int line = b.line();
+    Region yes = b.region({}, then);
+    Region no = b.region({}, otherwise);
     bool empty = yes.body.empty() && no.body.empty();
     Values results;
     Instruction instruction{Op::If, {condition}, {}, {}, 0, 0, line};
     Region yesKept{{}, std::move(yes.body), {}}, noKept{{}, std::move(no.body), {}};
     for (std::size_t k = 0; k < yes.yields.size(); ++k) {
-        ValueId a = yes.yields[k], b = no.yields[k];
-        if (a == b) { // The same value in both: it stands outside.
-            results.push_back(a);
+        ValueId x = yes.yields[k], y = no.yields[k];
+        if (x == y) { // The same value in both: it stands outside.
+            results.push_back(x);
         } else if (empty) {
-            results.push_back(select(condition, a, b));
+            results.push_back(select(b, condition, x, y));
         } else {
-            bool varying = rate(condition) == Rate::Varying || rate(a) == Rate::Varying ||
-                           rate(b) == Rate::Varying;
-            results.push_back(newValue(type(a), varying ? Rate::Varying : Rate::Uniform));
+            bool varying = b.rate(condition) == Rate::Varying || b.rate(x) == Rate::Varying ||
+                           b.rate(y) == Rate::Varying;
+            results.push_back(b.newValue(b.type(x), varying ? Rate::Varying : Rate::Uniform));
             instruction.results.push_back(results.back());
-            yesKept.yields.push_back(a);
-            noKept.yields.push_back(b);
+            yesKept.yields.push_back(x);
+            noKept.yields.push_back(y);
         }
     }
     if (!empty) {
         instruction.regions.push_back(std::move(yesKept));
         instruction.regions.push_back(std::move(noKept));
-        append(std::move(instruction));
+        b.append(std::move(instruction));
     }
     return results;
 }
 
-void Builder::ifThen(ValueId condition, const std::function<void()> &then) {
+void ifThen(Builder &b, ValueId condition, const std::function<void()> &then) {
     ifElse(
-        condition,
+        b, condition,
         [&] {
             then();
             return Values{};
@@ -51,64 +50,24 @@ void Builder::ifThen(ValueId condition, const std::function<void()> &then) {
         [] { return Values{}; });
 }
 
-Builder::Values Builder::loop(const Values &initial,
-                              const std::function<Values(const Values &)> &body) {
-    if (constantBool(initial[0]) == false)
+Values loop(Builder &b, const Values &initial, const std::function<Values(const Values &)> &body) {
+    if (constantBool(b, initial[0]) == false)
         return initial;
-    Instruction instruction{Op::Loop, initial, {}, {}, 0, 0, line_};
+    Instruction instruction{Op::Loop, initial, {}, {}, 0, 0, b.line()};
     Values arguments;
     for (ValueId v : initial)
-        arguments.push_back(newValue(type(v), rate(v)));
-    instruction.regions.push_back(region(arguments, [&] { return body(arguments); }));
+        arguments.push_back(b.newValue(b.type(v), b.rate(v)));
+    instruction.regions.push_back(b.region(arguments, [&] { return body(arguments); }));
     const Values &yields = instruction.regions[0].yields;
     for (std::size_t k = 0; k < initial.size(); ++k) {
-        bool varying = rate(initial[k]) == Rate::Varying || rate(yields[k]) == Rate::Varying ||
-                       rate(yields[0]) == Rate::Varying;
+        bool varying = b.rate(initial[k]) == Rate::Varying || b.rate(yields[k]) == Rate::Varying ||
+                       b.rate(yields[0]) == Rate::Varying;
         instruction.results.push_back(
-            newValue(type(initial[k]), varying ? Rate::Varying : Rate::Uniform));
+            b.newValue(b.type(initial[k]), varying ? Rate::Varying : Rate::Uniform));
     }
     Values results = instruction.results;
-    append(std::move(instruction));
+    b.append(std::move(instruction));
     return results;
-}
-
-Builder::Values Builder::lightLoop(
-    int request, const Triple &position, const Values &cones, const Values &initial,
-    const std::function<Values(const Triple &, const Values &, const Values &)> &body) {
-    Instruction instruction{Op::LightLoop, {position.begin(), position.end()}, {}, {}, request, 0,
-                            line_};
-    instruction.operands.insert(instruction.operands.end(), cones.begin(), cones.end());
-    instruction.operands.insert(instruction.operands.end(), initial.begin(), initial.end());
-    Triple L;
-    Values Cl, carried, arguments;
-    for (ValueId &v : L)
-        arguments.push_back(v = newValue(Type::Float, Rate::Varying));
-    for (int k = 0; k < colorSamples; ++k) {
-        Cl.push_back(newValue(Type::Float, Rate::Varying));
-        arguments.push_back(Cl.back());
-    }
-    for (ValueId v : initial) {
-        carried.push_back(newValue(type(v), Rate::Varying));
-        arguments.push_back(carried.back());
-    }
-    instruction.regions.push_back(region(arguments, [&] { return body(L, Cl, carried); }));
-    for (ValueId v : initial)
-        instruction.results.push_back(newValue(type(v), Rate::Varying));
-    Values results = instruction.results;
-    append(std::move(instruction));
-    return results;
-}
-
-Builder::Values Builder::trace(int request, const Triple &position, const Triple &direction) {
-    Values operands(position.begin(), position.end());
-    operands.insert(operands.end(), direction.begin(), direction.end());
-    return emit(Op::Answer, operands, request);
-}
-Builder::Values Builder::ambient() { return emit(Op::Ambient, {}); }
-Builder::Values Builder::irradiance(const Triple &position, const Triple &omega) {
-    Values operands(position.begin(), position.end());
-    operands.insert(operands.end(), omega.begin(), omega.end());
-    return emit(Op::Irradiance, operands);
 }
 
 } // namespace candela::ir

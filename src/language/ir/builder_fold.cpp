@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/ir/builder_fold.h"
 
+#include "language/ir/builder_sources.h"
 #include "language/ir/op_info.h"
 
 #include <cmath>
@@ -12,10 +13,10 @@ namespace {
 using Folded = std::optional<ValueId>;
 
 Folded foldArithmetic(Builder &b, Op op, const std::vector<ValueId> &operands) {
-    const float *left = b.constantFloat(operands[0]);
-    const float *right = operands.size() > 1 ? b.constantFloat(operands[1]) : left;
+    const float *left = constantFloat(b, operands[0]);
+    const float *right = operands.size() > 1 ? constantFloat(b, operands[1]) : left;
     if (left && right)
-        return b.number(evaluateFloat(op, *left, *right));
+        return number(b, evaluateFloat(op, *left, *right));
     // x + 0 is no identity: it turns -0 into 0.
     if (op == Op::Mul && left && *left == 1)
         return operands[1];
@@ -29,13 +30,13 @@ Folded foldArithmetic(Builder &b, Op op, const std::vector<ValueId> &operands) {
 Folded foldLogic(Builder &b, Op op, ValueId left, ValueId right) {
     auto decided = op == Op::And ? false : true; // The operand that decides alone.
     for (auto [one, other] : {std::pair{left, right}, std::pair{right, left}})
-        if (auto known = b.constantBool(one))
-            return *known == decided ? b.boolean(decided) : other;
+        if (auto known = constantBool(b, one))
+            return *known == decided ? boolean(b, decided) : other;
     return left == right ? Folded(left) : Folded{};
 }
 
 Folded foldSelect(Builder &b, ValueId condition, ValueId yes, ValueId no) {
-    if (auto known = b.constantBool(condition))
+    if (auto known = constantBool(b, condition))
         return *known ? yes : no;
     return yes == no ? Folded(yes) : Folded{};
 }
@@ -61,28 +62,28 @@ std::optional<ValueId> foldOperation(Builder &b, Op op, const std::vector<ValueI
     case Op::LessEqual:
     case Op::Equal:
     case Op::NotEqual: {
-        const float *left = b.constantFloat(operands[0]), *right = b.constantFloat(operands[1]);
-        return left && right ? Folded(b.boolean(evaluateCompare(op, *left, *right))) : Folded{};
+        const float *left = constantFloat(b, operands[0]), *right = constantFloat(b, operands[1]);
+        return left && right ? Folded(boolean(b, evaluateCompare(op, *left, *right))) : Folded{};
     }
     case Op::And:
     case Op::Or: return foldLogic(b, op, operands[0], operands[1]);
     case Op::Not: {
-        auto known = b.constantBool(operands[0]);
-        return known ? Folded(b.boolean(!*known)) : Folded{};
+        auto known = constantBool(b, operands[0]);
+        return known ? Folded(boolean(b, !*known)) : Folded{};
     }
     case Op::Select: return foldSelect(b, operands[0], operands[1], operands[2]);
     case Op::FloatFromBool: {
-        auto known = b.constantBool(operands[0]);
-        return known ? Folded(b.number(*known ? 1.0f : 0.0f)) : Folded{};
+        auto known = constantBool(b, operands[0]);
+        return known ? Folded(number(b, *known ? 1.0f : 0.0f)) : Folded{};
     }
     case Op::IntegerFromFloat: {
-        const float *known = b.constantFloat(operands[0]);
-        return known ? Folded(b.integer(integerFromFloat(*known))) : Folded{};
+        const float *known = constantFloat(b, operands[0]);
+        return known ? Folded(integer(b, integerFromFloat(*known))) : Folded{};
     }
     case Op::StringEqual: {
-        const std::string *left = b.constantText(operands[0]);
-        const std::string *right = b.constantText(operands[1]);
-        return left && right ? Folded(b.boolean(*left == *right)) : Folded{};
+        const std::string *left = constantText(b, operands[0]);
+        const std::string *right = constantText(b, operands[1]);
+        return left && right ? Folded(boolean(b, *left == *right)) : Folded{};
     }
     default: return {};
     }

@@ -86,7 +86,7 @@ private:
             collect(i->operands[1]);
             collect(i->operands[2]);
             return sum;
-        case Op::If: // Values under an earlier condition could not be told outside of it.
+        case Op::If: // Values under an earlier condition could not be written outside of it.
             if (early(i->operands[0]))
                 return {{v}};
             for (const Region &region : i->regions)

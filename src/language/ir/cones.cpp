@@ -2,8 +2,11 @@
 #include "language/ir/cones.h"
 
 #include "foundation/units/color.h"
+#include "language/ir/builder_arithmetic.h"
+#include "language/ir/builder_sources.h"
+#include "language/ir/builder_vectors.h"
 #include "language/ir/cone_lobes.h"
-#include "language/ir/specializer.h"
+#include "language/ir/value_mapping.h"
 
 #include <iterator>
 #include <numbers>
@@ -110,18 +113,19 @@ void addLoopCones(const Function &text, const Dependence &dependence, bool recog
     cones.insert(cones.end(), lobes.begin(), lobes.end());
 }
 
-void addCulls(Builder &b, const Function &text, Region &region, std::vector<Cull> &culls) {
+void addConeTests(Builder &b, const Function &text, Region &region,
+                  std::vector<ConeTest> &coneTests) {
     std::vector<Instruction> body;
     for (Instruction &i : region.body) {
         for (Region &inner : i.regions)
-            addCulls(b, text, inner, culls);
+            addConeTests(b, text, inner, coneTests);
         if (i.op == Op::LightLoop && text.requests[i.immediate].form == ConeForm::Classic) {
-            Cull &cull = culls[i.immediate];
+            ConeTest &test = coneTests[i.immediate];
             Region before = b.region({}, [&] {
-                cull.known = true;
-                cull.axis = b.normalize({i.operands[3], i.operands[4], i.operands[5]});
-                cull.cosine = b.unary(Op::Cos, i.operands[6]);
-                return Builder::Values{};
+                test.known = true;
+                test.axis = normalize(b, {i.operands[3], i.operands[4], i.operands[5]});
+                test.cosine = unary(b, Op::Cos, i.operands[6]);
+                return Values{};
             });
             std::move(before.body.begin(), before.body.end(), std::back_inserter(body));
         }
@@ -150,52 +154,52 @@ std::vector<Cone> conesOf(const Function &text, const Dependence &dependence, bo
     return cones;
 }
 
-std::vector<Cull> addCulls(Function &text) {
-    std::vector<Cull> culls(text.requests.size());
+std::vector<ConeTest> addConeTests(Function &text) {
+    std::vector<ConeTest> coneTests(text.requests.size());
     Builder b(text);
-    addCulls(b, text, text.body, culls);
+    addConeTests(b, text, text.body, coneTests);
     b.finish();
-    return culls;
+    return coneTests;
 }
 
-StatedCone stateCone(Specializer &telling, Builder &b, const Instruction &request,
+StatedCone stateCone(ValueMapping &mapping, Builder &b, const Instruction &request,
                      const Cone &cone) {
-    auto operand = [&](int k) { return telling.value(0, request.operands[k]); };
+    auto operand = [&](int k) { return mapping.value(0, request.operands[k]); };
     StatedCone stated;
-    stated.exponent = b.number(0);
+    stated.exponent = number(b, 0);
     switch (cone.kind) {
     case Cone::Kind::Stated: {
         int first = 3 + 6 * cone.index;
         stated.axis = {operand(first), operand(first + 1), operand(first + 2)};
         stated.angle = operand(first + 3);
         stated.exponent = operand(first + 4);
-        stated.importance = b.max(operand(first + 5), b.number(0));
+        stated.importance = max(b, operand(first + 5), number(b, 0));
         break;
     }
     case Cone::Kind::Sphere:
-        stated.axis = b.input3(ShaderInput::N);
-        stated.angle = b.number(360);
+        stated.axis = input3(b, ShaderInput::N);
+        stated.angle = number(b, 360);
         break;
     case Cone::Kind::Classic: {
-        stated.axis = telling.triple(0, cone.axis);
-        ValueId degrees = b.mul(operand(6), b.number(360 / std::numbers::pi_v<float>));
-        stated.angle = b.min(degrees, b.number(360));
+        stated.axis = mapping.triple(0, cone.axis);
+        ValueId degrees = mul(b, operand(6), number(b, 360 / std::numbers::pi_v<float>));
+        stated.angle = min(b, degrees, number(b, 360));
         break;
     }
     case Cone::Kind::Lobe: {
-        stated.axis = telling.triple(0, cone.axis);
+        stated.axis = mapping.triple(0, cone.axis);
         if (cone.mirrored) {
-            Triple about = b.normalize(stated.axis), v = telling.triple(0, *cone.mirrored);
-            stated.axis = b.sub(b.scale(about, b.mul(b.number(2), b.dot(about, v))), v);
+            Triple about = normalize(b, stated.axis), v = mapping.triple(0, *cone.mirrored);
+            stated.axis = sub(b, scale(b, about, mul(b, number(b, 2), dot(b, about, v))), v);
         }
-        stated.angle = b.number(180);
-        ValueId exponent = cone.exponent ? telling.value(0, *cone.exponent) : b.number(1);
-        stated.exponent = b.mul(exponent, b.number(cone.exponentScale));
+        stated.angle = number(b, 180);
+        ValueId exponent = cone.exponent ? mapping.value(0, *cone.exponent) : number(b, 1);
+        stated.exponent = mul(b, exponent, number(b, cone.exponentScale));
         break;
     }
     case Cone::Kind::Delta:
         stated.axis = {operand(3), operand(4), operand(5)};
-        stated.angle = b.number(0);
+        stated.angle = number(b, 0);
         break;
     }
     return stated;

@@ -6,9 +6,11 @@
 #include "language/ir/builder.h"
 #include "language/ir/dependence.h"
 
+#include <optional>
+
 namespace candela::ir {
 
-class Specializer;
+class ValueMapping;
 
 /// One importance cone of a request. Values are of the text.
 struct Cone {
@@ -40,7 +42,8 @@ struct Cone {
 };
 
 /// The cones of all requests in the text, in request order. `recognize`: read lobes off classic
-/// loops; their values may stand in the loops' bodies, which a framed telling computes before.
+/// loops; their values may stand in the loops' bodies, which are computed before if stages are told
+/// apart.
 std::vector<Cone> conesOf(const Function &text, const Dependence &, bool recognize);
 
 /// A cone as outputs have it.
@@ -49,17 +52,17 @@ struct StatedCone {
     ValueId angle = 0, exponent = 0;
     std::optional<ValueId> importance; ///< Only if the shader states it.
 };
-/// Where the text's instruction `request` stands in the telling.
-StatedCone stateCone(Specializer &, Builder &, const Instruction &request, const Cone &);
+/// Where the text's instruction `request` stands where it is written anew.
+StatedCone stateCone(ValueMapping &, Builder &, const Instruction &request, const Cone &);
 
-/// The normalised axis and the cosine of the half angle of a classic loop.
-struct Cull {
+/// What a classic loop tests directions with: the normalised axis, the cosine of the half angle.
+struct ConeTest {
     bool known = false;
     Triple axis{};
     ValueId cosine = 0;
 };
 
-/// Adds the values of the culls to the text before its classic loops.
-std::vector<Cull> addCulls(Function &text);
+/// Adds the values of the tests to the text before its classic loops.
+std::vector<ConeTest> addConeTests(Function &text);
 
 } // namespace candela::ir

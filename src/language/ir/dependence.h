@@ -21,6 +21,9 @@ struct Dependence {
     std::vector<const Instruction *> request;
     bool staticRequests = true;
     int notStaticLine = 0;
+
+    /// Whether light reaches the value.
+    bool responds(ValueId v) const { return stage[v] == Stage::Response; }
 };
 
 /// The function must outlive the result.

@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is proved of small surfaces written by hand: affinity, emission, importance, light rules.
 #include "language/ir/affine.h"
+#include "language/ir/builder_arithmetic.h"
+#include "language/ir/builder_control.h"
+#include "language/ir/builder_effects.h"
+#include "language/ir/builder_light.h"
+#include "language/ir/builder_sources.h"
+#include "language/ir/builder_vectors.h"
 #include "language/ir/interpreter.h"
 #include "language/ir/questions.h"
 #include "language/ir/test_batch.h"
@@ -17,7 +23,6 @@
 namespace candela::ir {
 namespace {
 
-using Values = Builder::Values;
 constexpr int loopLine = 10, trickLine = 20;
 
 /// The sum over light of what `term` gives for each channel, over the hemisphere about the axis.
@@ -27,37 +32,37 @@ Values gatherAbout(Builder &b, const Triple &axis,
     request.form = ConeForm::Classic;
     request.coneCount = 1;
     b.setLine(loopLine);
-    return b.lightLoop(b.addRequest(request), b.input3(ShaderInput::P),
-                       {axis[0], axis[1], axis[2], b.number(std::numbers::pi_v<float> / 2)},
-                       Values(colorSamples, b.number(0)),
-                       [&](const Triple &L, const Values &Cl, const Values &carried) {
-                           Values sum;
-                           for (int k = 0; k < colorSamples; ++k)
-                               sum.push_back(b.add(carried[k], term(L, Cl[k])));
-                           return sum;
-                       });
+    return lightLoop(b, addRequest(b, request), input3(b, ShaderInput::P),
+                     {axis[0], axis[1], axis[2], number(b, std::numbers::pi_v<float> / 2)},
+                     Values(colorSamples, number(b, 0)),
+                     [&](const Triple &L, const Values &Cl, const Values &carried) {
+                         Values sum;
+                         for (int k = 0; k < colorSamples; ++k)
+                             sum.push_back(add(b, carried[k], term(L, Cl[k])));
+                         return sum;
+                     });
 }
 
 Values gather(Builder &b, const std::function<ValueId(const Triple &L, ValueId Cl)> &term) {
-    return gatherAbout(b, b.input3(ShaderInput::N), term);
+    return gatherAbout(b, input3(b, ShaderInput::N), term);
 }
 
 ValueId cosineNL(Builder &b, const Triple &L) {
-    return b.dot(b.normalize(b.input3(ShaderInput::N)), b.normalize(L));
+    return dot(b, normalize(b, input3(b, ShaderInput::N)), normalize(b, L));
 }
 
 Values diffuse(Builder &b) {
-    return gather(b, [&](const Triple &L, ValueId Cl) { return b.mul(Cl, cosineNL(b, L)); });
+    return gather(b, [&](const Triple &L, ValueId Cl) { return mul(b, Cl, cosineNL(b, L)); });
 }
 
 /// RI 3.1 specular(): pow(N.H, 1/roughness) with H between L and the viewer.
 Values specular(Builder &b, ValueId roughness) {
-    Triple N = b.normalize(b.input3(ShaderInput::N));
-    Triple V = b.normalize(b.neg(b.input3(ShaderInput::I)));
+    Triple N = normalize(b, input3(b, ShaderInput::N));
+    Triple V = normalize(b, neg(b, input3(b, ShaderInput::I)));
     return gather(b, [&](const Triple &L, ValueId Cl) {
-        Triple H = b.normalize(b.add(b.normalize(L), V));
-        ValueId cosine = b.max(b.dot(N, H), b.number(0));
-        return b.mul(Cl, b.pow(cosine, b.div(b.number(1), roughness)));
+        Triple H = normalize(b, add(b, normalize(b, L), V));
+        ValueId cosine = max(b, dot(b, N, H), number(b, 0));
+        return mul(b, Cl, pow(b, cosine, div(b, number(b, 1), roughness)));
     });
 }
 
@@ -67,8 +72,8 @@ Function surface(const std::function<Values(Builder &)> &Ci) {
     Builder b(function);
     Values color = Ci(b);
     for (int k = 0; k < colorSamples; ++k) {
-        b.output("Ci", k, b.mul(color[k], b.input(ShaderInput::Os, k)));
-        b.output("Oi", k, b.input(ShaderInput::Os, k));
+        output(b, "Ci", k, mul(b, color[k], input(b, ShaderInput::Os, k)));
+        output(b, "Oi", k, input(b, ShaderInput::Os, k));
     }
     b.finish();
     EXPECT_EQ(verify(function), "");
@@ -84,17 +89,18 @@ Values each(const Values &color, const std::function<ValueId(ValueId)> &apply) {
 }
 
 Values matte(Builder &b) {
-    Values lit = diffuse(b), ambient = b.ambient(), sum;
+    Values lit = diffuse(b), everywhere = ambient(b), sum;
     for (int k = 0; k < colorSamples; ++k)
-        sum.push_back(b.add(b.mul(b.parameter(0), ambient[k]), b.mul(b.parameter(1), lit[k])));
+        sum.push_back(
+            add(b, mul(b, parameter(b, 0), everywhere[k]), mul(b, parameter(b, 1), lit[k])));
     return sum;
 }
 
 Values plastic(Builder &b) {
-    Values base = matte(b), shine = specular(b, b.parameter(3)), sum;
+    Values base = matte(b), shine = specular(b, parameter(b, 3)), sum;
     for (int k = 0; k < colorSamples; ++k)
-        sum.push_back(
-            b.add(b.mul(base[k], b.input(ShaderInput::Cs, k)), b.mul(b.parameter(2), shine[k])));
+        sum.push_back(add(b, mul(b, base[k], input(b, ShaderInput::Cs, k)),
+                          mul(b, parameter(b, 2), shine[k])));
     return sum;
 }
 
@@ -115,38 +121,39 @@ TEST(Affine, Table) {
         {"choice by something else", true,
          [&](Builder &b) {
              return trick(b, [](Builder &b, ValueId v) {
-                 return b.select(b.less(b.input(ShaderInput::u), b.number(0)), v, b.number(1));
+                 return select(b, less(b, input(b, ShaderInput::u), number(b, 0)), v, number(b, 1));
              });
          }},
         {"0 times a square", true,
          [&](Builder &b) {
-             return trick(b, [](Builder &b, ValueId v) { return b.mul(b.number(0), b.mul(v, v)); });
+             return trick(b,
+                          [](Builder &b, ValueId v) { return mul(b, number(b, 0), mul(b, v, v)); });
          }},
         {"product of two light terms", false,
          [&](Builder &b) {
-             Values shine = specular(b, b.parameter(3));
-             return trick(b, [&](Builder &b, ValueId v) { return b.mul(v, shine[0]); });
+             Values shine = specular(b, parameter(b, 3));
+             return trick(b, [&](Builder &b, ValueId v) { return mul(b, v, shine[0]); });
          }},
         {"step", false,
          [&](Builder &b) {
              return trick(b, [](Builder &b, ValueId v) {
-                 return b.select(b.less(v, b.number(0.5f)), b.number(0), b.number(1));
+                 return select(b, less(b, v, number(b, 0.5f)), number(b, 0), number(b, 1));
              });
          }},
         {"pow", false,
          [&](Builder &b) {
-             return trick(b, [](Builder &b, ValueId v) { return b.pow(v, b.number(2)); });
+             return trick(b, [](Builder &b, ValueId v) { return pow(b, v, number(b, 2)); });
          }},
         {"division by light", false,
          [&](Builder &b) {
-             return trick(b, [](Builder &b, ValueId v) { return b.div(b.number(1), v); });
+             return trick(b, [](Builder &b, ValueId v) { return div(b, number(b, 1), v); });
          }},
         {"if on light", false,
          [&](Builder &b) {
              return trick(b, [](Builder &b, ValueId v) {
-                 return b.ifElse(
-                     b.less(v, b.number(1)),
-                     [&] { return Values{b.unary(Op::Sin, b.input(ShaderInput::u))}; },
+                 return ifElse(
+                     b, less(b, v, number(b, 1)),
+                     [&] { return Values{unary(b, Op::Sin, input(b, ShaderInput::u))}; },
                      [&] { return Values{v}; })[0];
              });
          }},
@@ -154,27 +161,27 @@ TEST(Affine, Table) {
          [&](Builder &b) {
              Values lit = diffuse(b);
              b.setLine(trickLine);
-             return Values(colorSamples, b.add(lit[0], b.add(lit[1], lit[2])));
+             return Values(colorSamples, add(b, lit[0], add(b, lit[1], lit[2])));
          }},
         {"light scaled from turn to turn", false,
          [](Builder &b) {
              LightRequest request;
-             return b.lightLoop(b.addRequest(request), b.input3(ShaderInput::P), {},
-                                Values(colorSamples, b.number(0)),
-                                [&](const Triple &, const Values &Cl, const Values &carried) {
-                                    b.setLine(trickLine);
-                                    Values next;
-                                    for (int k = 0; k < colorSamples; ++k)
-                                        next.push_back(
-                                            b.add(b.mul(carried[k], b.number(0.5f)), Cl[k]));
-                                    return next;
-                                });
+             return lightLoop(b, addRequest(b, request), input3(b, ShaderInput::P), {},
+                              Values(colorSamples, number(b, 0)),
+                              [&](const Triple &, const Values &Cl, const Values &carried) {
+                                  b.setLine(trickLine);
+                                  Values next;
+                                  for (int k = 0; k < colorSamples; ++k)
+                                      next.push_back(
+                                          add(b, mul(b, carried[k], number(b, 0.5f)), Cl[k]));
+                                  return next;
+                              });
          }},
         {"lights counted", false,
          [](Builder &b) {
              Values count = gather(b, [&](const Triple &, ValueId) {
                  b.setLine(trickLine);
-                 return b.number(1);
+                 return number(b, 1);
              });
              return count;
          }},
@@ -193,7 +200,7 @@ TEST(Facts, MatteAndGlow) {
     EXPECT_FALSE(facts.emits);
     EXPECT_EQ(facts.cones.size(), 1u);
     SurfaceFacts glow = surfaceFacts(surface([](Builder &b) {
-        return each(matte(b), [&](ValueId v) { return b.add(v, b.number(1)); });
+        return each(matte(b), [&](ValueId v) { return add(b, v, number(b, 1)); });
     }));
     EXPECT_TRUE(glow.emits);
 }
@@ -280,9 +287,9 @@ TEST(Importance, OfPlasticHasAMirroredLobe) {
 TEST(Importance, FactorsInsideTheLoopCount) {
     Function whole = surface([](Builder &b) {
         return gather(b, [&](const Triple &L, ValueId Cl) {
-            ValueId diffuse = b.mul(b.parameter(1), b.mul(Cl, cosineNL(b, L)));
-            ValueId shine = b.pow(cosineNL(b, L), b.number(20));
-            return b.add(diffuse, b.mul(b.parameter(2), b.mul(Cl, shine)));
+            ValueId diffuse = mul(b, parameter(b, 1), mul(b, Cl, cosineNL(b, L)));
+            ValueId shine = pow(b, cosineNL(b, L), number(b, 20));
+            return add(b, diffuse, mul(b, parameter(b, 2), mul(b, Cl, shine)));
         });
     });
     EXPECT_EQ(surfaceFacts(whole).cones.size(), 2u);
@@ -306,59 +313,59 @@ TEST(Importance, ExactLobesAreTheWholeAnswer) {
         Term term;
     };
     const auto tilted = [](Builder &b, const Triple &L) {
-        return b.dot(b.normalize(b.input3(ShaderInput::P)), b.normalize(L));
+        return dot(b, normalize(b, input3(b, ShaderInput::P)), normalize(b, L));
     };
     const Case cases[] = {
         {"diffuse", true,
-         [](Builder &b, const Triple &L, ValueId Cl) { return b.mul(Cl, cosineNL(b, L)); }},
+         [](Builder &b, const Triple &L, ValueId Cl) { return mul(b, Cl, cosineNL(b, L)); }},
         {"albedo", true,
          [](Builder &b, const Triple &L, ValueId Cl) {
-             return b.mul(b.parameter(1), b.mul(Cl, cosineNL(b, L)));
+             return mul(b, parameter(b, 1), mul(b, Cl, cosineNL(b, L)));
          }},
         {"another axis, clamped", true,
          [&](Builder &b, const Triple &L, ValueId Cl) {
-             return b.mul(Cl, b.max(tilted(b, L), b.number(0)));
+             return mul(b, Cl, max(b, tilted(b, L), number(b, 0)));
          }},
         {"another axis", false,
-         [&](Builder &b, const Triple &L, ValueId Cl) { return b.mul(Cl, tilted(b, L)); }},
+         [&](Builder &b, const Triple &L, ValueId Cl) { return mul(b, Cl, tilted(b, L)); }},
         {"a power", true,
          [](Builder &b, const Triple &L, ValueId Cl) {
-             return b.mul(Cl, b.pow(b.max(cosineNL(b, L), b.number(0)), b.parameter(3)));
+             return mul(b, Cl, pow(b, max(b, cosineNL(b, L), number(b, 0)), parameter(b, 3)));
          }},
         {"a product of cosines", false,
          [&](Builder &b, const Triple &L, ValueId Cl) {
-             return b.mul(Cl, b.mul(cosineNL(b, L), b.max(tilted(b, L), b.number(0))));
+             return mul(b, Cl, mul(b, cosineNL(b, L), max(b, tilted(b, L), number(b, 0))));
          }},
         {"divided by a cosine", false,
          [](Builder &b, const Triple &L, ValueId Cl) {
-             return b.div(b.mul(Cl, cosineNL(b, L)), b.add(b.number(1), cosineNL(b, L)));
+             return div(b, mul(b, Cl, cosineNL(b, L)), add(b, number(b, 1), cosineNL(b, L)));
          }},
         {"a step", false,
          [](Builder &b, const Triple &L, ValueId Cl) {
-             return b.mul(Cl, b.mul(cosineNL(b, L), b.sqrt(cosineNL(b, L))));
+             return mul(b, Cl, mul(b, cosineNL(b, L), sqrt(b, cosineNL(b, L))));
          }},
         {"L stretched", false,
          [](Builder &b, const Triple &L, ValueId Cl) {
-             const Triple N = b.normalize(b.input3(ShaderInput::N));
-             return b.mul(Cl, b.dot(N, b.scale(b.normalize(L), b.sub(b.number(0.5f), L[0]))));
+             const Triple N = normalize(b, input3(b, ShaderInput::N));
+             return mul(b, Cl, dot(b, N, scale(b, normalize(b, L), sub(b, number(b, 0.5f), L[0]))));
          }},
     };
     for (const Case &test : cases) {
         const SurfaceFacts facts = surfaceFacts(surface([&](Builder &b) {
-            return gatherAbout(b, b.normalize(b.input3(ShaderInput::N)),
+            return gatherAbout(b, normalize(b, input3(b, ShaderInput::N)),
                                [&](const Triple &L, ValueId Cl) { return test.term(b, L, Cl); });
         }));
         ASSERT_EQ(facts.cones.size(), 1u) << test.name;
         EXPECT_EQ(facts.cones[0].exact, test.exact) << test.name;
     }
-    EXPECT_FALSE(surfaceFacts(surface([](Builder &b) { return specular(b, b.parameter(3)); }))
+    EXPECT_FALSE(surfaceFacts(surface([](Builder &b) { return specular(b, parameter(b, 3)); }))
                      .cones[0]
                      .exact);
 }
 
 TEST(LightRule, GivesLoopsOnlyToThoseWithout) {
     Function flat = surface([](Builder &b) {
-        return each(b.ambient(), [&](ValueId v) { return b.mul(b.parameter(0), v); });
+        return each(ambient(b), [&](ValueId v) { return mul(b, parameter(b, 0), v); });
     });
     EXPECT_FALSE(surfaceFacts(applyLightRule(flat, LightRule::Classic)).hasLoops);
     Function gathering = applyLightRule(flat, LightRule::Path);
@@ -372,9 +379,9 @@ TEST(LightRule, GivesLoopsOnlyToThoseWithout) {
 
 TEST(Fold, SteeringParametersVanish) {
     Function whole = surface([](Builder &b) {
-        Values shine = b.ifElse(
-            b.less(b.number(0), b.parameter(2)), [&] { return specular(b, b.parameter(3)); },
-            [&] { return Values(colorSamples, b.number(0)); });
+        Values shine = ifElse(
+            b, less(b, number(b, 0), parameter(b, 2)), [&] { return specular(b, parameter(b, 3)); },
+            [&] { return Values(colorSamples, number(b, 0)); });
         return shine;
     });
     EXPECT_EQ(steeringParameters(whole), std::vector<int>{2});
@@ -386,15 +393,15 @@ TEST(Fold, SteeringParametersVanish) {
 
 TEST(Fold, UnrollsLoopsThatAskForLight) {
     Function whole = surface([](Builder &b) {
-        Values initial{b.boolean(true), b.number(0)};
+        Values initial{boolean(b, true), number(b, 0)};
         for (int k = 0; k < colorSamples; ++k)
-            initial.push_back(b.number(0));
-        Values end = b.loop(initial, [&](const Values &carried) {
+            initial.push_back(number(b, 0));
+        Values end = loop(b, initial, [&](const Values &carried) {
             Values lit = diffuse(b);
-            ValueId next = b.add(carried[1], b.number(1));
-            Values yields{b.less(next, b.parameter(0)), next};
+            ValueId next = add(b, carried[1], number(b, 1));
+            Values yields{less(b, next, parameter(b, 0)), next};
             for (int k = 0; k < colorSamples; ++k)
-                yields.push_back(b.add(carried[2 + k], lit[k]));
+                yields.push_back(add(b, carried[2 + k], lit[k]));
             return yields;
         });
         return Values(end.begin() + 2, end.end());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Folding of instance parameters into a text.
+#include "language/ir/builder_effects.h"
 #include "language/ir/dead_code.h"
 #include "language/ir/plan.h"
 #include "language/ir/questions.h"
@@ -37,13 +38,13 @@ Function fold(const Function &whole, const std::vector<FoldedValue> &values) {
     result.outputs = text.outputs;
     result.requests.clear();
     Builder b(result);
-    Telling telling;
-    telling.prints = telling.unrolls = telling.renumbers = true;
-    Specializer teller(text, dependence, b, {{Hypothesis::Light::Given, true, nullptr}}, telling);
-    teller.run();
+    SpecializationOptions options;
+    options.prints = options.unrolls = options.renumbers = true;
+    SpecializedText specialized =
+        specialize(text, dependence, b, {{Assumption::Light::Given, true, nullptr}}, options);
     for (const OutputSlot &slot : text.outputs)
-        if (auto v = teller.output(0, slot.name, slot.component))
-            b.output(slot.name, slot.component, *v);
+        if (auto v = specialized.output(0, slot.name, slot.component))
+            output(b, slot.name, slot.component, *v);
     b.finish();
     removeDeadCode(result);
     return result;

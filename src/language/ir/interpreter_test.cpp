@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "language/ir/builder_arithmetic.h"
+#include "language/ir/builder_control.h"
+#include "language/ir/builder_effects.h"
+#include "language/ir/builder_light.h"
+#include "language/ir/builder_sources.h"
+#include "language/ir/builder_vectors.h"
 #include "language/ir/interpreter.h"
 
 #include "language/ir/builder.h"
@@ -11,8 +17,6 @@
 namespace candela::ir {
 namespace {
 
-using Values = Builder::Values;
-
 /// Sum over light of Cl (N.L), unnormalised.
 Function lightSum(ConeForm form, const Values &extra, int category = -1) {
     Function function;
@@ -22,19 +26,19 @@ Function lightSum(ConeForm form, const Values &extra, int category = -1) {
     request.form = form;
     request.coneCount = form == ConeForm::Everywhere ? 0 : 1;
     request.category = category;
-    int number = b.addRequest(request);
+    int index = addRequest(b, request);
     Values cones;
     if (form != ConeForm::Everywhere)
-        for (ValueId v : b.input3(ShaderInput::N))
+        for (ValueId v : input3(b, ShaderInput::N))
             cones.push_back(v);
     for (ValueId v : extra)
-        cones.push_back(b.number(float(v)));
-    auto sum = b.lightLoop(number, b.input3(ShaderInput::P), cones, {b.number(0)},
-                           [&](const Triple &L, const Values &Cl, const Values &carried) {
-                               ValueId cosine = b.dot(b.input3(ShaderInput::N), L);
-                               return Values{b.add(carried[0], b.mul(Cl[0], cosine))};
-                           });
-    b.output("Ci", 0, sum[0]);
+        cones.push_back(number(b, float(v)));
+    auto sum = lightLoop(b, index, input3(b, ShaderInput::P), cones, {number(b, 0)},
+                         [&](const Triple &L, const Values &Cl, const Values &carried) {
+                             ValueId cosine = dot(b, input3(b, ShaderInput::N), L);
+                             return Values{add(b, carried[0], mul(b, Cl[0], cosine))};
+                         });
+    output(b, "Ci", 0, sum[0]);
     b.finish();
     EXPECT_EQ(verify(function), "");
     return function;
@@ -44,7 +48,7 @@ float cosineNL(const TestBatch &batch, int lane, int row) {
     float sum = 0;
     for (int c = 0; c < 3; ++c)
         sum += batch.inputs[int(ShaderInput::N) + c][lane] *
-               batch.sampleL[c][row * batch.padded() + lane];
+               batch.samples.L[c][row * batch.padded() + lane];
     return sum;
 }
 
@@ -56,7 +60,7 @@ TEST(Interpreter, SumsLightOverSamples) {
     for (int i = 0; i < batch.count; ++i) {
         float expected = 0;
         for (int s = 0; s < 3; ++s)
-            expected += batch.sampleCl[0][s * batch.padded() + i] * cosineNL(batch, i, s);
+            expected += batch.samples.Cl[0][s * batch.padded() + i] * cosineNL(batch, i, s);
         EXPECT_FLOAT_EQ(out[0][i], expected);
     }
     EXPECT_EQ(out[0][21], 0) << "padding is left alone";
@@ -72,7 +76,7 @@ TEST(Interpreter, ClassicLoopsCullOutsideTheirCone) {
         float NN = 0, LL = 0;
         for (int c = 0; c < 3; ++c) {
             NN += std::pow(batch.inputs[int(ShaderInput::N) + c][i], 2.0f);
-            LL += std::pow(batch.sampleL[c][i], 2.0f);
+            LL += std::pow(batch.samples.L[c][i], 2.0f);
         }
         bool accepted = cosineNL(batch, i, 0) / std::sqrt(NN * LL) >= std::cos(1.0f);
         inside += accepted;
@@ -86,11 +90,11 @@ TEST(Interpreter, CategoriesAndMasks) {
     Function function = lightSum(ConeForm::Everywhere, {}, 0);
     TestBatch batch(function, 32, 5);
     batch.setSamples(1, 6);
-    batch.lightCount = 1;
-    batch.categoryAccepts = {0, 1}; // Light 1 speaks, indirect light does not.
-    batch.sampleLight.assign(batch.padded(), 0);
+    batch.samples.lightCount = 1;
+    batch.samples.categoryAccepts = {0, 1}; // Light 1 speaks, indirect light does not.
+    batch.samples.light.assign(batch.padded(), 0);
     for (int i = 0; i < 32; i += 2)
-        batch.sampleLight[i] = 1;
+        batch.samples.light[i] = 1;
     batch.active = {0xffff, 0x00ff};
     auto out = batch.run(function, interpret, 7);
     for (int i = 0; i < 32; ++i) {
@@ -105,13 +109,13 @@ TEST(Interpreter, DeltaRequestsTakeTheirAnswer) {
     Function function = lightSum(ConeForm::Extended, {0, 1, 1}); // Angle 0.
     TestBatch batch(function, 16, 7);
     batch.setSamples(2, 8);
-    batch.useAnswers = true;
+    batch.answers.givesTraced = true;
     auto out = batch.run(function, interpret);
     for (int i = 0; i < 16; ++i) {
         float NN = 0;
         for (int c = 0; c < 3; ++c)
             NN += std::pow(batch.inputs[int(ShaderInput::N) + c][i], 2.0f);
-        EXPECT_FLOAT_EQ(out[0][i], batch.answers[0][i] * NN);
+        EXPECT_FLOAT_EQ(out[0][i], batch.answers.traced[0][i] * NN);
     }
 }
 
@@ -119,19 +123,19 @@ TEST(Interpreter, LoopsArraysFramesAndPrinting) {
     Function function;
     function.frameSlots = 2;
     Builder b(function);
-    int array = b.addArray(Type::Float, 4);
-    auto truth = b.boolean(true);
-    auto result = b.loop({truth, b.number(0)}, [&](const Values &carried) {
-        ValueId index = b.unary(Op::IntegerFromFloat, carried[1]);
-        b.arrayStore(array, index, b.mul(carried[1], carried[1]));
-        ValueId next = b.add(carried[1], b.number(1));
-        return Values{b.less(next, b.number(6)), next};
+    int array = addArray(b, Type::Float, 4);
+    auto truth = boolean(b, true);
+    auto result = loop(b, {truth, number(b, 0)}, [&](const Values &carried) {
+        ValueId index = unary(b, Op::IntegerFromFloat, carried[1]);
+        arrayStore(b, array, index, mul(b, carried[1], carried[1]));
+        ValueId next = add(b, carried[1], number(b, 1));
+        return Values{less(b, next, number(b, 6)), next};
     });
-    b.emit(Op::FrameStore, {b.less(b.number(0), b.input(ShaderInput::u))}, 1);
-    b.output("a", 0, b.arrayLoad(array, b.integer(2)));
-    b.output("last", 0, b.arrayLoad(array, b.integer(99)));
-    b.output("n", 0, result[1]);
-    b.printValues("n = %f, %c!", {result[1], b.number(1), b.number(2), b.number(3)});
+    b.emit(Op::FrameStore, {less(b, number(b, 0), input(b, ShaderInput::u))}, 1);
+    output(b, "a", 0, arrayLoad(b, array, integer(b, 2)));
+    output(b, "last", 0, arrayLoad(b, array, integer(b, 99)));
+    output(b, "n", 0, result[1]);
+    printValues(b, "n = %f, %c!", {result[1], number(b, 1), number(b, 2), number(b, 3)});
     b.finish();
     ASSERT_EQ(verify(function), "") << print(function);
     TestBatch batch(function, 17, 9);
@@ -155,8 +159,8 @@ TEST(Interpreter, LoopsArraysFramesAndPrinting) {
 TEST(Interpreter, RandomNumbersDifferByCallAndSeed) {
     Function function;
     Builder b(function);
-    b.output("r", 0, b.random());
-    b.output("r", 1, b.random());
+    output(b, "r", 0, random(b));
+    output(b, "r", 1, random(b));
     b.finish();
     TestBatch batch(function, 1000, 10);
     auto out = batch.run(function, interpret);

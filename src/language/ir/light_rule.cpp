@@ -2,6 +2,10 @@
 // All light, exactly once (DESIGN section 4).
 #include "foundation/units/color.h"
 #include "language/ir/builder.h"
+#include "language/ir/builder_arithmetic.h"
+#include "language/ir/builder_light.h"
+#include "language/ir/builder_sources.h"
+#include "language/ir/builder_vectors.h"
 #include "language/ir/questions.h"
 
 #include <iterator>
@@ -26,28 +30,27 @@ void note(const Region &region, Asks &asks) {
 }
 
 /// The sum over all light of Cl (N.L), on the side that is seen.
-Builder::Values gatheredLight(Builder &b) {
+Values gatheredLight(Builder &b) {
     LightRequest request;
     request.form = ConeForm::Classic;
     request.coneCount = 1;
-    Triple N = b.normalize(b.input3(ShaderInput::N));
-    N = b.faceforward(N, b.input3(ShaderInput::I), N);
-    Builder::Values cone(N.begin(), N.end());
-    cone.push_back(b.number(std::numbers::pi_v<float> / 2));
-    return b.lightLoop(
-        b.addRequest(request), b.input3(ShaderInput::P), cone,
-        Builder::Values(colorSamples, b.number(0)),
-        [&](const Triple &L, const Builder::Values &Cl, const Builder::Values &carried) {
-            ValueId cosine = b.dot(N, b.normalize(L));
-            Builder::Values sum;
-            for (int k = 0; k < colorSamples; ++k)
-                sum.push_back(b.add(carried[k], b.mul(Cl[k], cosine)));
-            return sum;
-        });
+    Triple N = normalize(b, input3(b, ShaderInput::N));
+    N = faceforward(b, N, input3(b, ShaderInput::I), N);
+    Values cone(N.begin(), N.end());
+    cone.push_back(number(b, std::numbers::pi_v<float> / 2));
+    return lightLoop(b, addRequest(b, request), input3(b, ShaderInput::P), cone,
+                     Values(colorSamples, number(b, 0)),
+                     [&](const Triple &L, const Values &Cl, const Values &carried) {
+                         ValueId cosine = dot(b, N, normalize(b, L));
+                         Values sum;
+                         for (int k = 0; k < colorSamples; ++k)
+                             sum.push_back(add(b, carried[k], mul(b, Cl[k], cosine)));
+                         return sum;
+                     });
 }
 
 /// After each `op`, adds `more` to what it gives.
-void addTo(Op op, const Builder::Values &more, Function &function, Region &region) {
+void addTo(Op op, const Values &more, Function &function, Region &region) {
     std::vector<Instruction> body;
     for (Instruction &i : region.body) {
         for (Region &inner : i.regions)
@@ -76,10 +79,10 @@ Function applyLightRule(const Function &whole, LightRule rule) {
     Region text = std::move(result.body);
     result.body = {};
     Builder b(result);
-    Builder::Values light = gatheredLight(b);
+    Values light = gatheredLight(b);
     if (asks.irradiance)
         for (ValueId &v : light)
-            v = b.mul(v, b.number(std::numbers::pi_v<float>));
+            v = mul(b, v, number(b, std::numbers::pi_v<float>));
     addTo(asks.irradiance ? Op::Irradiance : Op::Ambient, light, result, text);
     std::move(text.body.begin(), text.body.end(), std::back_inserter(result.body.body));
     b.finish();

@@ -1,30 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
-// Calls of built-in functions: each subject has a file of its own; here they are brought together.
-#include "language/ir/lower_internal.h"
+#include "language/ir/lower_builtins.h"
+
+#include "language/ir/lower_expression.h"
+#include "language/ir/lower_targets.h"
 
 namespace candela::ir {
 
 std::string BuiltinCall::text(size_t i, const char *what) const {
-    return lowering.requiredText(arguments[i][0], expr.operands[i]->where, what);
+    return requiredText(lowering, arguments[i][0], expr.operands[i]->where, what);
 }
 
 void BuiltinCall::assign(size_t i, const Components &value) const {
     const sl::Expr &target = *expr.operands[i];
-    lowering.store(lowering.resolve(target), value, target.where);
+    store(lowering, resolve(lowering, target), value, target.where);
 }
 
-Components Lowering::builtin(const sl::Expr &expr) {
-    BuiltinCall call{*this, b, expr, {}};
+Components builtin(Lowering &lowering, const sl::Expr &expr) {
+    BuiltinCall call{lowering, lowering.b, expr, {}};
     for (const sl::ExprPtr &operand : expr.operands)
-        call.arguments.push_back(evaluate(*operand));
+        call.arguments.push_back(evaluate(lowering, *operand));
     for (const auto subject :
          {mathsBuiltin, geometryBuiltin, spaceBuiltin, colorBuiltin, matrixBuiltin, noiseBuiltin,
           splineBuiltin, lightBuiltin, derivativeBuiltin, textBuiltin})
         if (const BuiltinLowering lowered = subject(call.id()))
             return lowered(call);
-    error(expr.where, std::string(expr.overload->function->name) +
-                          "() is part of the language, but this renderer does not have it yet");
-    return zero(expr.overload->result);
+    lowering.messages.error(
+        expr.where, std::string(expr.overload->function->name) +
+                        "() is part of the language, but this renderer does not have it yet");
+    return zero(lowering.b, expr.overload->result);
 }
 
 } // namespace candela::ir

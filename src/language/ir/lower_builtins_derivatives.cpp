@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Du(), Dv(), Deriv(), area() and calculatenormal().
-#include "language/ir/lower_internal.h"
+#include "language/ir/builder_arithmetic.h"
+#include "language/ir/builder_sources.h"
+#include "language/ir/builder_vectors.h"
+#include "language/ir/lower_builtins.h"
+#include "language/ir/lower_derivatives.h"
 
 namespace candela::ir {
 namespace {
@@ -15,34 +19,34 @@ Components Deriv(BuiltinCall &call) {
     for (int direction : {derivativeByU, derivativeByV}) {
         const Components x = derivative(b, call.arguments[0], direction);
         const ValueId by = derivative(b, call.arguments[1], direction)[0];
-        const ValueId still = b.equal(by, b.number(0));
+        const ValueId still = equal(b, by, number(b, 0));
         for (size_t c = 0; c < x.size(); ++c) {
-            const ValueId share = b.select(still, b.number(0), b.div(x[c], by));
+            const ValueId share = select(b, still, number(b, 0), div(b, x[c], by));
             if (direction == derivativeByU)
                 result.push_back(share);
             else
-                result[c] = b.add(result[c], share);
+                result[c] = add(b, result[c], share);
         }
     }
     return result;
 }
 
 Triple sweep(BuiltinCall &call) {
-    return call.b.cross(tripleOf(derivative(call.b, call.arguments[0], derivativeByU)),
-                        tripleOf(derivative(call.b, call.arguments[0], derivativeByV)));
+    return cross(call.b, tripleOf(derivative(call.b, call.arguments[0], derivativeByU)),
+                 tripleOf(derivative(call.b, call.arguments[0], derivativeByV)));
 }
 
 /// |Du(p) du ^ Dv(p) dv|. The strategy ("shading" or "dicing") makes no difference here: du and dv
 /// are those of the point that is shaded.
 Components area(BuiltinCall &call) {
     Builder &b = call.b;
-    const ValueId extent = b.mul(b.input(ShaderInput::du), b.input(ShaderInput::dv));
-    return {b.mul(b.length(sweep(call)), b.unary(Op::Abs, extent))};
+    const ValueId extent = mul(b, input(b, ShaderInput::du), input(b, ShaderInput::dv));
+    return {mul(b, length(b, sweep(call)), unary(b, Op::Abs, extent))};
 }
 
 /// Du(p) ^ Dv(p), on the side of the surface that its normals are on.
 Components calculatenormal(BuiltinCall &call) {
-    return componentsOf(call.b.scale(sweep(call), call.b.input(ShaderInput::orientation)));
+    return componentsOf(scale(call.b, sweep(call), input(call.b, ShaderInput::orientation)));
 }
 
 } // namespace

@@ -2,7 +2,11 @@
 // diffuse(), specular() and phong() are light loops that the lowering writes (RI 3.1 section 15.6);
 // trace(), ambient() and irradiance() ask the renderer.
 #include "foundation/units/color.h"
-#include "language/ir/lower_internal.h"
+#include "language/ir/builder_arithmetic.h"
+#include "language/ir/builder_light.h"
+#include "language/ir/builder_sources.h"
+#include "language/ir/builder_vectors.h"
+#include "language/ir/lower_builtins.h"
 
 #include <numbers>
 
@@ -17,38 +21,38 @@ Components gather(BuiltinCall &call, const Triple &normal, const char *category,
     request.kind = LightRequest::Kind::Loop;
     request.form = ConeForm::Classic;
     request.coneCount = 1;
-    request.category = b.category(category);
+    request.category = categoryIndex(b, category);
     request.line = b.line();
     Components cone = componentsOf(normal);
-    cone.push_back(b.number(std::numbers::pi_v<float> / 2));
-    return b.lightLoop(b.addRequest(request),
-                       tripleOf(call.lowering.predefined(sl::PredefinedId::P)), cone,
-                       Components(colorSamples, b.number(0)),
-                       [&](const Triple &L, const Components &Cl, const Components &carried) {
-                           const ValueId weight = factor(b.normalize(L));
-                           Components sum;
-                           for (int c = 0; c < colorSamples; ++c)
-                               sum.push_back(b.add(carried[c], b.mul(Cl[c], weight)));
-                           return sum;
-                       });
+    cone.push_back(number(b, std::numbers::pi_v<float> / 2));
+    return lightLoop(b, addRequest(b, request),
+                     tripleOf(call.lowering.variables.load(sl::PredefinedId::P)), cone,
+                     Components(colorSamples, number(b, 0)),
+                     [&](const Triple &L, const Components &Cl, const Components &carried) {
+                         const ValueId weight = factor(normalize(b, L));
+                         Components sum;
+                         for (int c = 0; c < colorSamples; ++c)
+                             sum.push_back(add(b, carried[c], mul(b, Cl[c], weight)));
+                         return sum;
+                     });
 }
 
 Components diffuse(BuiltinCall &call) {
     Builder &b = call.b;
-    const Triple normal = b.normalize(call.triple(0));
-    return gather(call, normal, "!diffuse", [&](const Triple &L) { return b.dot(L, normal); });
+    const Triple normal = normalize(b, call.triple(0));
+    return gather(call, normal, "!diffuse", [&](const Triple &L) { return dot(b, L, normal); });
 }
 
 /// max(0, N.H)^(1/roughness), with unit vectors.
 ValueId highlight(Builder &b, const Triple &L, const Triple &N, const Triple &V,
                   ValueId roughness) {
-    const Triple half = b.normalize(b.add(L, V));
-    return b.pow(b.max(b.dot(N, half), b.number(0)), b.div(b.number(1), roughness));
+    const Triple half = normalize(b, add(b, L, V));
+    return pow(b, max(b, dot(b, N, half), number(b, 0)), div(b, number(b, 1), roughness));
 }
 
 Components specular(BuiltinCall &call) {
     Builder &b = call.b;
-    const Triple normal = b.normalize(call.triple(0)), view = b.normalize(call.triple(1));
+    const Triple normal = normalize(b, call.triple(0)), view = normalize(b, call.triple(1));
     return gather(call, normal, "!specular",
                   [&](const Triple &L) { return highlight(b, L, normal, view, call.number(2)); });
 }
@@ -56,16 +60,16 @@ Components specular(BuiltinCall &call) {
 Components specularbrdf(BuiltinCall &call) {
     Builder &b = call.b;
     return Components(colorSamples,
-                      highlight(b, b.normalize(call.triple(0)), b.normalize(call.triple(1)),
-                                b.normalize(call.triple(2)), call.number(3)));
+                      highlight(b, normalize(b, call.triple(0)), normalize(b, call.triple(1)),
+                                normalize(b, call.triple(2)), call.number(3)));
 }
 
 Components phong(BuiltinCall &call) {
     Builder &b = call.b;
-    const Triple normal = b.normalize(call.triple(0)), view = b.normalize(call.triple(1));
-    const Triple mirror = b.reflect(b.neg(view), normal);
+    const Triple normal = normalize(b, call.triple(0)), view = normalize(b, call.triple(1));
+    const Triple mirror = reflect(b, neg(b, view), normal);
     return gather(call, normal, "!specular", [&](const Triple &L) {
-        return b.pow(b.max(b.dot(mirror, L), b.number(0)), call.number(2));
+        return pow(b, max(b, dot(b, mirror, L), number(b, 0)), call.number(2));
     });
 }
 
@@ -73,13 +77,13 @@ Components trace(BuiltinCall &call) {
     LightRequest request;
     request.kind = LightRequest::Kind::Trace;
     request.line = call.b.line();
-    return call.b.trace(call.b.addRequest(request), call.triple(0), call.triple(1));
+    return trace(call.b, addRequest(call.b, request), call.triple(0), call.triple(1));
 }
 
-Components ambient(BuiltinCall &call) { return call.b.ambient(); }
+Components ambient(BuiltinCall &call) { return ambient(call.b); }
 
 Components irradiance(BuiltinCall &call) {
-    return call.b.irradiance(call.triple(0), call.triple(1));
+    return irradiance(call.b, call.triple(0), call.triple(1));
 }
 
 } // namespace

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "language/ir/lower_internal.h"
+#include "language/ir/builder_arithmetic.h"
+#include "language/ir/builder_sources.h"
+#include "language/ir/lower_builtins.h"
 
 #include <numbers>
 
@@ -17,98 +19,100 @@ Components map(const Components &x, const Components &y, Operation operation) {
     return result;
 }
 
-template <Op op> Components unary(BuiltinCall &call) { return {call.b.unary(op, call.number(0))}; }
+template <Op op> Components unary(BuiltinCall &call) { return {unary(call.b, op, call.number(0))}; }
 
 Components radians(BuiltinCall &call) {
-    return {call.b.mul(call.number(0), call.b.number(pi / 180))};
+    return {mul(call.b, call.number(0), number(call.b, pi / 180))};
 }
 
 Components degrees(BuiltinCall &call) {
-    return {call.b.mul(call.number(0), call.b.number(180 / pi))};
+    return {mul(call.b, call.number(0), number(call.b, 180 / pi))};
 }
 
 Components atan(BuiltinCall &call) {
     if (call.count() == 1)
         return unary<Op::Atan>(call);
-    return {call.b.binary(Op::Atan2, call.number(0), call.number(1))};
+    return {binary(call.b, Op::Atan2, call.number(0), call.number(1))};
 }
 
-Components pow(BuiltinCall &call) { return {call.b.pow(call.number(0), call.number(1))}; }
+Components pow(BuiltinCall &call) { return {pow(call.b, call.number(0), call.number(1))}; }
 
 Components inversesqrt(BuiltinCall &call) {
-    return {call.b.div(call.b.number(1), call.b.sqrt(call.number(0)))};
+    return {div(call.b, number(call.b, 1), sqrt(call.b, call.number(0)))};
 }
 
 Components log(BuiltinCall &call) {
-    const ValueId natural = call.b.unary(Op::Log, call.number(0));
+    const ValueId natural = unary(call.b, Op::Log, call.number(0));
     if (call.count() == 1)
         return {natural};
-    return {call.b.div(natural, call.b.unary(Op::Log, call.number(1)))};
+    return {div(call.b, natural, unary(call.b, Op::Log, call.number(1)))};
 }
 
 Components mod(BuiltinCall &call) {
     Builder &b = call.b;
     const ValueId x = call.number(0), period = call.number(1);
-    return {b.sub(x, b.mul(period, b.unary(Op::Floor, b.div(x, period))))};
+    return {sub(b, x, mul(b, period, unary(b, Op::Floor, div(b, x, period))))};
 }
 
 Components sign(BuiltinCall &call) {
     Builder &b = call.b;
-    const ValueId x = call.number(0), zero = b.number(0);
-    return {b.select(b.less(x, zero), b.number(-1), b.unary(Op::FloatFromBool, b.less(zero, x)))};
+    const ValueId x = call.number(0), zero = number(b, 0);
+    return {
+        select(b, less(b, x, zero), number(b, -1), unary(b, Op::FloatFromBool, less(b, zero, x)))};
 }
 
 /// Halves go away from zero.
 Components round(BuiltinCall &call) {
     Builder &b = call.b;
     const ValueId x = call.number(0);
-    const ValueId size = b.unary(Op::Round, b.unary(Op::Abs, x));
-    return {b.select(b.less(x, b.number(0)), b.neg(size), size)};
+    const ValueId size = unary(b, Op::Round, unary(b, Op::Abs, x));
+    return {select(b, less(b, x, number(b, 0)), neg(b, size), size)};
 }
 
 template <Op op> Components extreme(BuiltinCall &call) {
     Components result = call.arguments[0];
     for (size_t i = 1; i < call.count(); ++i)
         result = map(result, call.arguments[i],
-                     [&](ValueId x, ValueId y) { return call.b.binary(op, x, y); });
+                     [&](ValueId x, ValueId y) { return binary(call.b, op, x, y); });
     return result;
 }
 
 Components clamp(BuiltinCall &call) {
     Builder &b = call.b;
     const Components atLeast = map(call.arguments[0], call.arguments[1],
-                                   [&](ValueId x, ValueId low) { return b.max(x, low); });
-    return map(atLeast, call.arguments[2], [&](ValueId x, ValueId high) { return b.min(x, high); });
+                                   [&](ValueId x, ValueId low) { return max(b, x, low); });
+    return map(atLeast, call.arguments[2],
+               [&](ValueId x, ValueId high) { return min(b, x, high); });
 }
 
 Components step(BuiltinCall &call) {
     Builder &b = call.b;
-    return {b.select(b.less(call.number(1), call.number(0)), b.number(0), b.number(1))};
+    return {select(b, less(b, call.number(1), call.number(0)), number(b, 0), number(b, 1))};
 }
 
 Components smoothstep(BuiltinCall &call) {
     Builder &b = call.b;
     const ValueId low = call.number(0), high = call.number(1), x = call.number(2);
-    const ValueId t = b.div(b.sub(x, low), b.sub(high, low));
-    const ValueId cubic = b.mul(b.mul(t, t), b.sub(b.number(3), b.mul(b.number(2), t)));
-    const ValueId upper = b.select(b.lessEqual(high, x), b.number(1), cubic);
-    return {b.select(b.less(x, low), b.number(0), upper)};
+    const ValueId t = div(b, sub(b, x, low), sub(b, high, low));
+    const ValueId cubic = mul(b, mul(b, t, t), sub(b, number(b, 3), mul(b, number(b, 2), t)));
+    const ValueId upper = select(b, lessEqual(b, high, x), number(b, 1), cubic);
+    return {select(b, less(b, x, low), number(b, 0), upper)};
 }
 
 Components mix(BuiltinCall &call) {
     Builder &b = call.b;
     const Components &alpha = call.arguments[2];
-    const auto times = [&](ValueId x, ValueId y) { return b.mul(x, y); };
+    const auto times = [&](ValueId x, ValueId y) { return mul(b, x, y); };
     const Components rest =
-        map({b.number(1)}, alpha, [&](ValueId one, ValueId a) { return b.sub(one, a); });
+        map({number(b, 1)}, alpha, [&](ValueId one, ValueId a) { return sub(b, one, a); });
     return map(map(call.arguments[0], rest, times), map(call.arguments[1], alpha, times),
-               [&](ValueId x, ValueId y) { return b.add(x, y); });
+               [&](ValueId x, ValueId y) { return add(b, x, y); });
 }
 
 Components random(BuiltinCall &call) {
     Components result;
     for (int i = 0; i < componentCount(call.result()); ++i)
-        result.push_back(call.b.random());
+        result.push_back(random(call.b));
     return result;
 }
 

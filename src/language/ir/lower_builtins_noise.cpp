@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // noise(), pnoise() and cellnoise(): calls of the runtime's lattice functions.
-#include "language/ir/lower_internal.h"
+#include "language/ir/builder_arithmetic.h"
+#include "language/ir/lower_builtins.h"
 #include "language/runtime/runtime_functions.h"
 
 namespace candela::ir {
@@ -15,7 +16,7 @@ Components lattice(BuiltinCall &call, RuntimeFunction ofNumber, RuntimeFunction 
     for (const Components &argument : call.arguments)
         coordinates.insert(coordinates.end(), argument.begin(), argument.end());
     const auto first = call.result() == sl::BaseType::Float ? ofNumber : ofTriple;
-    return call.b.call(int(first) + dimensions - 1, coordinates);
+    return callRuntime(call.b, int(first) + dimensions - 1, coordinates);
 }
 
 int coordinatesOf(const BuiltinCall &call) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // spline([basis,] x, knots): a cubic through or near values at even steps (RI 3.2 section 15.1).
-#include "language/ir/lower_internal.h"
+#include "language/ir/builder_arithmetic.h"
+#include "language/ir/builder_sources.h"
+#include "language/ir/lower_builtins.h"
 #include "language/semantics/spellings.h"
 
 #include <algorithm>
@@ -47,18 +49,18 @@ const Basis *findBasis(const std::string &name) {
 ValueId pick(Builder &b, const Components &values, ValueId index) {
     ValueId result = values.back();
     for (int i = int(values.size()) - 2; i >= 0; --i)
-        result = b.select(b.less(index, b.number(float(i) + 0.5f)), values[i], result);
+        result = select(b, less(b, index, number(b, float(i) + 0.5f)), values[i], result);
     return result;
 }
 
 ValueId polynomial(Builder &b, const float (&coefficients)[4], ValueId t) {
-    ValueId sum = b.number(coefficients[0]);
+    ValueId sum = number(b, coefficients[0]);
     bool started = coefficients[0] != 0;
     for (int i = 1; i < 4; ++i) {
         if (started)
-            sum = b.mul(sum, t);
+            sum = mul(b, sum, t);
         if (coefficients[i] != 0) {
-            sum = started ? b.add(sum, b.number(coefficients[i])) : b.number(coefficients[i]);
+            sum = started ? add(b, sum, number(b, coefficients[i])) : number(b, coefficients[i]);
             started = true;
         }
     }
@@ -76,8 +78,8 @@ ValueId curve(Builder &b, const Basis &basis, const Components &knots, ValueId s
         Components choices;
         for (int s = 0; s < segments; ++s)
             choices.push_back(knots[s * basis.step + k]);
-        const ValueId term = b.mul(polynomial(b, weights, t), pick(b, choices, segment));
-        sum = sum ? b.add(*sum, term) : term;
+        const ValueId term = mul(b, polynomial(b, weights, t), pick(b, choices, segment));
+        sum = sum ? add(b, *sum, term) : term;
     }
     return *sum;
 }
@@ -87,12 +89,12 @@ Components spline(BuiltinCall &call) {
     const int first = call.isText(0) ? 1 : 0;
     const std::string name = first ? call.text(0, "the basis of a spline") : "catmull-rom";
     const size_t width = size_t(componentCount(call.result()));
-    const Components none(width, b.number(0));
+    const Components none(width, number(b, 0));
     const Basis *basis = findBasis(name);
     if (!basis) {
-        call.lowering.error(call.expr.operands[0]->where, "there is no spline basis \"" + name +
-                                                              "\"; expected " +
-                                                              sl::splineBasisNames);
+        call.lowering.messages.error(call.expr.operands[0]->where, "there is no spline basis \"" +
+                                                                       name + "\"; expected " +
+                                                                       sl::splineBasisNames);
         return none;
     }
     Components values;
@@ -100,17 +102,17 @@ Components spline(BuiltinCall &call) {
         values.insert(values.end(), call.arguments[i].begin(), call.arguments[i].end());
     const int knots = int(values.size() / width);
     if (knots < 4 || (knots - 4) % basis->step != 0) {
-        call.lowering.error(call.expr.where, "a " + name + " spline takes 4 knots, or " +
-                                                 std::to_string(basis->step) +
-                                                 " more for each further segment; " +
-                                                 std::to_string(knots) + " are given");
+        call.lowering.messages.error(call.expr.where, "a " + name + " spline takes 4 knots, or " +
+                                                          std::to_string(basis->step) +
+                                                          " more for each further segment; " +
+                                                          std::to_string(knots) + " are given");
         return none;
     }
     const int segments = (knots - 4) / basis->step + 1;
-    const ValueId x = b.min(b.max(call.number(size_t(first)), b.number(0)), b.number(1));
-    const ValueId scaled = b.mul(x, b.number(float(segments)));
-    const ValueId segment = b.min(b.unary(Op::Floor, scaled), b.number(float(segments - 1)));
-    const ValueId t = b.sub(scaled, segment);
+    const ValueId x = min(b, max(b, call.number(size_t(first)), number(b, 0)), number(b, 1));
+    const ValueId scaled = mul(b, x, number(b, float(segments)));
+    const ValueId segment = min(b, unary(b, Op::Floor, scaled), number(b, float(segments - 1)));
+    const ValueId t = sub(b, scaled, segment);
     Components result;
     for (size_t c = 0; c < width; ++c) {
         Components ofComponent;

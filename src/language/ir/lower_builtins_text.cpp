@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Strings are known when a shader is compiled: concat(), format() and match() are computed here.
 // printf() keeps its numbers for run time.
-#include "language/ir/lower_internal.h"
+#include "language/ir/builder_effects.h"
+#include "language/ir/builder_sources.h"
+#include "language/ir/lower_builtins.h"
 #include "language/ir/print_format.h"
 #include "language/ir/regular_expression.h"
 #include "language/semantics/print_pattern.h"
@@ -29,9 +31,10 @@ bool isGiven(BuiltinCall &call, const sl::PrintPiece &piece, size_t argument) {
         return true;
     const std::string given =
         missing ? "nothing" : "a " + sl::shapeOf(call.expr.operands[argument]->type);
-    call.lowering.error(call.expr.where, piece.conversion() + " is given " + given +
-                                             "; %f, %g and %d print a float, %c a color, %p a "
-                                             "point, %m a matrix, %s a string");
+    call.lowering.messages.error(call.expr.where,
+                                 piece.conversion() + " is given " + given +
+                                     "; %f, %g and %d print a float, %c a color, %p a "
+                                     "point, %m a matrix, %s a string");
     return false;
 }
 
@@ -46,7 +49,7 @@ std::optional<Expansion> expand(BuiltinCall &call) {
         if (!isGiven(call, piece, next))
             return std::nullopt;
         const Components &argument = call.arguments[next++];
-        if (const std::string *known = call.b.constantText(argument[0])) {
+        if (const std::string *known = constantText(call.b, argument[0])) {
             result.pattern += escaped(formatPrint(piece.conversion(), {{0, known}}));
             continue;
         }
@@ -58,42 +61,44 @@ std::optional<Expansion> expand(BuiltinCall &call) {
 
 Components printf(BuiltinCall &call) {
     if (const auto expansion = expand(call))
-        call.b.printValues(expansion->pattern, expansion->values);
+        printValues(call.b, expansion->pattern, expansion->values);
     return {};
 }
 
 Components format(BuiltinCall &call) {
     const auto expansion = expand(call);
     if (!expansion)
-        return {call.b.text("")};
+        return {text(call.b, "")};
     std::vector<PrintArgument> arguments;
     for (ValueId value : expansion->values) {
-        const float *known = call.b.constantFloat(value);
+        const float *known = constantFloat(call.b, value);
         if (!known) {
-            call.lowering.error(call.expr.where, "format() makes its string when the shader is "
-                                                 "compiled, so its arguments must be constants");
-            return {call.b.text("")};
+            call.lowering.messages.error(call.expr.where,
+                                         "format() makes its string when the shader is "
+                                         "compiled, so its arguments must be constants");
+            return {text(call.b, "")};
         }
         arguments.push_back({*known, nullptr});
     }
-    return {call.b.text(formatPrint(expansion->pattern, arguments))};
+    return {text(call.b, formatPrint(expansion->pattern, arguments))};
 }
 
 Components concat(BuiltinCall &call) {
     std::string result;
     for (size_t i = 0; i < call.count(); ++i)
         result += call.text(i, "a string that concat() joins");
-    return {call.b.text(result)};
+    return {text(call.b, result)};
 }
 
 Components match(BuiltinCall &call) {
     const std::string pattern = call.text(0, "a regular expression");
     const std::string subject = call.text(1, "the subject of match()");
     if (const auto expression = RegularExpression::parse(pattern))
-        return {call.b.number(expression->foundIn(subject))};
-    call.lowering.error(call.expr.operands[0]->where,
-                        "\"" + pattern + "\" is not a regular expression, or too large a one");
-    return {call.b.number(0)};
+        return {number(call.b, expression->foundIn(subject))};
+    call.lowering.messages.error(call.expr.operands[0]->where,
+                                 "\"" + pattern +
+                                     "\" is not a regular expression, or too large a one");
+    return {number(call.b, 0)};
 }
 
 } // namespace

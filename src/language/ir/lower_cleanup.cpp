@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Dead code goes, values are numbered anew, and the tables keep only what is still named.
+#include "language/ir/lower_cleanup.h"
+
 #include "language/ir/builder.h"
 #include "language/ir/dead_code.h"
-#include "language/ir/lower_internal.h"
+
+#include <map>
+#include <set>
 
 namespace candela::ir {
 namespace {

@@ -2,7 +2,10 @@
 // Colour spaces and the paper's photometric functions. Conversions go by way of "rgb", linear
 // Rec.709; hues are in [0,1).
 #include "foundation/units/color.h"
-#include "language/ir/lower_internal.h"
+#include "language/ir/builder_arithmetic.h"
+#include "language/ir/builder_sources.h"
+#include "language/ir/builder_vectors.h"
+#include "language/ir/lower_builtins.h"
 #include "language/semantics/spellings.h"
 
 #include <string_view>
@@ -32,14 +35,14 @@ Triple linear(Builder &b, const Weights &rows, const Triple &c) {
     Triple result;
     for (int row = 0; row < 3; ++row) {
         const auto &w = rows[row];
-        result[row] = b.dot(b.triple(w[0], w[1], w[2]), c);
+        result[row] = dot(b, triple(b, w[0], w[1], w[2]), c);
     }
     return result;
 }
 
 ValueId modulo(Builder &b, ValueId x, float period) {
-    const ValueId p = b.number(period);
-    return b.sub(x, b.mul(p, b.unary(Op::Floor, b.div(x, p))));
+    const ValueId p = number(b, period);
+    return sub(b, x, mul(b, p, unary(b, Op::Floor, div(b, x, p))));
 }
 
 struct Extremes {
@@ -47,26 +50,26 @@ struct Extremes {
 };
 
 Extremes extremes(Builder &b, const Triple &c) {
-    const ValueId highest = b.max(b.max(c[0], c[1]), c[2]);
-    const ValueId lowest = b.min(b.min(c[0], c[1]), c[2]);
-    return {highest, lowest, b.sub(highest, lowest)};
+    const ValueId highest = max(b, max(b, c[0], c[1]), c[2]);
+    const ValueId lowest = min(b, min(b, c[0], c[1]), c[2]);
+    return {highest, lowest, sub(b, highest, lowest)};
 }
 
 /// numerator / denominator, or 0 where the denominator is 0.
 ValueId quotientOrZero(Builder &b, ValueId numerator, ValueId denominator) {
-    const ValueId zero = b.number(0);
-    return b.select(b.equal(denominator, zero), zero, b.div(numerator, denominator));
+    const ValueId zero = number(b, 0);
+    return select(b, equal(b, denominator, zero), zero, div(b, numerator, denominator));
 }
 
 ValueId hueOf(Builder &b, const Triple &c, const Extremes &e) {
     const auto sector = [&](float start, ValueId x, ValueId y) {
-        return b.add(b.number(start), quotientOrZero(b, b.sub(x, y), e.range));
+        return add(b, number(b, start), quotientOrZero(b, sub(b, x, y), e.range));
     };
     const ValueId nearGreen = sector(2, c[2], c[0]), nearBlue = sector(4, c[0], c[1]);
-    const ValueId others = b.select(b.equal(c[1], e.highest), nearGreen, nearBlue);
+    const ValueId others = select(b, equal(b, c[1], e.highest), nearGreen, nearBlue);
     const ValueId sixths =
-        b.select(b.equal(c[0], e.highest), modulo(b, sector(0, c[1], c[2]), 6), others);
-    return b.div(sixths, b.number(6));
+        select(b, equal(b, c[0], e.highest), modulo(b, sector(0, c[1], c[2]), 6), others);
+    return div(b, sixths, number(b, 6));
 }
 
 Triple hsvFromRgb(Builder &b, const Triple &c) {
@@ -76,20 +79,21 @@ Triple hsvFromRgb(Builder &b, const Triple &c) {
 
 Triple hslFromRgb(Builder &b, const Triple &c) {
     const Extremes e = extremes(b, c);
-    const ValueId one = b.number(1), sum = b.add(e.highest, e.lowest);
-    const ValueId fullRange = b.sub(one, b.unary(Op::Abs, b.sub(sum, one)));
-    return {hueOf(b, c, e), quotientOrZero(b, e.range, fullRange), b.mul(sum, b.number(0.5f))};
+    const ValueId one = number(b, 1), sum = add(b, e.highest, e.lowest);
+    const ValueId fullRange = sub(b, one, unary(b, Op::Abs, sub(b, sum, one)));
+    return {hueOf(b, c, e), quotientOrZero(b, e.range, fullRange), mul(b, sum, number(b, 0.5f))};
 }
 
 /// Each channel is v less a trapezium over the hue.
 Triple rgbFromHsv(Builder &b, const Triple &c) {
     Triple result;
     const float shifts[3] = {5, 3, 1};
-    const ValueId zero = b.number(0), one = b.number(1);
+    const ValueId zero = number(b, 0), one = number(b, 1);
     for (int channel = 0; channel < 3; ++channel) {
-        const ValueId k = modulo(b, b.add(b.number(shifts[channel]), b.mul(c[0], b.number(6))), 6);
-        const ValueId shape = b.max(zero, b.min(b.min(k, b.sub(b.number(4), k)), one));
-        result[channel] = b.sub(c[2], b.mul(b.mul(c[2], c[1]), shape));
+        const ValueId k =
+            modulo(b, add(b, number(b, shifts[channel]), mul(b, c[0], number(b, 6))), 6);
+        const ValueId shape = max(b, zero, min(b, min(b, k, sub(b, number(b, 4), k)), one));
+        result[channel] = sub(b, c[2], mul(b, mul(b, c[2], c[1]), shape));
     }
     return result;
 }
@@ -97,26 +101,26 @@ Triple rgbFromHsv(Builder &b, const Triple &c) {
 Triple rgbFromHsl(Builder &b, const Triple &c) {
     Triple result;
     const float shifts[3] = {0, 8, 4};
-    const ValueId one = b.number(1);
-    const ValueId reach = b.mul(c[1], b.min(c[2], b.sub(one, c[2])));
+    const ValueId one = number(b, 1);
+    const ValueId reach = mul(b, c[1], min(b, c[2], sub(b, one, c[2])));
     for (int channel = 0; channel < 3; ++channel) {
         const ValueId k =
-            modulo(b, b.add(b.number(shifts[channel]), b.mul(c[0], b.number(12))), 12);
-        const ValueId ramp = b.min(b.sub(k, b.number(3)), b.sub(b.number(9), k));
-        result[channel] = b.sub(c[2], b.mul(reach, b.max(b.number(-1), b.min(ramp, one))));
+            modulo(b, add(b, number(b, shifts[channel]), mul(b, c[0], number(b, 12))), 12);
+        const ValueId ramp = min(b, sub(b, k, number(b, 3)), sub(b, number(b, 9), k));
+        result[channel] = sub(b, c[2], mul(b, reach, max(b, number(b, -1), min(b, ramp, one))));
     }
     return result;
 }
 
 Triple xyYFromXyz(Builder &b, const Triple &c) {
-    const ValueId sum = b.add(b.add(c[0], c[1]), c[2]);
+    const ValueId sum = add(b, add(b, c[0], c[1]), c[2]);
     return {quotientOrZero(b, c[0], sum), quotientOrZero(b, c[1], sum), c[1]};
 }
 
 Triple xyzFromXyY(Builder &b, const Triple &c) {
     const ValueId scale = quotientOrZero(b, c[2], c[1]);
-    const ValueId z = b.sub(b.sub(b.number(1), c[0]), c[1]);
-    return {b.mul(c[0], scale), c[2], b.mul(z, scale)};
+    const ValueId z = sub(b, sub(b, number(b, 1), c[0]), c[1]);
+    return {mul(b, c[0], scale), c[2], mul(b, z, scale)};
 }
 
 struct ColorSpace {
@@ -155,27 +159,27 @@ Components ctransform(BuiltinCall &call) {
 
 ValueId luminanceOf(Builder &b, const Triple &c) {
     const auto &w = luminanceWeights;
-    return b.dot(b.triple(w[0], w[1], w[2]), c);
+    return dot(b, triple(b, w[0], w[1], w[2]), c);
 }
 
 Components photometric(BuiltinCall &call) {
-    return componentsOf(call.b.scale(call.triple(0), call.b.number(luminousEfficacy)));
+    return componentsOf(scale(call.b, call.triple(0), number(call.b, luminousEfficacy)));
 }
 
 Components radiometric(BuiltinCall &call) {
-    return componentsOf(call.b.scale(call.triple(0), call.b.number(1 / luminousEfficacy)));
+    return componentsOf(scale(call.b, call.triple(0), number(call.b, 1 / luminousEfficacy)));
 }
 
 Components totalluminance(BuiltinCall &call) {
     Builder &b = call.b;
-    return {b.mul(luminanceOf(b, call.triple(0)), b.number(luminousEfficacy))};
+    return {mul(b, luminanceOf(b, call.triple(0)), number(b, luminousEfficacy))};
 }
 
 /// The mean: one unit of each sample is one W m^-2 sr^-1 over the whole band.
 Components totalradiance(BuiltinCall &call) {
     Builder &b = call.b;
     const Triple c = call.triple(0);
-    return {b.div(b.add(b.add(c[0], c[1]), c[2]), b.number(float(colorSamples)))};
+    return {div(b, add(b, add(b, c[0], c[1]), c[2]), number(b, float(colorSamples)))};
 }
 
 } // namespace
@@ -184,8 +188,8 @@ Components convertColor(Lowering &lowering, const Components &value, const std::
                         const std::string &to, const sl::Place &where) {
     const ColorSpace *source = findColorSpace(from), *target = findColorSpace(to);
     if (!source || !target) {
-        lowering.error(where, "there is no colour space \"" + (source ? to : from) +
-                                  "\"; expected " + sl::colorSpaceNames);
+        lowering.messages.error(where, "there is no colour space \"" + (source ? to : from) +
+                                           "\"; expected " + sl::colorSpaceNames);
         return value;
     }
     if (source == target)

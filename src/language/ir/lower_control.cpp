@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Control flow: branches merge cells, loops carry them, jumps become flags.
-#include "language/ir/lower_internal.h"
+#include "language/ir/lower_control.h"
+
+#include "language/ir/builder_arithmetic.h"
+#include "language/ir/builder_control.h"
+#include "language/ir/builder_sources.h"
+#include "language/ir/lower_expression.h"
+#include "language/ir/lower_scan.h"
+#include "language/ir/lower_statement.h"
 
 #include <algorithm>
 
@@ -9,20 +15,31 @@ namespace {
 
 /// One of two bools by a third, without a branch where constants allow it.
 ValueId chooseBool(Builder &b, ValueId condition, ValueId then, ValueId otherwise) {
-    if (const auto known = b.constantBool(then))
-        return *known ? b.either(condition, otherwise) : b.both(b.negate(condition), otherwise);
-    if (const auto known = b.constantBool(otherwise))
-        return *known ? b.either(b.negate(condition), then) : b.both(condition, then);
-    return b.select(condition, then, otherwise);
+    if (const auto known = constantBool(b, then))
+        return *known ? either(b, condition, otherwise) : both(b, negate(b, condition), otherwise);
+    if (const auto known = constantBool(b, otherwise))
+        return *known ? either(b, negate(b, condition), then) : both(b, condition, then);
+    return select(b, condition, then, otherwise);
 }
 
-bool isKnownFalse(Builder &b, ValueId flag) { return b.constantBool(flag) == false; }
+bool isKnownFalse(const Builder &b, ValueId flag) { return constantBool(b, flag) == false; }
 
 } // namespace
 
-void Lowering::branch(ValueId condition, const std::function<void()> &then,
-                      const std::function<void()> &otherwise, const std::vector<int> &clear) {
-    if (const auto known = b.constantBool(condition)) {
+void enter(Lowering &lowering, const sl::Function *function) {
+    Builder &b = lowering.b;
+    const Components none = function ? zero(b, function->result.base) : Components{};
+    Frame frame{.function = function, .returned = 0, .result = 0, .loops = {}};
+    frame.returned = lowering.variables.newCells({boolean(b, false)});
+    frame.result = lowering.variables.newCells(none);
+    lowering.frames.push_back(frame);
+}
+
+void branch(Lowering &lowering, ValueId condition, const std::function<void()> &then,
+            const std::function<void()> &otherwise, const std::vector<int> &clear) {
+    Builder &b = lowering.b;
+    std::vector<ValueId> &cells = lowering.variables.cells;
+    if (const auto known = constantBool(b, condition)) {
         (*known ? then : otherwise)();
         return;
     }
@@ -39,7 +56,7 @@ void Lowering::branch(ValueId condition, const std::function<void()> &then,
     };
     auto [thenRegion, thenCells] = side([&] {
         for (int flag : clear)
-            cells[flag] = b.boolean(false);
+            cells[flag] = boolean(b, false);
         then();
     });
     for (int flag : clear)
@@ -57,7 +74,7 @@ void Lowering::branch(ValueId condition, const std::function<void()> &then,
         } else if (b.type(a) == Type::Bool && empty) {
             cells[i] = chooseBool(b, condition, a, o);
         } else if (empty) {
-            cells[i] = b.select(condition, a, o);
+            cells[i] = select(b, condition, a, o);
         } else {
             thenRegion.yields.push_back(a);
             otherRegion.yields.push_back(o);
@@ -72,92 +89,105 @@ void Lowering::branch(ValueId condition, const std::function<void()> &then,
     b.append(std::move(instruction));
 }
 
-std::vector<int> Lowering::liveFlags() {
-    std::vector<int> flags{frames.back().returned};
-    for (const OpenLoop &loop : frames.back().loops) {
+std::vector<int> liveFlags(Lowering &lowering) {
+    const Frame &frame = lowering.frames.back();
+    std::vector<int> flags{frame.returned};
+    for (const OpenLoop &loop : frame.loops) {
         flags.push_back(loop.broken);
         flags.push_back(loop.continued);
     }
-    std::erase_if(flags, [&](int flag) { return isKnownFalse(b, cells[flag]); });
+    std::erase_if(
+        flags, [&](int flag) { return isKnownFalse(lowering.b, lowering.variables.cells[flag]); });
     return flags;
 }
 
-ValueId Lowering::isLive() {
-    ValueId stopped = b.boolean(false);
-    for (int flag : liveFlags())
-        stopped = isKnownFalse(b, stopped) ? cells[flag] : b.either(stopped, cells[flag]);
-    return b.negate(stopped);
+static ValueId isLive(Lowering &lowering) {
+    Builder &b = lowering.b;
+    const std::vector<ValueId> &cells = lowering.variables.cells;
+    ValueId stopped = boolean(b, false);
+    for (int flag : liveFlags(lowering))
+        stopped = isKnownFalse(b, stopped) ? cells[flag] : either(b, stopped, cells[flag]);
+    return negate(b, stopped);
 }
 
-void Lowering::whereLive(const std::function<void()> &rest) {
-    const std::vector<int> flags = liveFlags();
+void whereLive(Lowering &lowering, const std::function<void()> &rest) {
+    const std::vector<int> flags = liveFlags(lowering);
     if (flags.empty())
         rest();
     else
         branch(
-            isLive(), rest, [] {}, flags);
+            lowering, isLive(lowering), rest, [] {}, flags);
+}
+
+CarriedCells carriedCells(const Lowering &lowering, const sl::Stmt &loop) {
+    const LoopEffects effects = loopEffects(loop);
+    CarriedCells carried;
+    for (const sl::Symbol *symbol : effects.assigned)
+        lowering.variables.appendCells(*symbol, carried.variables);
+    const auto names = [](const std::vector<const sl::Stmt *> &list, const sl::Stmt *target) {
+        return std::find(list.begin(), list.end(), target) != list.end();
+    };
+    carried.breaks = names(effects.breaks, &loop);
+    const Frame &frame = lowering.frames.back();
+    for (const OpenLoop &outer : frame.loops) {
+        if (names(effects.breaks, outer.statement))
+            carried.flags.push_back(outer.broken);
+        if (names(effects.continues, outer.statement))
+            carried.flags.push_back(outer.continued);
+    }
+    if (effects.returns) {
+        carried.flags.push_back(frame.returned);
+        const int count = frame.function ? componentCount(frame.function->result.base) : 0;
+        for (int i = 0; i < count; ++i)
+            carried.results.push_back(frame.result + i);
+    }
+    return carried;
 }
 
 /// while (condition) body: the condition is evaluated before the loop and at the end of each
 /// round, there only if the round was neither broken nor returned from.
-void Lowering::lowerLoop(const sl::Stmt &loop) {
-    const auto holds = [&] { return loop.value ? condition(*loop.value) : b.boolean(true); };
+void lowerLoop(Lowering &lowering, const sl::Stmt &statement) {
+    Builder &b = lowering.b;
+    Variables &variables = lowering.variables;
+    std::vector<ValueId> &cells = variables.cells;
+    const auto holds = [&] {
+        return statement.value ? condition(lowering, *statement.value) : boolean(b, true);
+    };
     const ValueId first = holds();
     if (isKnownFalse(b, first))
         return;
 
-    const LoopEffects effects = loopEffects(loop);
-    std::vector<int> carried;
-    for (const sl::Symbol *symbol : effects.assigned)
-        appendCells(*symbol, carried);
-    std::vector<int> flags; // Of jumps to places outside of this loop.
-    for (const OpenLoop &outer : frames.back().loops) {
-        const auto jumpsTo = [&](const std::vector<const sl::Stmt *> &targets) {
-            return std::find(targets.begin(), targets.end(), outer.statement) != targets.end();
-        };
-        if (jumpsTo(effects.breaks))
-            flags.push_back(outer.broken);
-        if (jumpsTo(effects.continues))
-            flags.push_back(outer.continued);
-    }
-    if (effects.returns) {
-        flags.push_back(frames.back().returned);
-        const sl::Function *function = frames.back().function;
-        const int count = function ? componentCount(function->result.base) : 0;
-        for (int i = 0; i < count; ++i)
-            carried.push_back(frames.back().result + i);
-    }
-    carried.insert(carried.end(), flags.begin(), flags.end());
+    const CarriedCells parts = carriedCells(lowering, statement);
+    std::vector<int> carried = parts.variables;
+    carried.insert(carried.end(), parts.results.begin(), parts.results.end());
+    carried.insert(carried.end(), parts.flags.begin(), parts.flags.end());
 
     const std::vector<ValueId> before = cells;
-    Components initial{first};
-    for (int cell : carried)
-        initial.push_back(cells[cell]);
+    Components initial = variables.inCells(carried);
+    initial.insert(initial.begin(), first);
     const auto round = [&](const Components &arguments) {
-        for (size_t i = 0; i < carried.size(); ++i)
-            cells[carried[i]] = arguments[i + 1];
-        for (int flag : flags)
-            cells[flag] = b.boolean(false); // Or there would be no round.
-        const int none = newCells({b.boolean(false), b.boolean(false), b.boolean(false)});
-        const int broken = none, continued = none + 1, next = none + 2;
-        frames.back().loops.push_back({&loop, broken, continued});
-        lower(loop.body);
-        cells[continued] = b.boolean(false);
-        whereLive([&] {
-            for (const sl::ExprPtr &step : loop.steps)
-                evaluate(*step);
+        variables.setCells(carried, {arguments.begin() + 1, arguments.end()});
+        for (int flag : parts.flags)
+            cells[flag] = boolean(b, false); // Or there would be no round.
+        const ValueId none = boolean(b, false);
+        const int broken = variables.newCells({none, none, none});
+        const int continued = broken + 1, next = broken + 2;
+        lowering.frames.back().loops.push_back({&statement, broken, continued});
+        lower(lowering, statement.body);
+        cells[continued] = boolean(b, false);
+        whereLive(lowering, [&] {
+            for (const sl::ExprPtr &step : statement.steps)
+                evaluate(lowering, *step);
             cells[next] = holds();
         });
-        frames.back().loops.pop_back();
-        Components yields{cells[next]};
-        for (int cell : carried)
-            yields.push_back(cells[cell]);
+        lowering.frames.back().loops.pop_back();
+        Components yields = variables.inCells(carried);
+        yields.insert(yields.begin(), cells[next]);
         return yields;
     };
-    const Components results = b.loop(initial, round);
+    const Components results = loop(b, initial, round);
     cells = before;
-    for (size_t i = 0; i < carried.size(); ++i)
-        cells[carried[i]] = results[i + 1];
+    variables.setCells(carried, {results.begin() + 1, results.end()});
 }
 
 } // namespace candela::ir

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/ir/lower_defaults.h"
 
+#include "language/ir/builder_effects.h"
+#include "language/ir/builder_sources.h"
 #include "language/ir/interpreter.h"
-#include "language/ir/lower_internal.h"
+#include "language/ir/lower_cleanup.h"
+#include "language/ir/lower_control.h"
+#include "language/ir/lower_expression.h"
 #include "language/semantics/typed_ast.h"
 
 #include <algorithm>
@@ -76,7 +80,7 @@ public:
         result.arraySize = std::max(1, symbol.type.length);
         result.output = symbol.output;
         result.varying = symbol.type.isVarying();
-        const bool good = evaluate(parameter, result);
+        const bool good = evaluateDefault(parameter, result);
         parameters.push_back(std::move(result));
         return good;
     }
@@ -92,14 +96,15 @@ private:
         for (const sl::ExprPtr &element : parameter.defaults) {
             const SpacedDefault split = splitSpace(*element);
             const std::string name =
-                split.space ? lowering.requiredText(lowering.evaluate(*split.space)[0],
-                                                    split.space->where, "the name of a space")
+                split.space ? requiredText(lowering, evaluate(lowering, *split.space)[0],
+                                           split.space->where, "the name of a space")
                 : isMatrix  ? "current"
                             : "shader";
             if (space && *space != name)
-                lowering.error(element->where, "the elements of a default must be in one space; "
-                                               "these are in \"" +
-                                                   *space + "\" and \"" + name + "\"");
+                lowering.messages.error(element->where,
+                                        "the elements of a default must be in one space; "
+                                        "these are in \"" +
+                                            *space + "\" and \"" + name + "\"");
             space = name;
         }
         return space;
@@ -110,54 +115,53 @@ private:
             const ShaderParameter &earlier = parameters[i];
             Components values;
             for (float value : earlier.defaults)
-                values.push_back(lowering.b.number(value));
+                values.push_back(number(lowering.b, value));
             std::vector<std::string> texts = earlier.stringDefaults;
             for (const StringValue &given : strings_)
                 if (given.name == earlier.name && earlier.type == "string")
                     texts = given.value;
             if (earlier.type == "string")
                 texts.resize(size_t(earlier.arraySize));
-            for (const std::string &text : texts)
-                values.push_back(lowering.b.text(text));
-            lowering.declare(*shader_.parameters[i].symbol, values);
+            for (const std::string &element : texts)
+                values.push_back(text(lowering.b, element));
+            lowering.variables.declare(*shader_.parameters[i].symbol, values);
         }
     }
 
-    bool evaluate(const sl::Parameter &parameter, ShaderParameter &result) {
+    bool evaluateDefault(const sl::Parameter &parameter, ShaderParameter &result) {
         const sl::Symbol &symbol = *parameter.symbol;
         Function function;
         function.name = shader_.name;
         Lowering lowering(shader_, function, sink_);
-        lowering.onlyShaderSpace = true;
-        lowering.declarePredefined();
+        lowering.spaces.allowShaderOnly();
         declareEarlier(lowering);
-        lowering.frames.emplace_back();
-        lowering.frames.back().returned = lowering.newCells({lowering.b.boolean(false)});
+        enter(lowering, nullptr);
 
         if (const auto space = spaceOf(parameter, lowering))
             result.defaultSpace = *space;
-        Components values = lowering.zero(symbol.type.base, symbol.type.length);
+        Components values = zero(lowering.b, symbol.type.base, symbol.type.length);
         size_t next = 0;
         for (const sl::ExprPtr &element : parameter.defaults)
-            for (ValueId value : lowering.evaluate(*splitSpace(*element).value))
+            for (ValueId value : evaluate(lowering, *splitSpace(*element).value))
                 if (next < values.size())
                     values[next++] = value;
         if (symbol.type.base == sl::BaseType::String) {
             for (ValueId value : values)
                 result.stringDefaults.push_back(
-                    lowering.requiredText(value, symbol.where, "the default of a string"));
-            return !lowering.failed();
+                    requiredText(lowering, value, symbol.where, "the default of a string"));
+            return !lowering.messages.failed();
         }
         for (int i = 0; i < int(values.size()); ++i)
-            lowering.b.output("default", i, values[i]);
+            output(lowering.b, "default", i, values[i]);
         lowering.b.finish();
         std::vector<ShaderParameter> none;
         removeUnused(function, none);
-        if (!lowering.failed() && needsRenderer(function.body))
-            lowering.error(symbol.where, "the default of \"" + symbol.name +
-                                             "\" must be a constant; it depends on the point "
-                                             "that is shaded");
-        if (lowering.failed())
+        if (!lowering.messages.failed() && needsRenderer(function.body))
+            lowering.messages.error(symbol.where,
+                                    "the default of \"" + symbol.name +
+                                        "\" must be a constant; it depends on the point "
+                                        "that is shaded");
+        if (lowering.messages.failed())
             return false;
         result.defaults = runConstant(function);
         return true;

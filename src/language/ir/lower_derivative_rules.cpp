@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/ir/lower_derivative_rules.h"
 
+#include "language/ir/builder_arithmetic.h"
+#include "language/ir/builder_sources.h"
 #include "language/runtime/runtime_functions.h"
 
 #include <algorithm>
@@ -11,15 +13,6 @@ namespace {
 
 using runtime::RuntimeFunction;
 using MaybeValue = std::optional<ValueId>;
-
-/// A lattice function: how many of its inputs are coordinates; 0 if it is piecewise constant.
-int coordinatesOf(int function) {
-    const auto f = RuntimeFunction(function);
-    if (f >= RuntimeFunction::cellnoise1)
-        return 0;
-    const int inputs = runtime::info(f).inputs;
-    return f >= RuntimeFunction::pnoise1 ? inputs / 2 : inputs;
-}
 
 struct InputSlope {
     ShaderInput of, byU, byV;
@@ -42,8 +35,8 @@ public:
 
     void apply() {
         if (i.op == Op::Call)
-            return lattice();
-        if (const MaybeValue slope = i.op == Op::Input ? input() : arithmetic())
+            return runtime::withSlopes(RuntimeFunction(i.immediate)) ? lattice() : latticeSlopes();
+        if (const MaybeValue slope = i.op == Op::Input ? inputSlope() : arithmetic())
             slopes[i.results[0]][direction] = slope;
     }
 
@@ -55,32 +48,33 @@ private:
     ValueId x() const { return i.operands[0]; }
     ValueId y() const { return i.operands[1]; }
     ValueId result() const { return i.results[0]; }
-    ValueId number(float value) { return b.number(value); }
 
-    MaybeValue plus(MaybeValue p, MaybeValue q) { return p && q ? b.add(*p, *q) : p ? p : q; }
+    MaybeValue plus(MaybeValue p, MaybeValue q) { return p && q ? add(b, *p, *q) : p ? p : q; }
     MaybeValue minus(MaybeValue p, MaybeValue q) {
-        return p && q ? b.sub(*p, *q) : q ? MaybeValue(b.neg(*q)) : p;
+        return p && q ? sub(b, *p, *q) : q ? MaybeValue(neg(b, *q)) : p;
     }
-    MaybeValue times(MaybeValue p, ValueId factor) { return p ? MaybeValue(b.mul(*p, factor)) : p; }
+    MaybeValue times(MaybeValue p, ValueId factor) {
+        return p ? MaybeValue(mul(b, *p, factor)) : p;
+    }
     MaybeValue over(MaybeValue p, ValueId divisor) {
-        return p ? MaybeValue(b.div(*p, divisor)) : p;
+        return p ? MaybeValue(div(b, *p, divisor)) : p;
     }
     MaybeValue choose(ValueId condition, MaybeValue p, MaybeValue q) {
         if (!p && !q)
             return std::nullopt;
-        return b.select(condition, p ? *p : number(0), q ? *q : number(0));
+        return select(b, condition, p ? *p : number(b, 0), q ? *q : number(b, 0));
     }
 
-    MaybeValue input() {
+    MaybeValue inputSlope() {
         const int plane = i.immediate;
         if (plane == int(ShaderInput::u) || plane == int(ShaderInput::v))
-            return (plane == int(ShaderInput::u)) == (direction == 0) ? MaybeValue(number(1))
+            return (plane == int(ShaderInput::u)) == (direction == 0) ? MaybeValue(number(b, 1))
                                                                       : std::nullopt;
         for (const InputSlope &row : inputSlopes) {
             const bool isScalar = row.of == ShaderInput::s || row.of == ShaderInput::t;
             const int component = plane - int(row.of);
             if (component >= 0 && component < (isScalar ? 1 : 3))
-                return b.input(direction == 0 ? row.byU : row.byV, component);
+                return input(b, direction == 0 ? row.byU : row.byV, component);
         }
         return std::nullopt;
     }
@@ -93,9 +87,9 @@ private:
         case Op::Div: return over(minus(slope(0), times(slope(1), result())), y());
         case Op::Neg: return minus(std::nullopt, slope(0));
         case Op::Abs:
-            return choose(b.less(x(), number(0)), minus(std::nullopt, slope(0)), slope(0));
-        case Op::Min: return choose(b.less(x(), y()), slope(0), slope(1));
-        case Op::Max: return choose(b.less(y(), x()), slope(0), slope(1));
+            return choose(less(b, x(), number(b, 0)), minus(std::nullopt, slope(0)), slope(0));
+        case Op::Min: return choose(less(b, x(), y()), slope(0), slope(1));
+        case Op::Max: return choose(less(b, y(), x()), slope(0), slope(1));
         case Op::Select: return choose(i.operands[0], slope(1), slope(2));
         case Op::Atan2: return atan2();
         case Op::Pow: return power();
@@ -105,67 +99,87 @@ private:
 
     /// Of one operand, whose derivative is `dx`.
     MaybeValue elementary(ValueId dx) {
-        const ValueId one = number(1);
+        const ValueId one = number(b, 1);
         switch (i.op) {
         case Op::Sqrt:
-            return choose(b.less(number(0), x()), b.div(dx, b.mul(number(2), result())), {});
-        case Op::Sin: return b.mul(dx, b.unary(Op::Cos, x()));
-        case Op::Cos: return b.neg(b.mul(dx, b.unary(Op::Sin, x())));
-        case Op::Tan: return b.mul(dx, b.add(one, b.mul(result(), result())));
-        case Op::Asin: return b.div(dx, complement());
-        case Op::Acos: return b.neg(b.div(dx, complement()));
-        case Op::Atan: return b.div(dx, b.add(one, b.mul(x(), x())));
-        case Op::Exp: return b.mul(dx, result());
-        case Op::Log: return b.div(dx, x());
+            return choose(less(b, number(b, 0), x()), div(b, dx, mul(b, number(b, 2), result())),
+                          {});
+        case Op::Sin: return mul(b, dx, unary(b, Op::Cos, x()));
+        case Op::Cos: return neg(b, mul(b, dx, unary(b, Op::Sin, x())));
+        case Op::Tan: return mul(b, dx, add(b, one, mul(b, result(), result())));
+        case Op::Asin: return div(b, dx, complement());
+        case Op::Acos: return neg(b, div(b, dx, complement()));
+        case Op::Atan: return div(b, dx, add(b, one, mul(b, x(), x())));
+        case Op::Exp: return mul(b, dx, result());
+        case Op::Log: return div(b, dx, x());
         default: return std::nullopt; // Steps: floor and its like.
         }
     }
 
     /// sqrt(1 - x^2), kept from 0 so that the ends of asin and acos give something finite.
     ValueId complement() {
-        const ValueId squared = b.sub(number(1), b.mul(x(), x()));
-        return b.max(b.sqrt(squared), number(1e-6f));
+        const ValueId squared = sub(b, number(b, 1), mul(b, x(), x()));
+        return max(b, sqrt(b, squared), number(b, 1e-6f));
     }
 
     MaybeValue atan2() { // The angle of (y(), x()).
-        const ValueId squared = b.add(b.mul(x(), x()), b.mul(y(), y()));
+        const ValueId squared = add(b, mul(b, x(), x()), mul(b, y(), y()));
         return over(minus(times(slope(0), y()), times(slope(1), x())), squared);
     }
 
     MaybeValue power() {
         const MaybeValue ofBase =
-            slope(0) ? times(slope(0), b.mul(y(), b.pow(x(), b.sub(y(), number(1)))))
+            slope(0) ? times(slope(0), mul(b, y(), pow(b, x(), sub(b, y(), number(b, 1)))))
                      : std::nullopt;
         MaybeValue ofExponent;
         if (slope(1))
-            ofExponent = choose(b.less(number(0), x()),
-                                b.mul(*slope(1), b.mul(result(), b.unary(Op::Log, x()))), {});
+            ofExponent = choose(less(b, number(b, 0), x()),
+                                mul(b, *slope(1), mul(b, result(), unary(b, Op::Log, x()))), {});
         return plus(ofBase, ofExponent);
     }
 
-    /// Noise: a central difference along the coordinates' derivative, over 1/128 of a cell.
+    /// Noise knows its slopes along the coordinates.
     void lattice() {
-        const int coordinates = coordinatesOf(i.immediate);
+        const int coordinates = runtime::coordinatesOf(RuntimeFunction(i.immediate));
+        const size_t components = i.results.size();
+        Values values;
+        for (int k = 0; k < coordinates; ++k)
+            if (const MaybeValue dx = slope(k)) {
+                if (values.empty())
+                    values = callRuntime(b, int(*runtime::withSlopes(RuntimeFunction(i.immediate))),
+                                         i.operands);
+                for (size_t c = 0; c < components; ++c) {
+                    MaybeValue &sum = slopes[i.results[c]][direction];
+                    sum = plus(sum, times(dx, values[components + c * coordinates + k]));
+                }
+            }
+    }
+
+    /// Derivatives of derivatives of noise: a central difference along the coordinates' derivative,
+    /// over 1/128 of a cell.
+    void latticeSlopes() {
+        const int coordinates = runtime::coordinatesOf(RuntimeFunction(i.immediate));
         MaybeValue size;
         for (int k = 0; k < coordinates; ++k)
             if (const MaybeValue dx = slope(k)) {
-                const ValueId length = b.unary(Op::Abs, *dx);
-                size = size ? b.max(*size, length) : length;
+                const ValueId length = unary(b, Op::Abs, *dx);
+                size = size ? max(b, *size, length) : length;
             }
         if (!size)
             return;
-        const ValueId step = b.div(number(0x1p-8f), b.max(*size, number(1e-20f)));
+        const ValueId step = div(b, number(b, 0x1p-8f), max(b, *size, number(b, 1e-20f)));
         std::vector<ValueId> before = i.operands, after = i.operands;
         for (int k = 0; k < coordinates; ++k)
             if (const MaybeValue dx = slope(k)) {
-                const ValueId offset = b.mul(*dx, step);
-                before[size_t(k)] = b.sub(before[size_t(k)], offset);
-                after[size_t(k)] = b.add(after[size_t(k)], offset);
+                const ValueId offset = mul(b, *dx, step);
+                before[size_t(k)] = sub(b, before[size_t(k)], offset);
+                after[size_t(k)] = add(b, after[size_t(k)], offset);
             }
-        const auto low = b.call(i.immediate, before), high = b.call(i.immediate, after);
-        const ValueId width = b.mul(number(2), step);
+        const Values low = callRuntime(b, i.immediate, before);
+        const Values high = callRuntime(b, i.immediate, after);
+        const ValueId width = mul(b, number(b, 2), step);
         for (size_t k = 0; k < i.results.size(); ++k)
-            slopes[i.results[k]][direction] = b.div(b.sub(high[k], low[k]), width);
+            slopes[i.results[k]][direction] = div(b, sub(b, high[k], low[k]), width);
     }
 
     Builder &b;
@@ -201,7 +215,8 @@ std::vector<ValueId> differentiableOperands(const Instruction &i) {
     case Op::Call:
         if (i.immediate < 0)
             return {};
-        return {i.operands.begin(), i.operands.begin() + coordinatesOf(i.immediate)};
+        return {i.operands.begin(),
+                i.operands.begin() + runtime::coordinatesOf(RuntimeFunction(i.immediate))};
     default: return {};
     }
 }

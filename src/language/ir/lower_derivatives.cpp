@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Derivatives by u and v, forward: beside each value that reaches a Du() or Dv() stand its two
-// derivatives, made by the chain rule from those of the renderer's inputs. While the text is being
-// lowered, Du() is a placeholder; here, when the whole text stands, placeholders are replaced.
+#include "language/ir/lower_derivatives.h"
+
+#include "language/ir/builder_effects.h"
+#include "language/ir/builder_sources.h"
 #include "language/ir/lower_derivative_rules.h"
-#include "language/ir/lower_internal.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
 #include <utility>
 
 namespace candela::ir {
@@ -134,9 +136,9 @@ public:
         for (size_t a = 0; a < arrays.size(); ++a)
             if (arrays[a]) {
                 const Array array = function.arrays[a];
-                const int first = b_.addArray(array.type, array.size);
+                const int first = addArray(b_, array.type, array.size);
                 shadows_[int(a)] = first;
-                b_.addArray(array.type, array.size);
+                addArray(b_, array.type, array.size);
             }
     }
 
@@ -152,7 +154,7 @@ private:
             if (const auto found = replaced_.find(v); found != replaced_.end())
                 v = found->second;
     }
-    ValueId orZero(std::optional<ValueId> v) { return v ? *v : b_.number(0); }
+    ValueId orZero(std::optional<ValueId> v) { return v ? *v : number(b_, 0); }
 
     void rebuild(std::vector<Instruction> &body) {
         for (Instruction &i : body) {
@@ -190,11 +192,11 @@ private:
                                 : shadows_.end();
         for (int direction = 0; direction < 2; ++direction) {
             if (i.op == Op::ArrayStore && shadow != shadows_.end())
-                b_.arrayStore(shadow->second + direction, i.operands[0],
-                              orZero(slopes_[i.operands[1]][direction]));
+                arrayStore(b_, shadow->second + direction, i.operands[0],
+                           orZero(slopes_[i.operands[1]][direction]));
             else if (i.op == Op::ArrayLoad && shadow != shadows_.end() && needs(i.results[0]))
                 slopes_[i.results[0]][direction] =
-                    b_.arrayLoad(shadow->second + direction, i.operands[0]);
+                    arrayLoad(b_, shadow->second + direction, i.operands[0]);
         }
         const bool wanted =
             std::any_of(i.results.begin(), i.results.end(), [&](ValueId v) { return needs(v); });

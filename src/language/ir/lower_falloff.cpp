@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // How a light falls off: a value is homogeneous of degree p in L if stretching L by k > 0, the
 // direction kept, multiplies it by k^p. Degrees follow from those of the operands.
+#include "language/ir/lower_falloff.h"
+
 #include "foundation/units/color.h"
-#include "language/ir/lower_internal.h"
+
+#include <map>
+#include <set>
 
 namespace candela::ir {
 namespace {

@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// illuminance, illuminate and solar (RI 3.2 section 12.5; the paper's sections 5.2 and 5.4).
+#include "language/ir/lower_light.h"
+
 #include "foundation/units/color.h"
-#include "language/ir/lower_internal.h"
+#include "language/ir/builder_arithmetic.h"
+#include "language/ir/builder_light.h"
+#include "language/ir/builder_sources.h"
+#include "language/ir/builder_vectors.h"
+#include "language/ir/lower_control.h"
+#include "language/ir/lower_expression.h"
+#include "language/ir/lower_statement.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,9 +21,9 @@ namespace {
 ValueId luminanceOf(Builder &b, const Components &value) {
     if (value.size() == 1)
         return value[0];
-    ValueId sum = b.mul(value[0], b.number(luminanceWeights[0]));
+    ValueId sum = mul(b, value[0], number(b, luminanceWeights[0]));
     for (int c = 1; c < colorSamples; ++c)
-        sum = b.add(sum, b.mul(value[c], b.number(luminanceWeights[c])));
+        sum = add(b, sum, mul(b, value[c], number(b, luminanceWeights[c])));
     return sum;
 }
 
@@ -29,19 +36,19 @@ struct ConeValues {
 /// (or vanish, if the count is a constant).
 std::vector<ConeValues> evaluateCones(Lowering &lowering, const sl::LightArguments &light) {
     Builder &b = lowering.b;
-    const ValueId count = lowering.evaluateFloat(*light.coneCount);
+    const ValueId count = evaluateFloat(lowering, *light.coneCount);
     std::vector<ConeValues> cones;
     for (const sl::Cone &cone : light.cones) {
         ConeValues values;
-        values.axis = tripleOf(lowering.evaluate(*cone.axis));
-        values.angle = lowering.evaluateFloat(*cone.angle);
-        values.exponent = lowering.evaluateFloat(*cone.exponent);
-        values.importance = luminanceOf(b, lowering.evaluate(*cone.importance));
-        const ValueId index = b.number(float(cones.size()));
-        values.importance = b.select(b.less(index, count), values.importance, b.number(0));
+        values.axis = tripleOf(evaluate(lowering, *cone.axis));
+        values.angle = evaluateFloat(lowering, *cone.angle);
+        values.exponent = evaluateFloat(lowering, *cone.exponent);
+        values.importance = luminanceOf(b, evaluate(lowering, *cone.importance));
+        const ValueId index = number(b, float(cones.size()));
+        values.importance = select(b, less(b, index, count), values.importance, number(b, 0));
         cones.push_back(values);
     }
-    if (const float *known = b.constantFloat(count)) {
+    if (const float *known = constantFloat(b, count)) {
         const float wanted = std::clamp(*known, 0.0f, float(cones.size()));
         cones.resize(wanted > 0 ? size_t(std::ceil(wanted)) : 0);
     }
@@ -50,37 +57,20 @@ std::vector<ConeValues> evaluateCones(Lowering &lowering, const sl::LightArgumen
 
 /// Lowers a light statement's body once, with its own jumps.
 void lowerBodyOf(Lowering &lowering, const sl::Stmt &statement) {
-    const ValueId none = lowering.b.boolean(false);
-    const int flags = lowering.newCells({none, none});
+    const ValueId none = boolean(lowering.b, false);
+    const int flags = lowering.variables.newCells({none, none});
     lowering.frames.back().loops.push_back({&statement, flags, flags + 1});
-    lowering.lower(statement.body);
+    lower(lowering, statement.body);
     lowering.frames.back().loops.pop_back();
 }
 
-/// The cells that a light loop carries: what its body assigns, and the flags of its jumps.
-std::vector<int> carriedCells(Lowering &lowering, const sl::Stmt &statement, int brokenCell) {
-    const LoopEffects effects = loopEffects(statement);
-    std::vector<int> carried;
-    for (const sl::Symbol *symbol : effects.assigned)
-        lowering.appendCells(*symbol, carried);
-    const auto names = [](const std::vector<const sl::Stmt *> &list, const sl::Stmt *target) {
-        return std::find(list.begin(), list.end(), target) != list.end();
-    };
-    if (names(effects.breaks, &statement))
-        carried.push_back(brokenCell);
-    const Frame &frame = lowering.frames.back();
-    for (const OpenLoop &outer : frame.loops) {
-        if (names(effects.breaks, outer.statement))
-            carried.push_back(outer.broken);
-        if (names(effects.continues, outer.statement))
-            carried.push_back(outer.continued);
-    }
-    if (effects.returns) {
-        carried.push_back(frame.returned);
-        const int count = frame.function ? componentCount(frame.function->result.base) : 0;
-        for (int i = 0; i < count; ++i)
-            carried.push_back(frame.result + i);
-    }
+/// What a light loop carries: as any loop, and the flag of its own breaks.
+std::vector<int> cellsInOrder(const CarriedCells &parts, int broken) {
+    std::vector<int> carried = parts.variables;
+    if (parts.breaks)
+        carried.push_back(broken);
+    carried.insert(carried.end(), parts.flags.begin(), parts.flags.end());
+    carried.insert(carried.end(), parts.results.begin(), parts.results.end());
     return carried;
 }
 
@@ -90,13 +80,31 @@ LightRequest describe(Lowering &lowering, const sl::LightArguments &light, int l
     request.form = ConeForm(light.form);
     request.line = line;
     if (light.category) {
-        const ValueId name = lowering.evaluate(*light.category)[0];
+        const ValueId name = evaluate(lowering, *light.category)[0];
         const std::string category =
-            lowering.requiredText(name, light.category->where, "a light category");
+            requiredText(lowering, name, light.category->where, "a light category");
         if (!category.empty())
-            request.category = lowering.b.category(category);
+            request.category = categoryIndex(lowering.b, category);
     }
     return request;
+}
+
+/// The operands that say the cones, which the request counts.
+Components describeCones(Lowering &lowering, const sl::LightArguments &light,
+                         LightRequest &request) {
+    Components operands;
+    if (light.form == sl::ConeForm::Classic) {
+        request.coneCount = 1;
+        operands = evaluate(lowering, *light.axis);
+        operands.push_back(evaluateFloat(lowering, *light.angle));
+    } else if (light.form == sl::ConeForm::Extended) {
+        for (const ConeValues &cone : evaluateCones(lowering, light)) {
+            ++request.coneCount;
+            operands.insert(operands.end(), cone.axis.begin(), cone.axis.end());
+            operands.insert(operands.end(), {cone.angle, cone.exponent, cone.importance});
+        }
+    }
+    return operands;
 }
 
 } // namespace
@@ -105,146 +113,127 @@ static_assert(int(ConeForm::Everywhere) == int(sl::ConeForm::Everywhere) &&
               int(ConeForm::Classic) == int(sl::ConeForm::Classic) &&
               int(ConeForm::Extended) == int(sl::ConeForm::Extended));
 
-void Lowering::lowerIlluminance(const sl::Stmt &statement) {
+void lowerIlluminance(Lowering &lowering, const sl::Stmt &statement) {
+    Builder &b = lowering.b;
     const sl::LightArguments &light = *statement.light;
-    LightRequest request = describe(*this, light, statement.where.line);
-    const Triple position = tripleOf(evaluate(*light.position));
-    Components coneOperands;
-    if (light.form == sl::ConeForm::Classic) {
-        request.coneCount = 1;
-        coneOperands = evaluate(*light.axis);
-        coneOperands.push_back(evaluateFloat(*light.angle));
-    } else if (light.form == sl::ConeForm::Extended) {
-        for (const ConeValues &cone : evaluateCones(*this, light)) {
-            ++request.coneCount;
-            coneOperands.insert(coneOperands.end(), cone.axis.begin(), cone.axis.end());
-            coneOperands.insert(coneOperands.end(), {cone.angle, cone.exponent, cone.importance});
-        }
-    }
-
-    const std::vector<ValueId> before = cells;
-    const int flags = newCells({b.boolean(false), b.boolean(false)});
-    const int broken = flags, continued = flags + 1;
-    const std::vector<int> carried = carriedCells(*this, statement, broken);
-    Components initial;
-    for (int cell : carried)
-        initial.push_back(cells[cell]);
+    LightRequest request = describe(lowering, light, statement.where.line);
+    const Triple position = tripleOf(evaluate(lowering, *light.position));
+    const Components coneOperands = describeCones(lowering, light, request);
+    Variables &variables = lowering.variables;
+    const std::vector<ValueId> before = variables.cells;
+    const ValueId none = boolean(b, false);
+    const int broken = variables.newCells({none, none}), continued = broken + 1;
+    const std::vector<int> carried = cellsInOrder(carriedCells(lowering, statement), broken);
+    const Components initial = variables.inCells(carried);
     const auto sample = [&](const Triple &L, const Components &Cl, const Components &arguments) {
-        for (size_t i = 0; i < carried.size(); ++i)
-            cells[carried[i]] = arguments[i];
-        setPredefined(sl::PredefinedId::L, componentsOf(L));
-        setPredefined(sl::PredefinedId::Cl, Cl);
-        setPredefined(sl::PredefinedId::Ol, Components(colorSamples, b.number(1)));
-        frames.back().loops.push_back({&statement, broken, continued});
-        whereLive([&] { lower(statement.body); });
-        frames.back().loops.pop_back();
-        Components yields;
-        for (int cell : carried)
-            yields.push_back(cells[cell]);
-        return yields;
+        variables.setCells(carried, arguments);
+        variables.store(sl::PredefinedId::L, componentsOf(L));
+        variables.store(sl::PredefinedId::Cl, Cl);
+        variables.store(sl::PredefinedId::Ol, Components(colorSamples, number(b, 1)));
+        lowering.frames.back().loops.push_back({&statement, broken, continued});
+        whereLive(lowering, [&] { lower(lowering, statement.body); });
+        lowering.frames.back().loops.pop_back();
+        return variables.inCells(carried);
     };
     const Components results =
-        b.lightLoop(b.addRequest(request), position, coneOperands, initial, sample);
-    cells = before;
-    for (size_t i = 0; i < carried.size(); ++i)
-        if (carried[i] < int(cells.size()))
-            cells[carried[i]] = results[i];
+        lightLoop(b, addRequest(b, request), position, coneOperands, initial, sample);
+    variables.cells = before;
+    variables.setCells(carried, results);
 }
 
 namespace {
 
 /// Two directions that complete a unit vector to an orthonormal frame (Duff et al. 2017).
 std::pair<Triple, Triple> frameAbout(Builder &b, const Triple &n) {
-    const ValueId one = b.number(1);
-    const ValueId sign = b.select(b.less(n[2], b.number(0)), b.number(-1), one);
-    const ValueId a = b.div(b.number(-1), b.add(sign, n[2]));
-    const ValueId c = b.mul(b.mul(n[0], n[1]), a);
-    const Triple x{b.add(one, b.mul(b.mul(sign, b.mul(n[0], n[0])), a)), b.mul(sign, c),
-                   b.neg(b.mul(sign, n[0]))};
-    const Triple y{c, b.add(sign, b.mul(b.mul(n[1], n[1]), a)), b.neg(n[1])};
+    const ValueId one = number(b, 1);
+    const ValueId sign = select(b, less(b, n[2], number(b, 0)), number(b, -1), one);
+    const ValueId a = div(b, number(b, -1), add(b, sign, n[2]));
+    const ValueId c = mul(b, mul(b, n[0], n[1]), a);
+    const Triple x{add(b, one, mul(b, mul(b, sign, mul(b, n[0], n[0])), a)), mul(b, sign, c),
+                   neg(b, mul(b, sign, n[0]))};
+    const Triple y{c, add(b, sign, mul(b, mul(b, n[1], n[1]), a)), neg(b, n[1])};
     return {x, y};
 }
 
 /// A direction of unit length, uniform within `angle` (radians) of the axis, by `xi` in [0,1) and
 /// the second number of the input lightSample.
 Triple directionInCone(Builder &b, const Triple &axis, ValueId angle, ValueId xi) {
-    const Triple centre = b.normalize(axis);
-    if (const float *known = b.constantFloat(angle); known && *known <= 0)
+    const Triple centre = normalize(b, axis);
+    if (const float *known = constantFloat(b, angle); known && *known <= 0)
         return centre;
-    const ValueId one = b.number(1);
+    const ValueId one = number(b, 1);
     const ValueId turn =
-        b.mul(b.number(2 * std::numbers::pi_v<float>), b.input(ShaderInput::lightSample, 1));
+        mul(b, number(b, 2 * std::numbers::pi_v<float>), input(b, ShaderInput::lightSample, 1));
     const ValueId cosine =
-        b.sub(one, b.mul(xi, b.sub(one, b.unary(Op::Cos, b.max(angle, b.number(0))))));
-    const ValueId sine = b.sqrt(b.sub(one, b.mul(cosine, cosine)));
+        sub(b, one, mul(b, xi, sub(b, one, unary(b, Op::Cos, max(b, angle, number(b, 0))))));
+    const ValueId sine = sqrt(b, sub(b, one, mul(b, cosine, cosine)));
     const auto [x, y] = frameAbout(b, centre);
-    return b.add(b.scale(centre, cosine), b.add(b.scale(x, b.mul(sine, b.unary(Op::Cos, turn))),
-                                                b.scale(y, b.mul(sine, b.unary(Op::Sin, turn)))));
+    return add(b, scale(b, centre, cosine),
+               add(b, scale(b, x, mul(b, sine, unary(b, Op::Cos, turn))),
+                   scale(b, y, mul(b, sine, unary(b, Op::Sin, turn)))));
 }
 
 void openLight(Lowering &lowering, const Triple &L) {
-    if (!lowering.lightDirection)
-        lowering.lightDirection = L;
-    lowering.setPredefined(sl::PredefinedId::L, componentsOf(L));
+    if (!lowering.light.direction)
+        lowering.light.direction = L;
+    lowering.variables.store(sl::PredefinedId::L, componentsOf(L));
 }
 
 } // namespace
 
-/// A local emitter: L runs from the light to Ps. Light leaves within the cone of the classic form
-/// alone; the cones of the extended form say where to send it, and cull nothing.
-void Lowering::lowerIlluminate(const sl::Stmt &statement) {
-    lightClass = LightClass::Local;
+void lowerIlluminate(Lowering &lowering, const sl::Stmt &statement) {
+    Builder &b = lowering.b;
+    lowering.light.kind = LightClass::Local;
     const sl::LightArguments &light = *statement.light;
-    const Triple position = tripleOf(evaluate(*light.position));
-    const Triple L = b.sub(tripleOf(predefined(sl::PredefinedId::Ps)), position);
-    ValueId lit = b.boolean(true);
+    const Triple position = tripleOf(evaluate(lowering, *light.position));
+    const Triple L = sub(b, tripleOf(lowering.variables.load(sl::PredefinedId::Ps)), position);
+    ValueId lit = boolean(b, true);
     if (light.form == sl::ConeForm::Classic) {
-        const Triple axis = b.normalize(tripleOf(evaluate(*light.axis)));
-        const ValueId angle = evaluateFloat(*light.angle);
-        const ValueId cosine = b.unary(Op::Cos, b.min(angle, b.number(std::numbers::pi_v<float>)));
-        lit = b.lessEqual(cosine, b.dot(axis, b.normalize(L)));
-        if (const float *known = b.constantFloat(angle);
+        const Triple axis = normalize(b, tripleOf(evaluate(lowering, *light.axis)));
+        const ValueId angle = evaluateFloat(lowering, *light.angle);
+        const ValueId cosine =
+            unary(b, Op::Cos, min(b, angle, number(b, std::numbers::pi_v<float>)));
+        lit = lessEqual(b, cosine, dot(b, axis, normalize(b, L)));
+        if (const float *known = constantFloat(b, angle);
             known && *known >= std::numbers::pi_v<float>)
-            lit = b.boolean(true);
+            lit = boolean(b, true);
     } else if (light.form == sl::ConeForm::Extended) {
-        evaluateCones(*this, light);
+        evaluateCones(lowering, light);
     }
-    openLight(*this, L);
+    openLight(lowering, L);
     branch(
-        lit, [&] { lowerBodyOf(*this, statement); }, [] {});
+        lowering, lit, [&] { lowerBodyOf(lowering, statement); }, [] {});
 }
 
-/// A distant emitter: the direction of its light is the axis, or one of the cone about it by
-/// lightSample; without any arguments one of the sphere. Of several cones of the extended form
-/// lightSample takes one, by importance.
-void Lowering::lowerSolar(const sl::Stmt &statement) {
-    if (lightClass == LightClass::Ambient)
-        lightClass = LightClass::Distant;
+void lowerSolar(Lowering &lowering, const sl::Stmt &statement) {
+    Builder &b = lowering.b;
+    if (lowering.light.kind == LightClass::Ambient)
+        lowering.light.kind = LightClass::Distant;
     const sl::LightArguments &light = *statement.light;
-    Triple axis = b.triple(0, 0, 1);
-    ValueId angle = b.number(std::numbers::pi_v<float>);
-    ValueId xi = b.input(ShaderInput::lightSample, 0);
+    Triple axis = triple(b, 0, 0, 1);
+    ValueId angle = number(b, std::numbers::pi_v<float>);
+    ValueId xi = input(b, ShaderInput::lightSample, 0);
     if (light.form == sl::ConeForm::Classic) {
-        axis = tripleOf(evaluate(*light.axis));
-        angle = evaluateFloat(*light.angle);
+        axis = tripleOf(evaluate(lowering, *light.axis));
+        angle = evaluateFloat(lowering, *light.angle);
     } else if (light.form == sl::ConeForm::Extended) {
-        const std::vector<ConeValues> cones = evaluateCones(*this, light);
-        const ValueId halfDegree = b.number(std::numbers::pi_v<float> / 360);
-        ValueId total = b.number(0);
+        const std::vector<ConeValues> cones = evaluateCones(lowering, light);
+        const ValueId halfDegree = number(b, std::numbers::pi_v<float> / 360);
+        ValueId total = number(b, 0);
         for (const ConeValues &cone : cones)
-            total = b.add(total, cone.importance);
-        const ValueId wanted = b.mul(xi, total);
-        ValueId sum = b.number(0);
+            total = add(b, total, cone.importance);
+        const ValueId wanted = mul(b, xi, total);
+        ValueId sum = number(b, 0);
         for (size_t i = 0; i < cones.size(); ++i) {
-            const ValueId taken = i == 0 ? b.boolean(true) : b.lessEqual(sum, wanted);
-            axis = b.select(taken, cones[i].axis, axis);
-            angle = b.select(taken, b.mul(cones[i].angle, halfDegree), angle);
-            xi = b.select(taken, b.div(b.sub(wanted, sum), cones[i].importance), xi);
-            sum = b.add(sum, cones[i].importance);
+            const ValueId taken = i == 0 ? boolean(b, true) : lessEqual(b, sum, wanted);
+            axis = select(b, taken, cones[i].axis, axis);
+            angle = select(b, taken, mul(b, cones[i].angle, halfDegree), angle);
+            xi = select(b, taken, div(b, sub(b, wanted, sum), cones[i].importance), xi);
+            sum = add(b, sum, cones[i].importance);
         }
     }
-    openLight(*this, directionInCone(b, axis, angle, xi));
-    lowerBodyOf(*this, statement);
+    openLight(lowering, directionInCone(b, axis, angle, xi));
+    lowerBodyOf(lowering, statement);
 }
 
 } // namespace candela::ir

@@ -111,8 +111,8 @@ TEST(LowerLight, Categories) {
     ASSERT_TRUE(run.lowered) << run.diagnostics.text();
     ASSERT_EQ(run.lowered->whole.categories, std::vector<std::string>{"a,-b"});
     run.setSamples(samples);
-    run.batch->lightCount = 2;
-    run.batch->categoryAccepts = {0, 0, 1}; // Indirect, light 1, light 2.
+    run.batch->samples.lightCount = 2;
+    run.batch->samples.categoryAccepts = {0, 0, 1}; // Indirect, light 1, light 2.
     EXPECT_FLOAT_EQ(run.run().at("Ci")[0][0], 1);
 }
 
@@ -140,9 +140,9 @@ TEST(LowerLight, TraceIsANumberedAnswer) {
     ShaderRun run("surface test() { Ci = 0.5 * trace(P, reflect(I, N)) + trace(P, I); }", 3);
     ASSERT_TRUE(run.lowered) << run.diagnostics.text();
     ASSERT_EQ(run.lowered->whole.requests.size(), 2u);
-    run.batch->useAnswers = true;
+    run.batch->answers.givesTraced = true;
     EXPECT_FLOAT_EQ(run.run().at("Ci")[1][2],
-                    0.5f * run.batch->answers[1][2] + run.batch->answers[4][2]);
+                    0.5f * run.batch->answers.traced[1][2] + run.batch->answers.traced[4][2]);
 }
 
 TEST(LowerLight, PointLight) {

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Matrices, row by row, acting on row vectors: "A * B" is first A, then B.
-#include "language/ir/lower_internal.h"
+#include "language/ir/lower_matrix.h"
+
+#include "language/ir/builder_arithmetic.h"
+#include "language/ir/builder_sources.h"
+#include "language/ir/lower_builtins.h"
 
 namespace candela::ir {
 
 Matrix identityMatrix(Builder &b) {
     Matrix result;
     for (int i = 0; i < 16; ++i)
-        result[i] = b.number(i % 5 == 0 ? 1.0f : 0.0f);
+        result[i] = number(b, i % 5 == 0 ? 1.0f : 0.0f);
     return result;
 }
 
@@ -15,9 +18,9 @@ Matrix multiply(Builder &b, const Matrix &x, const Matrix &y) {
     Matrix result;
     for (int row = 0; row < 4; ++row)
         for (int column = 0; column < 4; ++column) {
-            ValueId sum = b.mul(x[row * 4], y[column]);
+            ValueId sum = mul(b, x[row * 4], y[column]);
             for (int k = 1; k < 4; ++k)
-                sum = b.add(sum, b.mul(x[row * 4 + k], y[k * 4 + column]));
+                sum = add(b, sum, mul(b, x[row * 4 + k], y[k * 4 + column]));
             result[row * 4 + column] = sum;
         }
     return result;
@@ -28,7 +31,8 @@ namespace {
 /// The 2x2 minors of rows (r, r+1), for column pairs 01 02 03 12 13 23: all that cofactors need.
 std::array<ValueId, 6> minors(Builder &b, const Matrix &m, int r) {
     const auto minor = [&](int i, int k) {
-        return b.sub(b.mul(m[r * 4 + i], m[r * 4 + 4 + k]), b.mul(m[r * 4 + k], m[r * 4 + 4 + i]));
+        return sub(b, mul(b, m[r * 4 + i], m[r * 4 + 4 + k]),
+                   mul(b, m[r * 4 + k], m[r * 4 + 4 + i]));
     };
     return {minor(0, 1), minor(0, 2), minor(0, 3), minor(1, 2), minor(1, 3), minor(2, 3)};
 }
@@ -36,11 +40,11 @@ std::array<ValueId, 6> minors(Builder &b, const Matrix &m, int r) {
 /// Laplace expansion by the upper and lower pairs of rows.
 ValueId determinantOf(Builder &b, const std::array<ValueId, 6> &s,
                       const std::array<ValueId, 6> &c) {
-    ValueId sum = b.sub(b.mul(s[0], c[5]), b.mul(s[1], c[4]));
-    sum = b.add(sum, b.mul(s[2], c[3]));
-    sum = b.add(sum, b.mul(s[3], c[2]));
-    sum = b.sub(sum, b.mul(s[4], c[1]));
-    return b.add(sum, b.mul(s[5], c[0]));
+    ValueId sum = sub(b, mul(b, s[0], c[5]), mul(b, s[1], c[4]));
+    sum = add(b, sum, mul(b, s[2], c[3]));
+    sum = add(b, sum, mul(b, s[3], c[2]));
+    sum = sub(b, sum, mul(b, s[4], c[1]));
+    return add(b, sum, mul(b, s[5], c[0]));
 }
 
 } // namespace
@@ -51,11 +55,11 @@ ValueId determinant(Builder &b, const Matrix &m) {
 
 Matrix inverse(Builder &b, const Matrix &m) {
     const auto s = minors(b, m, 0), c = minors(b, m, 2);
-    const ValueId scale = b.div(b.number(1), determinantOf(b, s, c));
+    const ValueId scale = div(b, number(b, 1), determinantOf(b, s, c));
     // (x p - y q + z r), or its negative.
     const auto cofactor = [&](bool positive, int x, ValueId p, int y, ValueId q, int z, ValueId r) {
-        const ValueId sum = b.add(b.sub(b.mul(m[x], p), b.mul(m[y], q)), b.mul(m[z], r));
-        return b.mul(positive ? sum : b.neg(sum), scale);
+        const ValueId sum = add(b, sub(b, mul(b, m[x], p), mul(b, m[y], q)), mul(b, m[z], r));
+        return mul(b, positive ? sum : neg(b, sum), scale);
     };
     return {
         cofactor(true, 5, c[5], 6, c[4], 7, c[3]),     cofactor(false, 1, c[5], 2, c[4], 3, c[3]),

@@ -1,36 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
-// Named coordinate systems: constructors with a space, the transform functions, depth().
-#include "language/ir/lower_internal.h"
+#include "language/ir/lower_spaces.h"
+
+#include "language/ir/builder_sources.h"
+#include "language/ir/builder_vectors.h"
+#include "language/ir/lower_builtins.h"
+#include "language/ir/lower_matrix.h"
 
 namespace candela::ir {
 
-static void refuseInDefault(Lowering &lowering, const std::string &name, const sl::Place &where) {
-    lowering.error(where, "a default value can name a space only around the whole value, as in "
-                          "point \"" +
-                              name + "\" (0, 0, 0)");
+void Spaces::refuse(const std::string &name, const sl::Place &where) {
+    messages_.error(where, "a default value can name a space only around the whole value, as in "
+                           "point \"" +
+                               name + "\" (0, 0, 0)");
 }
 
-std::optional<Lowering::SpaceMatrices> Lowering::space(const std::string &name,
-                                                       const sl::Place &where) {
-    if (name == "current" || (onlyShaderSpace && name == "shader"))
+std::optional<SpaceMatrices> Spaces::find(const std::string &name, const sl::Place &where) {
+    if (name == "current" || (onlyShader_ && name == "shader"))
         return std::nullopt;
-    if (onlyShaderSpace) {
-        refuseInDefault(*this, name, where);
+    if (onlyShader_) {
+        refuse(name, where);
         return std::nullopt;
     }
     if (name == "object")
-        return SpaceMatrices{b.object(), b.objectInverse()};
+        return SpaceMatrices{currentFromObject(b_), objectFromCurrent(b_)};
     if (name != "shader")
-        return SpaceMatrices{b.space(name), b.spaceInverse(name)};
-    if (shaderSpaceSlot_ < 0) {
-        shaderSpaceSlot_ = int(function_.parameters.size());
+        return SpaceMatrices{currentFromSpace(b_, name), spaceFromCurrent(b_, name)};
+    if (shaderSlot_ < 0) {
+        auto &slots = b_.function().parameters;
+        shaderSlot_ = int(slots.size());
         for (int i = 0; i < 32; ++i)
-            function_.parameters.push_back({"shader", i});
+            slots.push_back({"shader", i});
     }
     SpaceMatrices result;
     for (int i = 0; i < 16; ++i) {
-        result.toCurrent[i] = b.parameter(shaderSpaceSlot_ + i);
-        result.fromCurrent[i] = b.parameter(shaderSpaceSlot_ + 16 + i);
+        result.toCurrent[i] = parameter(b_, shaderSlot_ + i);
+        result.fromCurrent[i] = parameter(b_, shaderSlot_ + 16 + i);
     }
     return result;
 }
@@ -41,9 +45,9 @@ namespace {
 Triple transformBy(Builder &b, sl::BaseType base, const Triple &value, const Matrix &m,
                    const Matrix &inverseOfM) {
     switch (base) {
-    case sl::BaseType::Point: return b.transformPoint(m, value);
-    case sl::BaseType::Normal: return b.transformNormal(inverseOfM, value);
-    default: return b.transformVector(m, value);
+    case sl::BaseType::Point: return transformPoint(b, m, value);
+    case sl::BaseType::Normal: return transformNormal(b, inverseOfM, value);
+    default: return transformVector(b, m, value);
     }
 }
 
@@ -56,7 +60,7 @@ Components transformBuiltin(BuiltinCall &call) {
     const sl::Place &where = call.expr.where;
     const std::string from = last == 2 ? call.text(0, "the name of a space") : "current";
     if (!call.isText(last - 1)) {
-        if (const auto source = call.lowering.space(from, where))
+        if (const auto source = call.lowering.spaces.find(from, where))
             value = transformBy(b, base, value, source->toCurrent, source->fromCurrent);
         const Matrix m = matrixOf(call.arguments[last - 1]);
         const Matrix inverted = base == sl::BaseType::Normal ? inverse(b, m) : m;
@@ -65,9 +69,9 @@ Components transformBuiltin(BuiltinCall &call) {
     const std::string to = call.text(last - 1, "the name of a space");
     if (from == to)
         return componentsOf(value);
-    if (const auto source = call.lowering.space(from, where))
+    if (const auto source = call.lowering.spaces.find(from, where))
         value = transformBy(b, base, value, source->toCurrent, source->fromCurrent);
-    if (const auto target = call.lowering.space(to, where))
+    if (const auto target = call.lowering.spaces.find(to, where))
         value = transformBy(b, base, value, target->fromCurrent, target->toCurrent);
     return componentsOf(value);
 }
@@ -85,34 +89,34 @@ Components mtransformBuiltin(BuiltinCall &call) {
     const std::string to = call.text(last - 1, "the name of a space");
     if (from == to)
         return componentsOf(m);
-    if (const auto source = call.lowering.space(from, where))
+    if (const auto source = call.lowering.spaces.find(from, where))
         m = conjugate(call.b, source->fromCurrent, m, source->toCurrent);
-    if (const auto target = call.lowering.space(to, where))
+    if (const auto target = call.lowering.spaces.find(to, where))
         m = conjugate(call.b, target->toCurrent, m, target->fromCurrent);
     return componentsOf(m);
 }
 
 /// The space "depth" is camera space with z from 0 at the near to 1 at the far clipping plane.
 Components depthBuiltin(BuiltinCall &call) {
-    const Matrix depthFromCurrent = call.b.spaceInverse("depth");
-    return {call.b.transformPoint(depthFromCurrent, call.triple(0))[2]};
+    const Matrix depthFromCurrent = spaceFromCurrent(call.b, "depth");
+    return {transformPoint(call.b, depthFromCurrent, call.triple(0))[2]};
 }
 
 } // namespace
 
-Components Lowering::fromSpace(sl::BaseType base, const Components &value, const std::string &name,
-                               const sl::Place &where) {
+Components fromSpace(Lowering &lowering, sl::BaseType base, const Components &value,
+                     const std::string &name, const sl::Place &where) {
     if (base == sl::BaseType::Color)
-        return convertColor(*this, value, name, "rgb", where);
-    if (base == sl::BaseType::Matrix && onlyShaderSpace && name == "shader")
-        refuseInDefault(*this, name, where); // Matrices start at current space, not at "shader".
-    const auto source = space(name, where);
+        return convertColor(lowering, value, name, "rgb", where);
+    if (base == sl::BaseType::Matrix && lowering.spaces.isShaderOnly() && name == "shader")
+        lowering.spaces.refuse(name, where); // Matrices start at current space, not at "shader".
+    const auto source = lowering.spaces.find(name, where);
     if (!source)
         return value;
     if (base == sl::BaseType::Matrix)
-        return componentsOf(multiply(b, source->fromCurrent, matrixOf(value)));
+        return componentsOf(multiply(lowering.b, source->fromCurrent, matrixOf(value)));
     return componentsOf(
-        transformBy(b, base, tripleOf(value), source->toCurrent, source->fromCurrent));
+        transformBy(lowering.b, base, tripleOf(value), source->toCurrent, source->fromCurrent));
 }
 
 BuiltinLowering spaceBuiltin(sl::BuiltinId id) {

@@ -49,10 +49,10 @@ TEST(Lower, AmbientComesFromTheRenderer) {
     run.setInput(ShaderInput::Os, {1, 1, 1});
     run.setInput(ShaderInput::Cs, {1, 1, 1});
     run.setParameter("Ka", {0.5f});
-    run.batch->useAmbient = true;
+    run.batch->answers.givesAmbient = true;
     const auto Ci = run.run().at("Ci");
     for (int c = 0; c < 3; ++c)
-        EXPECT_FLOAT_EQ(Ci[c][3], 0.5f * run.batch->ambient[c][3]);
+        EXPECT_FLOAT_EQ(Ci[c][3], 0.5f * run.batch->answers.ambient[c][3]);
 }
 
 TEST(Lower, UnsetOutputs) {

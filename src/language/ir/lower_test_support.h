@@ -62,16 +62,16 @@ public:
     void setSamples(const std::vector<Sample> &samples) {
         const int padded = batch->padded();
         batch->setSamples(int(samples.size()), 1);
-        batch->sampleLight.assign(samples.size() * size_t(padded), 0);
+        batch->samples.light.assign(samples.size() * size_t(padded), 0);
         for (size_t row = 0; row < samples.size(); ++row)
             for (int lane = 0; lane < padded; ++lane) {
                 const size_t at = row * size_t(padded) + size_t(lane);
                 const float L[3] = {samples[row].L.x, samples[row].L.y, samples[row].L.z};
                 for (size_t c = 0; c < 3; ++c) {
-                    batch->sampleL[c][at] = L[c];
-                    batch->sampleCl[c][at] = samples[row].Cl[c];
+                    batch->samples.L[c][at] = L[c];
+                    batch->samples.Cl[c][at] = samples[row].Cl[c];
                 }
-                batch->sampleLight[at] = samples[row].light;
+                batch->samples.light[at] = samples[row].light;
             }
     }
 

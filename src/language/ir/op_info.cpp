@@ -47,6 +47,10 @@ const OpInfo &info(Op op) {
     return table.info[int(op)];
 }
 
+Type typeOf(char letter) { return Type(std::string_view("fbis").find(letter)); }
+
+bool isConstant(Op op) { return op <= Op::ConstString; }
+
 bool isPure(Op op) {
     switch (op) {
     case Op::ArrayLoad:

@@ -16,8 +16,12 @@ struct OpInfo {
 };
 
 const OpInfo &info(Op);
+/// What a letter of ops.def stands for: f, b, i or s.
+Type typeOf(char letter);
 inline constexpr int opCount = int(Op::CategoryAccepts) + 1;
 
+/// ConstFloat, ConstBool, ConstInteger, ConstString.
+bool isConstant(Op);
 /// Same operands, same results, nothing else: may be shared, moved and left out. Not so are
 /// memory, light, control and effects.
 bool isPure(Op);

@@ -2,6 +2,8 @@
 #include "language/ir/plan.h"
 
 #include "foundation/units/color.h"
+#include "language/ir/builder_effects.h"
+#include "language/ir/builder_sources.h"
 #include "language/ir/dead_code.h"
 #include "language/ir/zero.h"
 
@@ -11,22 +13,22 @@ namespace candela::ir {
 
 namespace {
 
-/// The text anew, so that equal values are one value and have one frame slot.
-void shareEqualValues(Function &text, std::vector<Cull> &culls) {
+/// Writes the text anew, so that equal values are one value and have one frame slot.
+void eliminateCommonSubexpressions(Function &text, std::vector<ConeTest> &coneTests) {
     Dependence dependence = analyzeDependence(text);
     Function shared = emptyLike(text);
     Builder b(shared);
-    Telling telling;
-    telling.prints = true;
-    Specializer teller(text, dependence, b, {{Hypothesis::Light::Given, true, nullptr}}, telling);
-    teller.run();
+    SpecializationOptions options;
+    options.prints = true;
+    SpecializedText specialized =
+        specialize(text, dependence, b, {{Assumption::Light::Given, true, nullptr}}, options);
     for (const OutputSlot &slot : text.outputs)
-        if (auto v = teller.output(0, slot.name, slot.component))
-            b.output(slot.name, slot.component, *v);
-    for (Cull &cull : culls)
-        if (cull.known) {
-            cull.axis = teller.triple(0, cull.axis);
-            cull.cosine = teller.value(0, cull.cosine);
+        if (auto v = specialized.output(0, slot.name, slot.component))
+            output(b, slot.name, slot.component, *v);
+    for (ConeTest &test : coneTests)
+        if (test.known) {
+            test.axis = specialized.mapping.triple(0, test.axis);
+            test.cosine = specialized.mapping.value(0, test.cosine);
         }
     b.finish();
     text = std::move(shared);
@@ -44,12 +46,12 @@ bool holds(const Region &region, const std::function<bool(const Instruction &)> 
 }
 
 void readFacts(Plan &plan) {
-    Function emission = tellUnder(plan, {}, "Ci", "Ce");
+    Function emission = specializeUnder(plan, {}, "Ci", "Ce");
     std::vector<bool> zero = provablyZero(emission);
     for (const Instruction &i : emission.body.body)
         if (i.op == Op::Output)
             plan.emits[emission.outputs[i.immediate].component] = !zero[i.operands[0]];
-    Function ambient = tellUnder(plan, {Hypothesis::Light::None, true, nullptr}, "Ci", "Ca");
+    Function ambient = specializeUnder(plan, {Assumption::Light::None, true, nullptr}, "Ci", "Ca");
     plan.readsAmbient = holds(ambient.body, [](const Instruction &i) {
         return i.op == Op::Ambient || i.op == Op::Irradiance;
     });
@@ -70,16 +72,15 @@ Function emptyLike(const Function &whole) {
     return result;
 }
 
-Function tellUnder(const Plan &plan, const Hypothesis &hypothesis, const std::string &from,
-                   const std::string &slot) {
+Function specializeUnder(const Plan &plan, const Assumption &assumption, const std::string &from,
+                         const std::string &slot) {
     Function result = emptyLike(plan.text);
     Builder b(result);
-    Telling telling;
-    telling.culls = &plan.culls;
-    Specializer teller(plan.text, plan.dependence, b, {hypothesis}, telling);
-    teller.run();
+    SpecializationOptions options;
+    options.coneTests = &plan.coneTests;
+    SpecializedText specialized = specialize(plan.text, plan.dependence, b, {assumption}, options);
     for (int k = 0; k < colorSamples; ++k)
-        b.output(slot, k, teller.output(0, from, k).value_or(b.number(0)));
+        output(b, slot, k, specialized.output(0, from, k).value_or(number(b, 0)));
     b.finish();
     removeDeadCode(result);
     return result;
@@ -89,8 +90,8 @@ std::unique_ptr<Plan> makePlan(const Function &whole) {
     auto plan = std::make_unique<Plan>();
     plan->text = whole;
     removeDeadCode(plan->text);
-    plan->culls = addCulls(plan->text);
-    shareEqualValues(plan->text, plan->culls);
+    plan->coneTests = addConeTests(plan->text);
+    eliminateCommonSubexpressions(plan->text, plan->coneTests);
     plan->dependence = analyzeDependence(plan->text);
     plan->framed = plan->dependence.staticRequests;
     plan->cones = conesOf(plan->text, plan->dependence, plan->framed);

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "language/ir/cones.h"
-#include "language/ir/specializer.h"
+#include "language/ir/specialize.h"
 
 #include <array>
 #include <map>
@@ -13,9 +13,9 @@
 namespace candela::ir {
 
 struct Plan {
-    Function text; ///< Without dead code, with culls, equal values shared.
+    Function text; ///< Without dead code, with cone tests, equal values shared.
     Dependence dependence;
-    std::vector<Cull> culls;
+    std::vector<ConeTest> coneTests;
     std::vector<Cone> cones;
     std::array<bool, 3> emits{}; ///< By channel: Ce is not provably zero.
     bool readsAmbient = false;   ///< Ci does.
@@ -28,9 +28,9 @@ std::unique_ptr<Plan> makePlan(const Function &whole);
 /// A function with the whole's name and tables, but no code and no outputs.
 Function emptyLike(const Function &whole);
 
-/// Outputs of a surface's Ci under a hypothesis, told in one stage, as output slot `slot`.
-Function tellUnder(const Plan &, const Hypothesis &, const std::string &from,
-                   const std::string &slot);
+/// Outputs of a surface's Ci under an assumption, in one stage, as output slot `slot`.
+Function specializeUnder(const Plan &, const Assumption &, const std::string &from,
+                         const std::string &slot);
 
 /// Frame slots of the values that later stages need. The slot of Ce's channel k has the key
 /// text.values.size() + k.
@@ -41,9 +41,9 @@ struct FramePlan {
 FramePlan planFrame(const Plan &);
 
 /// The framed functions. Loads and stores that `slots` does not name are numbered by ValueId.
-Function tellPrepare(const Plan &, Stage first, const std::map<ValueId, int> &slots);
-Function tellSurface(const Plan &, const std::map<ValueId, int> &slots);
-Function tellScatter(const Plan &, const std::map<ValueId, int> &slots);
+Function specializePrepare(const Plan &, Stage first, const std::map<ValueId, int> &slots);
+Function specializeSurface(const Plan &, const std::map<ValueId, int> &slots);
+Function specializeScatter(const Plan &, const std::map<ValueId, int> &slots);
 /// Output slots of Prepare, in order: cones, Ce, Ca, Oi.
 std::vector<OutputSlot> prepareOutputs(const Plan &);
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The functions that share a frame: Surface, View, Prepare and Scatter.
 #include "foundation/units/color.h"
+#include "language/ir/builder_arithmetic.h"
+#include "language/ir/builder_effects.h"
+#include "language/ir/builder_sources.h"
 #include "language/ir/dead_code.h"
 #include "language/ir/plan.h"
 
@@ -34,22 +37,23 @@ ValueId emissionKey(const Plan &plan, int channel) {
     return ValueId(plan.text.values.size()) + channel;
 }
 
-/// Ce of all channels under hypothesis 0; constant zero where that is proved.
-std::vector<ValueId> emission(const Plan &plan, Specializer &teller, Builder &b) {
+/// Ce of all channels under assumption 0; constant zero where that is proved.
+std::vector<ValueId> emission(const Plan &plan, SpecializedText &specialized, Builder &b) {
     std::vector<ValueId> Ce;
     for (int k = 0; k < colorSamples; ++k)
-        Ce.push_back(plan.emits[k] ? teller.output(0, "Ci", k).value_or(b.number(0)) : b.number(0));
+        Ce.push_back(plan.emits[k] ? specialized.output(0, "Ci", k).value_or(number(b, 0))
+                                   : number(b, 0));
     return Ce;
 }
 
-ValueId importanceOf(Specializer &teller, Builder &b, int hypothesis,
+ValueId importanceOf(SpecializedText &specialized, Builder &b, int assumption,
                      const std::vector<ValueId> &Ce) {
-    ValueId sum = b.number(0);
+    ValueId sum = number(b, 0);
     for (int k = 0; k < colorSamples; ++k) {
-        ValueId Ci = teller.output(hypothesis, "Ci", k).value_or(b.number(0));
-        sum = b.add(sum, b.mul(b.number(luminanceWeights[k]), b.sub(Ci, Ce[k])));
+        ValueId Ci = specialized.output(assumption, "Ci", k).value_or(number(b, 0));
+        sum = add(b, sum, mul(b, number(b, luminanceWeights[k]), sub(b, Ci, Ce[k])));
     }
-    return b.max(sum, b.number(0));
+    return max(b, sum, number(b, 0));
 }
 
 void finishFramed(const Plan &plan, Builder &b, Function &function,
@@ -82,85 +86,83 @@ std::vector<OutputSlot> prepareOutputs(const Plan &plan) {
     return slots;
 }
 
-Function tellPrepare(const Plan &plan, Stage first, const std::map<ValueId, int> &slots) {
+Function specializePrepare(const Plan &plan, Stage first, const std::map<ValueId, int> &slots) {
     Function result = emptyLike(plan.text);
     result.outputs = prepareOutputs(plan);
     Builder b(result);
-    Telling telling;
-    telling.first = first;
-    telling.framed = plan.framed;
-    telling.fused = first == Stage::Surface;
-    telling.recomputeCost = viewRecomputes;
-    telling.prints = true;
-    telling.slots = &slots;
-    telling.cones = &plan.cones;
-    telling.culls = &plan.culls;
-    std::vector<Hypothesis> hypotheses{{}};
+    SpecializationOptions options;
+    options.first = first;
+    options.framed = plan.framed;
+    options.fused = first == Stage::Surface;
+    options.recomputeCost = viewRecomputes;
+    options.prints = true;
+    options.slots = &slots;
+    options.cones = &plan.cones;
+    options.coneTests = &plan.coneTests;
+    std::vector<Assumption> assumptions{{}};
     if (plan.readsAmbient)
-        hypotheses.push_back({Hypothesis::Light::None, true, nullptr});
+        assumptions.push_back({Assumption::Light::None, true, nullptr});
     for (const Cone &cone : plan.cones)
         if (cone.kind != Cone::Kind::Stated)
-            hypotheses.push_back({Hypothesis::Light::Probed, false, &cone});
-    Specializer teller(plan.text, plan.dependence, b, hypotheses, telling);
-    teller.run();
-    std::vector<ValueId> Ce = emission(plan, teller, b);
+            assumptions.push_back({Assumption::Light::Probed, false, &cone});
+    SpecializedText specialized = specialize(plan.text, plan.dependence, b, assumptions, options);
+    std::vector<ValueId> Ce = emission(plan, specialized, b);
     for (int k = 0; k < colorSamples; ++k) {
-        b.output("Ce", k, Ce[k]);
+        output(b, "Ce", k, Ce[k]);
         if (plan.readsAmbient)
-            b.output("Ca", k, b.sub(teller.output(1, "Ci", k).value_or(b.number(0)), Ce[k]));
-        b.output("Oi", k, teller.output(0, "Oi", k).value_or(b.number(1)));
+            output(b, "Ca", k,
+                   sub(b, specialized.output(1, "Ci", k).value_or(number(b, 0)), Ce[k]));
+        output(b, "Oi", k, specialized.output(0, "Oi", k).value_or(number(b, 1)));
         if (auto slot = slots.find(emissionKey(plan, k)); slot != slots.end())
             b.emit(Op::FrameStore, {Ce[k]}, slot->second);
     }
-    for (std::size_t h = 0; h < hypotheses.size(); ++h)
-        if (const Cone *cone = hypotheses[h].probe)
-            b.output("cone " + std::to_string(cone - plan.cones.data()) + " importance", 0,
-                     importanceOf(teller, b, int(h), Ce));
+    for (std::size_t h = 0; h < assumptions.size(); ++h)
+        if (const Cone *cone = assumptions[h].probe)
+            output(b, "cone " + std::to_string(cone - plan.cones.data()) + " importance", 0,
+                   importanceOf(specialized, b, int(h), Ce));
     finishFramed(plan, b, result, slots);
     return result;
 }
 
-Function tellSurface(const Plan &plan, const std::map<ValueId, int> &slots) {
+Function specializeSurface(const Plan &plan, const std::map<ValueId, int> &slots) {
     Function result = emptyLike(plan.text);
     Builder b(result);
-    Telling telling;
-    telling.last = Stage::Surface;
-    telling.framed = true;
-    telling.slots = &slots;
-    telling.culls = &plan.culls;
-    Specializer teller(plan.text, plan.dependence, b, {{}}, telling);
+    SpecializationOptions options;
+    options.last = Stage::Surface;
+    options.framed = true;
+    options.slots = &slots;
+    options.coneTests = &plan.coneTests;
     if (plan.framed)
-        teller.run();
+        specialize(plan.text, plan.dependence, b, {{}}, options);
     finishFramed(plan, b, result, slots);
     return result;
 }
 
-Function tellScatter(const Plan &plan, const std::map<ValueId, int> &slots) {
+Function specializeScatter(const Plan &plan, const std::map<ValueId, int> &slots) {
     Function result = emptyLike(plan.text);
     Builder b(result);
-    Telling telling;
-    telling.first = plan.framed ? Stage::Response : Stage::Surface;
-    telling.framed = plan.framed;
-    telling.recomputeCost = scatterRecomputes;
-    telling.slots = &slots;
-    telling.culls = &plan.culls;
-    std::vector<Hypothesis> hypotheses{{Hypothesis::Light::Sampled, false, nullptr}};
+    SpecializationOptions options;
+    options.first = plan.framed ? Stage::Response : Stage::Surface;
+    options.framed = plan.framed;
+    options.recomputeCost = scatterRecomputes;
+    options.slots = &slots;
+    options.coneTests = &plan.coneTests;
+    std::vector<Assumption> assumptions{{Assumption::Light::Sampled, false, nullptr}};
     if (!plan.framed)
-        hypotheses.push_back({});
-    Specializer teller(plan.text, plan.dependence, b, hypotheses, telling);
-    teller.run();
+        assumptions.push_back({});
+    SpecializedText specialized = specialize(plan.text, plan.dependence, b, assumptions, options);
     for (int k = 0; k < colorSamples; ++k) {
-        auto answered = teller.responseOutput("Ci", k);
-        ValueId g = answered.value_or(b.number(0));
+        auto answered = specialized.responseOutput("Ci", k);
+        ValueId g = answered.value_or(number(b, 0));
         if (answered && plan.emits[k]) {
             ValueId key = emissionKey(plan, k);
             auto slot = slots.find(key);
             ValueId Ce = plan.framed ? b.emit(Op::FrameLoad, {},
                                               slot == slots.end() ? int(key) : slot->second)[0]
-                                     : *teller.output(1, "Ci", k);
-            g = b.sub(g, Ce);
+                                     : *specialized.output(1, "Ci", k);
+            g = sub(b, g, Ce);
         }
-        b.output("g", k, g);
+        output(b, "g", k, g);
     }
     finishFramed(plan, b, result, slots);
     return result;
@@ -170,11 +172,11 @@ FramePlan planFrame(const Plan &plan) {
     FramePlan frame;
     if (!plan.framed)
         return frame;
-    std::set<ValueId> scatter = loadsOf(tellScatter(plan, {}));
+    std::set<ValueId> scatter = loadsOf(specializeScatter(plan, {}));
     std::map<ValueId, int> byValue;
     for (ValueId v : scatter)
         byValue[v] = int(v);
-    std::set<ValueId> view = loadsOf(tellPrepare(plan, Stage::View, byValue));
+    std::set<ValueId> view = loadsOf(specializePrepare(plan, Stage::View, byValue));
     int next = 0;
     for (ValueId v : scatter)
         frame.all[v] = frame.scatter[v] = next++;

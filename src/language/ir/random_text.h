@@ -4,6 +4,12 @@
 
 #include "foundation/units/color.h"
 #include "language/ir/builder.h"
+#include "language/ir/builder_arithmetic.h"
+#include "language/ir/builder_control.h"
+#include "language/ir/builder_effects.h"
+#include "language/ir/builder_light.h"
+#include "language/ir/builder_sources.h"
+#include "language/ir/builder_vectors.h"
 
 #include <random>
 
@@ -20,47 +26,43 @@ public:
     }
 
     Function make() {
-        Builder b(function_);
-        b_ = &b;
         for (int k = 0; k < 3; ++k) {
-            pool_.push_back(b.parameter(k));
-            pool_.push_back(b.input(ShaderInput::N, k));
-            pool_.push_back(b.input(ShaderInput::I, k));
-            pool_.push_back(b.number(0.25f * float(k)));
+            pool_.push_back(parameter(b_, k));
+            pool_.push_back(input(b_, ShaderInput::N, k));
+            pool_.push_back(input(b_, ShaderInput::I, k));
+            pool_.push_back(number(b_, 0.25f * float(k)));
         }
-        array_ = b.addArray(Type::Float, 3);
-        Values sums(colorSamples, b.number(0));
+        array_ = addArray(b_, Type::Float, 3);
+        Values sums(colorSamples, number(b_, 0));
         for (int n = 0, count = 2 + below(4); n < count; ++n)
             sums = statement(sums, 0);
         bool emits = below(2) == 0;
         for (int k = 0; k < colorSamples; ++k) {
-            ValueId Ci = b.mul(sums[k], any());
-            b.output("Ci", k, emits ? b.add(Ci, any()) : Ci);
-            b.output("Oi", k, below(2) ? b.input(ShaderInput::Os, k) : any());
+            ValueId Ci = mul(b_, sums[k], any());
+            output(b_, "Ci", k, emits ? add(b_, Ci, any()) : Ci);
+            output(b_, "Oi", k, below(2) ? input(b_, ShaderInput::Os, k) : any());
         }
-        b.finish();
+        b_.finish();
         return function_;
     }
 
 private:
-    using Values = Builder::Values;
-
     int below(int n) { return int(bits_() % unsigned(n)); }
     ValueId any() { return pool_[below(int(pool_.size()))]; }
     Triple any3() { return {any(), any(), any()}; }
-    ValueId condition() { return b_->less(any(), any()); }
+    ValueId condition() { return less(b_, any(), any()); }
 
     void arithmetic() {
         ValueId x = any(), y = any();
         switch (below(8)) {
-        case 0: pool_.push_back(b_->unary(Op::Sin, b_->add(x, y))); break;
-        case 1: pool_.push_back(b_->unary(Op::Cos, b_->mul(x, y))); break;
-        case 2: pool_.push_back(b_->min(x, b_->neg(y))); break;
-        case 3: pool_.push_back(b_->select(condition(), x, y)); break;
-        case 4: pool_.push_back(b_->call(2, {x, y, any()})[0]); break;
-        case 5: b_->arrayStore(array_, b_->unary(Op::IntegerFromFloat, x), y); break;
-        case 6: pool_.push_back(b_->arrayLoad(array_, b_->unary(Op::IntegerFromFloat, y))); break;
-        default: pool_.push_back(b_->unary(Op::Sin, b_->sub(x, y))); break;
+        case 0: pool_.push_back(unary(b_, Op::Sin, add(b_, x, y))); break;
+        case 1: pool_.push_back(unary(b_, Op::Cos, mul(b_, x, y))); break;
+        case 2: pool_.push_back(min(b_, x, neg(b_, y))); break;
+        case 3: pool_.push_back(select(b_, condition(), x, y)); break;
+        case 4: pool_.push_back(callRuntime(b_, 2, {x, y, any()})[0]); break;
+        case 5: arrayStore(b_, array_, unary(b_, Op::IntegerFromFloat, x), y); break;
+        case 6: pool_.push_back(arrayLoad(b_, array_, unary(b_, Op::IntegerFromFloat, y))); break;
+        default: pool_.push_back(unary(b_, Op::Sin, sub(b_, x, y))); break;
         }
     }
 
@@ -96,9 +98,9 @@ private:
 
     Values mixed(Values sums) {
         for (ValueId &v : sums)
-            v = below(3) ? b_->mul(v, any()) : b_->unary(Op::Sin, b_->add(v, b_->mul(v, any())));
+            v = below(3) ? mul(b_, v, any()) : unary(b_, Op::Sin, add(b_, v, mul(b_, v, any())));
         if (below(6) == 0)
-            sums[0] = b_->add(sums[0], b_->ambient()[0]);
+            sums[0] = add(b_, sums[0], ambient(b_)[0]);
         return sums;
     }
 
@@ -113,26 +115,26 @@ private:
                 return result;
             });
         };
-        Values result = b_->ifElse(choice, side, side);
+        Values result = ifElse(b_, choice, side, side);
         pool_.push_back(result.back());
         result.pop_back();
         return result;
     }
 
     Values loop(const Values &sums, int depth) {
-        ValueId limit = below(2) ? b_->mul(b_->number(3), any()) : b_->number(float(below(4)));
-        Values initial{b_->less(b_->number(0), limit), b_->number(0), any()};
+        ValueId limit = below(2) ? mul(b_, number(b_, 3), any()) : number(b_, float(below(4)));
+        Values initial{less(b_, number(b_, 0), limit), number(b_, 0), any()};
         initial.insert(initial.end(), sums.begin(), sums.end());
         bool outer = inLoop_;
         inLoop_ = true;
-        Values result = b_->loop(initial, [&](const Values &carried) {
+        Values result = ir::loop(b_, initial, [&](const Values &carried) {
             return scoped(carried, [&](const Values &) {
                 pool_.push_back(carried[1]);
                 pool_.push_back(carried[2]);
                 Values inner = block({carried.begin() + 3, carried.end()}, depth + 1);
-                ValueId next = b_->add(carried[1], b_->number(1));
-                Values yields{b_->both(b_->less(next, limit), b_->less(next, b_->number(4))), next,
-                              b_->unary(Op::Sin, any())};
+                ValueId next = add(b_, carried[1], number(b_, 1));
+                Values yields{both(b_, less(b_, next, limit), less(b_, next, number(b_, 4))), next,
+                              unary(b_, Op::Sin, any())};
                 yields.insert(yields.end(), inner.begin(), inner.end());
                 return yields;
             });
@@ -152,39 +154,39 @@ private:
         request.category = below(3) == 0 ? 0 : -1;
         Values cones;
         for (int n = 0; n < request.coneCount; ++n) {
-            Triple axis = b_->input3(ShaderInput::N);
+            Triple axis = input3(b_, ShaderInput::N);
             cones.insert(cones.end(), axis.begin(), axis.end());
             if (request.form == ConeForm::Classic) {
-                cones.push_back(b_->number(1.5f));
+                cones.push_back(number(b_, 1.5f));
             } else {
                 ValueId angle = below(2)
-                                    ? b_->number(float(below(2)) * 90)
-                                    : b_->select(b_->less(b_->parameter(below(3)), b_->number(0)),
-                                                 b_->number(0), b_->number(60));
-                cones.insert(cones.end(), {angle, b_->number(2), b_->parameter(below(3))});
+                                    ? number(b_, float(below(2)) * 90)
+                                    : select(b_, less(b_, parameter(b_, below(3)), number(b_, 0)),
+                                             number(b_, 0), number(b_, 60));
+                cones.insert(cones.end(), {angle, number(b_, 2), parameter(b_, below(3))});
             }
         }
         Values initial = sums;
         initial.push_back(any());
         inLight_ = true;
         Values result =
-            b_->lightLoop(b_->addRequest(request), b_->input3(ShaderInput::P), cones, initial,
-                          [&](const Triple &L, const Values &Cl, const Values &carried) {
-                              return scoped(carried, [&](const Values &) {
-                                  pool_.insert(pool_.end(), L.begin(), L.end());
-                                  ValueId weight = any();
-                                  if (below(2))
-                                      weight = b_->dot(b_->input3(ShaderInput::N), L);
-                                  Values inner = {carried.begin(), carried.end() - 1};
-                                  if (below(2))
-                                      inner = block(inner, depth + 2);
-                                  for (int k = 0; k < colorSamples; ++k)
-                                      inner[k] =
-                                          b_->add(inner[k], b_->mul(Cl[k], b_->mul(weight, any())));
-                                  inner.push_back(below(2) ? any() : carried.back());
-                                  return inner;
-                              });
+            lightLoop(b_, addRequest(b_, request), input3(b_, ShaderInput::P), cones, initial,
+                      [&](const Triple &L, const Values &Cl, const Values &carried) {
+                          return scoped(carried, [&](const Values &) {
+                              pool_.insert(pool_.end(), L.begin(), L.end());
+                              ValueId weight = any();
+                              if (below(2))
+                                  weight = dot(b_, input3(b_, ShaderInput::N), L);
+                              Values inner = {carried.begin(), carried.end() - 1};
+                              if (below(2))
+                                  inner = block(inner, depth + 2);
+                              for (int k = 0; k < colorSamples; ++k)
+                                  inner[k] =
+                                      add(b_, inner[k], mul(b_, Cl[k], mul(b_, weight, any())));
+                              inner.push_back(below(2) ? any() : carried.back());
+                              return inner;
                           });
+                      });
         inLight_ = false;
         pool_.push_back(result.back());
         result.pop_back();
@@ -197,17 +199,17 @@ private:
         LightRequest request;
         request.kind = LightRequest::Kind::Trace;
         ValueId weight = any();
-        Triple N = b_->input3(ShaderInput::N);
-        Values answer = b_->trace(b_->addRequest(request), b_->input3(ShaderInput::P), N);
+        Triple N = input3(b_, ShaderInput::N);
+        Values answer = ir::trace(b_, addRequest(b_, request), input3(b_, ShaderInput::P), N);
         for (int k = 0; k < colorSamples; ++k)
-            sums[k] = b_->add(sums[k], b_->mul(weight, answer[k]));
+            sums[k] = add(b_, sums[k], mul(b_, weight, answer[k]));
         return sums;
     }
 
     std::mt19937 bits_;
     bool dynamic_;
     Function function_;
-    Builder *b_ = nullptr;
+    Builder b_{function_};
     std::vector<ValueId> pool_;
     int array_ = 0;
     bool inLoop_ = false, inLight_ = false;

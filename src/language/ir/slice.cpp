@@ -18,12 +18,12 @@ Function sliceFramed(const Plan &plan, Question question) {
     FramePlan frame = planFrame(plan);
     Function result;
     switch (question) {
-    case Question::Surface: result = tellSurface(plan, frame.all); break;
+    case Question::Surface: result = specializeSurface(plan, frame.all); break;
     case Question::View:
-        result = tellPrepare(plan, plan.framed ? Stage::View : Stage::Surface, frame.all);
+        result = specializePrepare(plan, plan.framed ? Stage::View : Stage::Surface, frame.all);
         break;
-    case Question::Prepare: result = tellPrepare(plan, Stage::Surface, frame.scatter); break;
-    default: result = tellScatter(plan, frame.scatter); break;
+    case Question::Prepare: result = specializePrepare(plan, Stage::Surface, frame.scatter); break;
+    default: result = specializeScatter(plan, frame.scatter); break;
     }
     result.frameSlots = int(frame.all.size());
     return result;
@@ -46,8 +46,8 @@ Function sliceQuestion(const Function &whole, Question question) {
         removeDeadCode(result);
         return result;
     }
-    case Question::Emit: return tellUnder(*makePlan(whole), {}, "Ci", "Ce");
-    case Question::Opacity: return tellUnder(*makePlan(whole), {}, "Oi", "Oi");
+    case Question::Emit: return specializeUnder(*makePlan(whole), {}, "Ci", "Ce");
+    case Question::Opacity: return specializeUnder(*makePlan(whole), {}, "Oi", "Oi");
     default: return sliceFramed(*makePlan(whole), question);
     }
 }

@@ -28,22 +28,23 @@ struct Subject {
         : seed(seed), whole(RandomText(seed, dynamic).make()), batch(whole, points, seed) {
         EXPECT_EQ(verify(whole), "") << seed;
         batch.setSamples(1, seed + 1);
-        for (auto &plane : batch.sampleCl)
+        for (auto &plane : batch.samples.Cl)
             plane.assign(plane.size(), 1.0f);
         for (int c = 0; c < 3; ++c)
-            batch.inputs[int(ShaderInput::sampleL) + c] = batch.sampleL[c];
+            batch.inputs[int(ShaderInput::sampleL) + c] = batch.samples.L[c];
         batch.active = {0xbfff, 0xffff};
     }
 
     std::vector<TestBatch::Plane> shade(const Function &text, int samples, int answered = -1,
                                         bool ambient = false) {
-        batch.sampleCount = samples;
-        batch.useAnswers = true;
-        for (std::size_t p = 0; p < batch.answers.size(); ++p)
-            batch.answers[p].assign(batch.padded(), int(p) / colorSamples == answered ? 1.0f : 0);
-        batch.useAmbient = ambient;
+        batch.samples.rows = samples;
+        batch.answers.givesTraced = true;
+        for (std::size_t p = 0; p < batch.answers.traced.size(); ++p)
+            batch.answers.traced[p].assign(batch.padded(),
+                                           int(p) / colorSamples == answered ? 1.0f : 0);
+        batch.answers.givesAmbient = ambient;
         auto result = batch.run(text, interpret);
-        batch.useAmbient = false;
+        batch.answers.givesAmbient = false;
         return result;
     }
 
@@ -88,19 +89,19 @@ struct Subject {
     void checkScatter() {
         auto none = shade(whole, 0);
         const Function &scatter = slice(Question::Scatter);
-        batch.answered.assign(batch.padded(), finiteRequests);
-        batch.lightCount = 2;
-        batch.categoryAccepts = {0, 1, 0}; // Of the light in each lane.
+        batch.answeredRequest.assign(batch.padded(), finiteRequests);
+        batch.samples.lightCount = 2;
+        batch.samples.categoryAccepts = {0, 1, 0}; // Of the light in each lane.
         for (int i = 0; i < batch.padded(); ++i)
-            batch.sampleLight.push_back((i + int(seed)) % 3);
+            batch.samples.light.push_back((i + int(seed)) % 3);
         auto lit = shade(whole, 1);
         expectOutput(scatter, batch.run(scatter, interpret), "g", lit, &none, "Ci");
-        batch.sampleLight.clear(), batch.categoryAccepts.clear();
+        batch.samples.light.clear(), batch.samples.categoryAccepts.clear();
         for (int request = 0; request < int(whole.requests.size()); ++request) {
             auto kept = batch.inputs;
             for (int c = 0; c < 3; ++c)
                 batch.inputs[int(ShaderInput::sampleL) + c] = batch.inputs[int(ShaderInput::N) + c];
-            batch.answered.assign(batch.padded(), request);
+            batch.answeredRequest.assign(batch.padded(), request);
             auto answered = shade(whole, 0, request);
             expectOutput(scatter, batch.run(scatter, interpret), "g", answered, &none, "Ci");
             batch.inputs = kept;
@@ -126,17 +127,17 @@ struct Subject {
 void checkQuestions(unsigned seed, bool dynamic) {
     Subject subject(seed, dynamic);
     subject.forgetFrame();
-    subject.batch.useAmbient = true;
+    subject.batch.answers.givesAmbient = true;
     auto prepared = subject.batch.run(subject.slice(Question::Prepare), interpret);
-    subject.batch.useAmbient = false;
+    subject.batch.answers.givesAmbient = false;
     subject.checkPrepared(subject.slice(Question::Prepare), prepared);
     subject.checkScatter();
 
     subject.forgetFrame();
     subject.batch.run(subject.slice(Question::Surface), interpret);
-    subject.batch.useAmbient = true;
+    subject.batch.answers.givesAmbient = true;
     auto viewed = subject.batch.run(subject.slice(Question::View), interpret);
-    subject.batch.useAmbient = false;
+    subject.batch.answers.givesAmbient = false;
     for (std::size_t p = 0; p < prepared.size(); ++p)
         for (int i = 0; i < points; ++i)
             expectSame(viewed[p][i], prepared[p][i], "View", seed, i);
@@ -186,8 +187,8 @@ TEST(Fold, KeepsEveryAnswer) {
         Function folded = fold(subject.whole, values);
         ASSERT_EQ(verify(folded), "") << seed << print(folded);
         // Unrolling makes new requests.
-        while (subject.batch.answers.size() < folded.requests.size() * colorSamples)
-            subject.batch.answers.push_back(TestBatch::Plane(subject.batch.padded()));
+        while (subject.batch.answers.traced.size() < folded.requests.size() * colorSamples)
+            subject.batch.answers.traced.push_back(TestBatch::Plane(subject.batch.padded()));
         EXPECT_TRUE(steeringParameters(folded).empty() ||
                     steeringParameters(folded) == std::vector<int>{1});
         auto expected = subject.shade(subject.whole, 1);

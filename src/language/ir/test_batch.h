@@ -13,9 +13,29 @@
 
 namespace candela::ir {
 
+/// A number a point, padded to whole blocks of lanes.
+using TestPlane = std::vector<float>;
+
+/// Light samples: rows of all points.
+struct TestSamples {
+    int rows = 0;
+    std::array<TestPlane, 3> L;
+    std::array<TestPlane, colorSamples> Cl;
+    std::vector<std::int32_t> light; ///< That each is from; empty = indirect.
+    /// As ShaderArgs has them; empty = all categories accept all lights.
+    std::vector<std::uint8_t> categoryAccepts;
+    int lightCount = 0;
+};
+
+/// What the requests other than light loops are answered.
+struct TestAnswers {
+    std::vector<TestPlane> traced, ambient, irradiance;
+    bool givesTraced = false, givesAmbient = false; ///< Else they are black.
+};
+
 class TestBatch {
 public:
-    using Plane = std::vector<float>;
+    using Plane = TestPlane;
 
     TestBatch(const Function &function, int count, unsigned seed) : count(count) {
         std::mt19937 bits(seed);
@@ -29,9 +49,9 @@ public:
         fill(inputs, std::size_t(ShaderInput::Count));
         for (float &x : inputs[int(ShaderInput::seed)])
             x = std::bit_cast<float>(std::uint32_t(bits() & 0x7f7fffffu));
-        fill(answers, function.requests.size() * colorSamples);
-        fill(ambient, colorSamples);
-        fill(irradiance, colorSamples);
+        fill(answers.traced, function.requests.size() * colorSamples);
+        fill(answers.ambient, colorSamples);
+        fill(answers.irradiance, colorSamples);
         fill(variables, function.variables.size());
         parameters.resize(function.parameters.size() * padded());
         for (float &x : parameters)
@@ -42,7 +62,7 @@ public:
             spaces.push_back(matrices(bits));
         objects = matrices(bits);
         objectIndex.assign(padded(), 0);
-        answered.assign(padded(), finiteRequests);
+        answeredRequest.assign(padded(), finiteRequests);
     }
 
     int padded() const { return (count + laneBlock - 1) / laneBlock * laneBlock; }
@@ -51,13 +71,13 @@ public:
     void setSamples(int rows, unsigned seed) {
         std::mt19937 bits(seed);
         std::uniform_real_distribution<float> number(-1, 1);
-        sampleCount = rows;
-        for (Plane &plane : sampleL) {
+        samples.rows = rows;
+        for (Plane &plane : samples.L) {
             plane.resize(std::size_t(rows) * padded());
             for (float &x : plane)
                 x = number(bits);
         }
-        for (Plane &plane : sampleCl) {
+        for (Plane &plane : samples.Cl) {
             plane.resize(std::size_t(rows) * padded());
             for (float &x : plane)
                 x = number(bits) + 1.5f;
@@ -73,11 +93,8 @@ public:
         ShaderArgs args;
         args.count = count;
         args.active = active.empty() ? nullptr : active.data();
-        auto inputPointers = pointers(inputs), answerPointers = pointers(answers);
-        auto ambientPointers = pointers(ambient), irradiancePointers = pointers(irradiance);
-        auto variablePointers = pointers(variables), spacePointers = pointers(spaces);
-        auto LPointers = pointers(sampleL), ClPointers = pointers(sampleCl);
-        auto outputPointers = pointers(outputs);
+        auto inputPointers = pointers(inputs), variablePointers = pointers(variables);
+        auto spacePointers = pointers(spaces), outputPointers = pointers(outputs);
         args.inputs = inputPointers.data();
         args.parameters = parameters.data();
         args.parameterOffset = parameterOffset.data();
@@ -87,34 +104,35 @@ public:
         args.objectIndex = objectIndex.data();
         args.frame = frame.data();
         args.outputs = outputPointers.data();
-        args.sampleCount = sampleCount;
+        auto LPointers = pointers(samples.L), ClPointers = pointers(samples.Cl);
+        args.sampleCount = samples.rows;
         args.sampleStride = padded();
         args.sampleL = LPointers.data();
         args.sampleCl = ClPointers.data();
-        args.sampleLight = sampleLight.empty() ? nullptr : sampleLight.data();
-        args.categoryAccepts = categoryAccepts.empty() ? nullptr : categoryAccepts.data();
-        args.lightCount = lightCount;
-        args.answeredRequest = answered.data();
-        args.answers = useAnswers ? answerPointers.data() : nullptr;
-        args.ambient = useAmbient ? ambientPointers.data() : nullptr;
-        args.irradiance = useAmbient ? irradiancePointers.data() : nullptr;
+        args.sampleLight = samples.light.empty() ? nullptr : samples.light.data();
+        args.categoryAccepts =
+            samples.categoryAccepts.empty() ? nullptr : samples.categoryAccepts.data();
+        args.lightCount = samples.lightCount;
+        auto tracedPointers = pointers(answers.traced), ambientPointers = pointers(answers.ambient);
+        auto irradiancePointers = pointers(answers.irradiance);
+        args.answeredRequest = answeredRequest.data();
+        args.answers = answers.givesTraced ? tracedPointers.data() : nullptr;
+        args.ambient = answers.givesAmbient ? ambientPointers.data() : nullptr;
+        args.irradiance = answers.givesAmbient ? irradiancePointers.data() : nullptr;
         args.callbacks = &callbacks;
         runner(function, args);
         return outputs;
     }
 
     int count;
-    std::vector<Plane> inputs, answers, ambient, irradiance, variables, spaces;
+    std::vector<Plane> inputs, variables, spaces;
     std::vector<float> parameters, objects;
-    std::vector<std::int32_t> parameterOffset, objectIndex, answered, sampleLight;
-    std::vector<std::uint16_t> active;
-    std::vector<std::uint8_t> categoryAccepts;
-    int lightCount = 0;
-    int sampleCount = 0;
-    std::array<Plane, 3> sampleL;
-    std::array<Plane, colorSamples> sampleCl;
+    std::vector<std::int32_t> parameterOffset, objectIndex;
+    std::vector<std::uint16_t> active; ///< Empty = all points are.
+    TestSamples samples;
+    TestAnswers answers;
+    std::vector<std::int32_t> answeredRequest; ///< Of each point; finiteRequests at first.
     Plane frame;
-    bool useAnswers = false, useAmbient = false;
     ShaderCallbacks callbacks;
 
 private:

@@ -165,8 +165,7 @@ private:
                     : i.operands.empty() ? Type::Float
                                          : type(i.operands.back());
         auto matches = [&](char letter, ValueId v) {
-            constexpr std::string_view letters = "fbis";
-            return letter == '.' ? type(v) == same : letters[int(type(v))] == letter;
+            return type(v) == (letter == '.' ? same : typeOf(letter));
         };
         for (std::size_t k = 0; k < i.operands.size(); ++k)
             if (!expect(i, matches(table.operands[k], i.operands[k]),

@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/ir/builder.h"
+#include "language/ir/builder_arithmetic.h"
+#include "language/ir/builder_control.h"
+#include "language/ir/builder_effects.h"
+#include "language/ir/builder_light.h"
+#include "language/ir/builder_sources.h"
 
 #include <gtest/gtest.h>
 
@@ -8,26 +13,24 @@
 namespace candela::ir {
 namespace {
 
-using Values = Builder::Values;
-
 /// Holds one of everything that the corruptions below spoil.
 Function sample() {
     Function function;
     function.parameters = {{"Kd", 0}};
     Builder b(function);
-    ValueId u = b.input(ShaderInput::u);
-    auto chosen = b.ifElse(
-        b.less(u, b.parameter(0)), [&] { return Values{b.mul(u, u)}; },
-        [&] { return Values{b.number(2)}; });
-    auto counted = b.loop({b.boolean(true), b.number(0)}, [&](const Values &carried) {
-        ValueId next = b.add(carried[1], b.number(1));
-        return Values{b.less(next, u), next};
+    ValueId u = input(b, ShaderInput::u);
+    auto chosen = ifElse(
+        b, less(b, u, parameter(b, 0)), [&] { return Values{mul(b, u, u)}; },
+        [&] { return Values{number(b, 2)}; });
+    auto counted = loop(b, {boolean(b, true), number(b, 0)}, [&](const Values &carried) {
+        ValueId next = add(b, carried[1], number(b, 1));
+        return Values{less(b, next, u), next};
     });
-    auto lit = b.lightLoop(b.addRequest({}), b.input3(ShaderInput::P), {}, {chosen[0]},
-                           [&](const Triple &L, const Values &Cl, const Values &carried) {
-                               return Values{b.add(carried[0], b.mul(Cl[0], L[2]))};
-                           });
-    b.output("Ci", 0, b.add(lit[0], counted[1]));
+    auto lit = lightLoop(b, addRequest(b, {}), input3(b, ShaderInput::P), {}, {chosen[0]},
+                         [&](const Triple &L, const Values &Cl, const Values &carried) {
+                             return Values{add(b, carried[0], mul(b, Cl[0], L[2]))};
+                         });
+    output(b, "Ci", 0, add(b, lit[0], counted[1]));
     b.finish();
     return function;
 }
@@ -88,16 +91,16 @@ TEST(Print, ShowsStructureAndNames) {
 TEST(Builder, FoldsOnlyWhatChangesNoBit) {
     Function function;
     Builder b(function);
-    ValueId u = b.input(ShaderInput::u);
-    EXPECT_EQ(b.mul(u, b.number(1)), u);
-    EXPECT_EQ(b.sub(u, b.number(0)), u);
-    EXPECT_NE(b.add(u, b.number(0)), u) << "-0 + 0 is 0";
-    EXPECT_NE(b.number(0), b.number(-0.0f));
-    EXPECT_EQ(b.add(b.number(1), b.number(2)), b.number(3));
-    EXPECT_EQ(b.input(ShaderInput::u), u);
-    EXPECT_EQ(b.select(b.less(b.number(1), b.number(2)), u, b.number(0)), u);
-    auto branch = b.ifElse(
-        b.boolean(false), [] { return Values{0}; }, [&] { return Values{u}; });
+    ValueId u = input(b, ShaderInput::u);
+    EXPECT_EQ(mul(b, u, number(b, 1)), u);
+    EXPECT_EQ(sub(b, u, number(b, 0)), u);
+    EXPECT_NE(add(b, u, number(b, 0)), u) << "-0 + 0 is 0";
+    EXPECT_NE(number(b, 0), number(b, -0.0f));
+    EXPECT_EQ(add(b, number(b, 1), number(b, 2)), number(b, 3));
+    EXPECT_EQ(input(b, ShaderInput::u), u);
+    EXPECT_EQ(select(b, less(b, number(b, 1), number(b, 2)), u, number(b, 0)), u);
+    auto branch = ifElse(
+        b, boolean(b, false), [] { return Values{0}; }, [&] { return Values{u}; });
     EXPECT_EQ(branch[0], u);
 }
 

@@ -5,6 +5,7 @@
 #include "language/jit/function_generator.h"
 
 #include <llvm/IR/LegacyPassManager.h>
+#include <llvm/IR/Module.h>
 #include <llvm/IR/Verifier.h>
 #include <llvm/MC/MCSubtargetInfo.h>
 #include <llvm/MC/TargetRegistry.h>
@@ -137,7 +138,7 @@ CompilerResult compileFunction(const ir::Function &function, const CodeTarget &t
     module.setDataLayout(machine->createDataLayout());
 
     const auto start = std::chrono::steady_clock::now();
-    FunctionGenerator(function, target, module).generate(symbol);
+    generateFunction(function, target, symbol, module);
     llvm::raw_string_ostream errors(result.error);
     if (llvm::verifyModule(module, &errors))
         return result;

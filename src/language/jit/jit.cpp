@@ -2,11 +2,12 @@
 #include "language/jit/jit.h"
 
 #include "language/jit/compiler.h"
-#include "language/jit/function_generator.h"
 #include "language/jit/function_hash.h"
 #include "language/jit/object_cache.h"
 #include "language/jit/print_lanes.h"
+#include "language/jit/runtime_symbols.h"
 #include "language/runtime/runtime_functions.h"
+#include "language/runtime/vector_math.h"
 
 #include <llvm/ExecutionEngine/Orc/LLJIT.h>
 

@@ -8,7 +8,7 @@
 
 #include <llvm/IR/IRBuilder.h>
 
-namespace candela {
+namespace candela::codegen {
 
 class Lanes {
 public:
@@ -107,4 +107,4 @@ private:
     bool masksStores_;
 };
 
-} // namespace candela
+} // namespace candela::codegen

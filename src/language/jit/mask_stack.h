@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace candela {
+namespace candela::codegen {
 
 class MaskStack {
 public:
@@ -42,4 +42,4 @@ private:
     std::vector<llvm::Value *> masks_;
 };
 
-} // namespace candela
+} // namespace candela::codegen

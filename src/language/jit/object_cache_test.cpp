@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The cache by itself, and as Jit uses it.
+#include "language/ir/builder_arithmetic.h"
+#include "language/ir/builder_effects.h"
+#include "language/ir/builder_sources.h"
 #include "language/jit/object_cache.h"
 
 #include "language/ir/builder.h"
@@ -37,10 +40,10 @@ protected:
             found.push_back(entry.path());
         return found;
     }
-    static ir::Function adding(float number) {
+    static ir::Function adding(float term) {
         ir::Function function;
         ir::Builder b(function);
-        b.output("y", 0, b.add(b.input(ShaderInput::P), b.number(number)));
+        output(b, "y", 0, add(b, input(b, ShaderInput::P), number(b, term)));
         b.finish();
         return function;
     }

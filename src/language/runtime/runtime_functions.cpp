@@ -17,6 +17,23 @@ static constexpr RuntimeFunctionInfo table[] = {
 
 RuntimeFunctionInfo info(RuntimeFunction function) { return table[int(function)]; }
 
+// In functions.def noise without slopes comes first, noise with slopes in the same order after it,
+// cell noise last; in both halves functions without periods come first.
+static constexpr int plainFunctions = int(RuntimeFunction::noise1_slopes);
+
+int coordinatesOf(RuntimeFunction function) {
+    if (function >= RuntimeFunction::cellnoise1)
+        return 0;
+    const bool periodic = int(function) % plainFunctions >= int(RuntimeFunction::pnoise1);
+    return info(function).inputs / (periodic ? 2 : 1);
+}
+
+std::optional<RuntimeFunction> withSlopes(RuntimeFunction function) {
+    if (int(function) >= plainFunctions)
+        return std::nullopt;
+    return RuntimeFunction(int(function) + plainFunctions);
+}
+
 RuntimeCode code(RuntimeFunction function, int width, IsaLevel level) {
     switch (level) {
     case IsaLevel::V2: return noiseV2(function, width);

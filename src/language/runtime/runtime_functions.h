@@ -5,6 +5,8 @@
 
 #include "language/runtime/isa_level.h"
 
+#include <optional>
+
 namespace candela::runtime {
 
 enum class RuntimeFunction {
@@ -20,9 +22,16 @@ struct RuntimeFunctionInfo {
 };
 
 /// No function of functions.def has more inputs or outputs than these.
-inline constexpr int maxRuntimeInputs = 8, maxRuntimeOutputs = 3;
+inline constexpr int maxRuntimeInputs = 8, maxRuntimeOutputs = 15;
 
 RuntimeFunctionInfo info(RuntimeFunction);
+
+/// How many of the inputs values change with smoothly; the others are periods. 0: they jump.
+int coordinatesOf(RuntimeFunction);
+/// The function that gives the values of this one and behind them their slopes, those of the first
+/// value along each coordinate before those of the second. Nothing for cell noise, and for what
+/// gives slopes already.
+std::optional<RuntimeFunction> withSlopes(RuntimeFunction);
 
 /// Evaluates at one point, exactly as compiled code does at every width: inputs[k] and outputs[k]
 /// point to one float each.
@@ -32,7 +41,8 @@ void callScalar(RuntimeFunction, const float *const *inputs, float *const *outpu
 /// 64-byte aligned at width 16; likewise the outputs. The blocks must not overlap.
 using RuntimeCode = void (*)(const float *inputs, float *outputs);
 
-/// Code at width 1 or 16 for an instruction-set level. All of them agree bit by bit.
+/// Code at width 1 or 16 for an instruction-set level. Both widths agree bit by bit, and so do V3
+/// and V4.
 RuntimeCode code(RuntimeFunction, int width, IsaLevel);
 
 } // namespace candela::runtime

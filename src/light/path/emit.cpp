@@ -36,14 +36,16 @@ void leaveOutUnheard(const Scene &scene, int count, const std::int32_t *light,
     for (int i = 0; i < count; ++i)
         if (light[i] != 0 && left.pdf[i] > 0 &&
             !(scene.lights().isOn(left.lightSet[i], light[i]) &&
-              scene.code(left.code[i]).hearsAsIndirect(light[i])))
+              scene.code(left.code[i]).categories().hearsAsIndirect(light[i])))
             weight[i] = 0;
 }
 
 /// LightQuery::scattered of the vertices that the rays left.
 void markHeard(const Scene &scene, int count, const RayOrigins &left, float *heard) {
     for (int i = 0; i < count; ++i)
-        heard[i] = left.pdf[i] > 0 && scene.code(left.code[i]).hearsAllAsIndirect() ? 1.0f : 0.0f;
+        heard[i] = left.pdf[i] > 0 && scene.code(left.code[i]).categories().hearsAllAsIndirect()
+                       ? 1.0f
+                       : 0.0f;
 }
 
 } // namespace

@@ -54,7 +54,7 @@ LightQuery lightQuery(SurfaceVertices &vertices, const ConstVec3Planes &N, const
     query.Ps = vertices.P();
     query.N = N;
     // Lights that are heard by samples alone are found by no ray.
-    query.scattered = vertices.code().hearsAllAsIndirect() ? scattered : nullptr;
+    query.scattered = vertices.code().categories().hearsAllAsIndirect() ? scattered : nullptr;
     query.lightSet = vertices.points.lightSet;
     query.time = vertices.points.input(int(ShaderInput::time));
     query.choice = numbers.choice;
@@ -93,10 +93,10 @@ int lanesInNeedOfShadowRays(int count, const LightSamples &samples, float *const
 
 void leaveToLightSampling(const ShaderCode &code, int count, const std::int32_t *light,
                           float *directionPdf) {
-    if (code.hearsAllAsIndirect())
+    if (code.categories().hearsAllAsIndirect())
         return;
     for (int i = 0; i < count; ++i)
-        if (!code.hearsAsIndirect(light[i]))
+        if (!code.categories().hearsAsIndirect(light[i]))
             directionPdf[i] = 0;
 }
 

@@ -47,7 +47,7 @@ int lanesInNeedOfShadowRays(int count, const LightSamples &, float *const *light
                             int *lanes);
 
 /// directionPdf[i] = 0 where the shader hears light[i] by samples of the light alone (see
-/// ShaderCode::hearsAsIndirect): no direction can find it, so the sample counts in full.
+/// LightCategories::hearsAsIndirect): no direction can find it, so the sample counts in full.
 void leaveToLightSampling(const ShaderCode &, int count, const std::int32_t *light,
                           float *directionPdf);
 

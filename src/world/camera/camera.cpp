@@ -105,8 +105,8 @@ Camera::Camera(const Options &options) {
     if (!(lensRadius_ > 0) || !(focalDistance_ < 1e29f))
         lensRadius_ = 0, focalDistance_ = 1;
 
-    auto [left, right, bottom, top] = options.effectiveScreenWindow();
-    auto [width, height] = options.effectiveResolution();
+    auto [left, right, bottom, top] = options.format.effectiveScreenWindow();
+    auto [width, height] = options.format.effectiveResolution();
     const Matrix4 projectedFromScreen = inverse(record.screenFromProjected).value_or(Matrix4{});
     const Vec3 corner = transformPoint(projectedFromScreen, {left, top, 0}) / focal_;
     const Vec3 xStep =

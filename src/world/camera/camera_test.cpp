@@ -10,7 +10,7 @@ namespace {
 
 Options perspectiveOptions(int width, int height, float fov) {
     Options options;
-    options.xResolution = width, options.yResolution = height;
+    options.format.xResolution = width, options.format.yResolution = height;
     options.camera.perspective = true, options.camera.fieldOfView = fov;
     return options;
 }
@@ -52,7 +52,7 @@ TEST(Camera, TheFieldOfViewSpansTheNarrowerAxis) {
 
 TEST(Camera, ScreenWindowScalesTheView) {
     Options options = perspectiveOptions(100, 100, 90);
-    options.screenWindow = {0, 2, -1, 3};
+    options.format.screenWindow = {0, 2, -1, 3};
     Camera camera(options);
     Ray corner = ray(camera, 100, 0);
     EXPECT_NEAR(corner.direction.x / corner.direction.z, 2, 1e-5);
@@ -119,7 +119,7 @@ TEST(Camera, TransformationsOfTheScreenMoveThePicture) {
 
 TEST(Camera, OrthographicRaysAreParallel) {
     Options options;
-    options.xResolution = options.yResolution = 10;
+    options.format.xResolution = options.format.yResolution = 10;
     Camera camera(options);
     Ray r = ray(camera, 10, 0);
     EXPECT_EQ(r.direction, (Vec3{0, 0, 1}));
@@ -167,7 +167,7 @@ std::vector<Options> variousCameras() {
             for (std::array<float, 4> window :
                  {std::array{-1.f, 1.f, -1.f, 1.f}, std::array{1.f, 2.f, -3.f, -2.f}}) {
                 Options options = perspectiveOptions(64, 64, 50);
-                options.camera.perspective = perspective, options.screenWindow = window;
+                options.camera.perspective = perspective, options.format.screenWindow = window;
                 options.camera.fStop = fStop, options.camera.focalLength = 0.4f;
                 options.camera.focalDistance = 3;
                 cameras.push_back(options);

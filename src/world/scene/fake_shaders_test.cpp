@@ -122,7 +122,7 @@ ShaderCode::ShaderCode(ir::LoweredShader shader, ir::LightRule, std::shared_ptr<
     facts_.opaqueIfOsIs1 = name() != "glass";
     auto set = [&](ir::Question question, std::initializer_list<const char *> outputs,
                    ShaderFunction code) {
-        questions_[int(question)] = makeQuestion(outputs, code);
+        questions_[int(question)].answer = makeQuestion(outputs, code);
     };
     set(ir::Question::Opacity, {"Oi"}, osOpacity);
     set(ir::Question::Emit, {"Ce"}, glowEmits);
@@ -135,7 +135,7 @@ ShaderCode::ShaderCode(ir::LoweredShader shader, ir::LightRule, std::shared_ptr<
 }
 
 const QuestionCode &ShaderCode::question(ir::Question question) const {
-    return questions_[int(question)];
+    return questions_[int(question)].answer;
 }
 
 std::int32_t ShaderCode::addBlock(const std::vector<float> &values) {
@@ -146,13 +146,12 @@ std::int32_t ShaderCode::addBlock(const std::vector<float> &values) {
 void ShaderCode::bindSpaces(const std::map<std::string, Matrix4> &, DiagnosticSink &) {}
 
 void ShaderCode::bindCategories(std::vector<std::uint8_t> accepts, int lightCount) {
-    categoryAccepts_ = std::move(accepts), lightCount_ = lightCount;
+    categories_.bind(std::move(accepts), lightCount);
 }
 
-bool ShaderCode::hears(std::int32_t) const { return true; }
 void ShaderCode::bind(ShaderArgs &args) const {
     args.parameters = blocks_.data();
-    args.categoryAccepts = categoryAccepts_.data(), args.lightCount = lightCount_;
+    categories_.bind(args);
 }
 
 struct ShaderLibrary::State {

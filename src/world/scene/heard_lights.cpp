@@ -14,7 +14,7 @@ using Switches = std::vector<std::uint8_t>;
 Switches heardOf(const LightTable &table, Switches on, const ShaderCode &code) {
     for (std::size_t light = 0; light < table.lights.size(); ++light)
         if (on[light + 1] && table.lights[light].isSampled() &&
-            !code.hears(std::int32_t(light) + 1))
+            !code.categories().hears(std::int32_t(light) + 1))
             on[light + 1] = 0;
     return on;
 }

@@ -95,7 +95,7 @@ struct World {
         auto flipped = std::make_shared<Attributes>(attributes);
         const auto within = turnedInside ? flipped : plain, around = turned ? flipped : plain;
         Options options;
-        options.xResolution = options.yResolution = 64;
+        options.format.xResolution = options.format.yResolution = 64;
         compiler.worldBegin(options);
         compiler.objectBegin(0);
         compiler.primitive(recordOf(first), within, still({}));

@@ -333,10 +333,11 @@ void LightBuilder::fillSwitches() {
 
 void LightBuilder::bindCategories(const ShaderLibrary &library) {
     for (const auto &code : library.all()) {
-        if (code->categories().empty())
+        const std::vector<std::string> &categories = code->shader().whole.categories;
+        if (categories.empty())
             continue;
         std::vector<std::uint8_t> accepts;
-        for (const std::string &category : code->categories()) {
+        for (const std::string &category : categories) {
             accepts.push_back(categoryAccepts(category, {}));
             for (const LightTags &tags : tags_)
                 accepts.push_back(categoryAccepts(category, tags));

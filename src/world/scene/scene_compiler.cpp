@@ -69,10 +69,10 @@ void SceneCompiler::coordinateSystem(const std::string &name, const Matrix4 &cur
 
 /// DESIGN section 6: by option, else `path` if anything is in SI units.
 static bool isClassic(const DeclaredWorld &declared) {
-    std::string integrator = declared.options.string("render:integrator", "");
+    std::string integrator = declared.options.named.string("render:integrator", "");
     if (!integrator.empty())
         return integrator == "classic";
-    if (declared.options.string("radiometry:units", "classic") == "si")
+    if (declared.options.named.string("radiometry:units", "classic") == "si")
         return false;
     return std::ranges::none_of(declared.lights,
                                 [](const auto &light) { return light->units == LightUnits::Si; });

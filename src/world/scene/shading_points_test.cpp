@@ -141,7 +141,7 @@ TEST(ShadingPoints, OfSkiesLieWithinHalfAPixel) {
     for (const auto &sky : skies)
         for (int resolution : {8, 64, 512}) {
             TestWorld world;
-            world.options.xResolution = world.options.yResolution = resolution;
+            world.options.format.xResolution = world.options.format.yResolution = resolution;
             world.transform = sky.transform;
             world.add(sky.shape);
             world.render([&](const Scene &scene) {

@@ -13,7 +13,7 @@ namespace candela {
 class TestWorld {
 public:
     TestWorld() {
-        options.xResolution = options.yResolution = 64;
+        options.format.xResolution = options.format.yResolution = 64;
         options.camera.perspective = true;
         attributes.surface = shader("matte");
     }

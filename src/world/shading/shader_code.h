@@ -8,7 +8,9 @@
 #include "language/ir/lower.h"
 #include "language/ir/questions.h"
 #include "language/jit/jit.h"
+#include "world/shading/light_categories.h"
 #include "world/shading/shader_messages.h"
+#include "world/shading/shader_spaces.h"
 
 #include <array>
 #include <memory>
@@ -48,37 +50,28 @@ public:
     /// Adds an instance's parameter block; its offset for ShaderArgs::parameterOffset. Not to be
     /// called once rendering has begun.
     std::int32_t addBlock(const std::vector<float> &values);
-    /// Named coordinate systems: one of `systems` each, 32 floats; those unknown are identity.
+    /// Named coordinate systems; with a warning for those that are not there.
     void bindSpaces(const std::map<std::string, Matrix4> &systems, DiagnosticSink &);
-    /// `accepts[category][light + 1]`, row by row, in the shader's category order.
+    /// As LightCategories::bind().
     void bindCategories(std::vector<std::uint8_t> accepts, int lightCount);
-    const std::vector<std::string> &categories() const { return shader_.whole.categories; }
-    /// True if all loops treat the light (index + 1, 0 = indirect) as they treat indirect light.
-    /// If not, only samples that name the light can bring it.
-    bool hearsAsIndirect(std::int32_t light) const {
-        return hearsAsIndirect_.empty() || hearsAsIndirect_[light] != 0;
-    }
-    bool hearsAllAsIndirect() const { return hearsAsIndirect_.empty(); }
-    /// False if every loop refuses the light (index + 1) by its category: the shader need not be
-    /// asked about it. Known once categories are bound.
-    bool hears(std::int32_t light) const;
+    const LightCategories &categories() const { return categories_; }
 
     /// Fills what belongs to the shader: parameters, spaces, categories, and where it speaks.
     void bind(ShaderArgs &) const;
 
 private:
+    struct CompiledQuestion {
+        std::once_flag once;
+        QuestionCode answer;
+    };
     ir::LoweredShader shader_;
     ir::SurfaceFacts facts_;
     std::shared_ptr<Jit> jit_;
     std::shared_ptr<const ShaderMessages> messages_;
     std::vector<float> blocks_;
-    std::vector<std::array<float, 32>> spaceMatrices_;
-    std::vector<const float *> spaces_;
-    std::vector<std::uint8_t> categoryAccepts_;
-    std::vector<std::uint8_t> hearsAsIndirect_; ///< By light + 1; empty = all of them.
-    int lightCount_ = 0;
-    mutable std::array<std::once_flag, 8> once_;
-    mutable std::array<QuestionCode, 8> questions_;
+    ShaderSpaces spaces_;
+    LightCategories categories_;
+    mutable std::array<CompiledQuestion, 8> questions_;
 };
 
 /// A shader as bound to primitives or a light.

@@ -3,10 +3,11 @@
 // are defined outside of worlds and belong to every later one. Private to the room.
 #pragma once
 
-#include "interface/ri/primitive_record.h"
+#include "interface/ri/scene_builder.h"
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,34 @@ struct ObjectNames {
     std::vector<std::shared_ptr<const ObjectRecord>> kept;
     int count = 0;         ///< Numbers given so far.
     double placements = 0; ///< Objects that the world's instances have placed so far.
+};
+
+/// Tells a world that begins of the objects that were defined before it.
+void tellKeptObjects(SceneBuilder &, const ObjectNames &);
+
+/// The object that is being defined, if one is, and where parts go meanwhile.
+class ObjectDefinition {
+public:
+    explicit ObjectDefinition(SceneBuilder &builder) : builder_(builder) {}
+
+    void begin(ObjectNames &, const std::string &handle, bool inWorld);
+    /// The name means this object from here on. Before, it still means what it meant, so that no
+    /// object can contain itself.
+    void end(ObjectNames &);
+    /// Part of the open object, else of the world.
+    void tell(ObjectPart);
+    /// Counts an instance of the object where parts go now. Why it can't stand there, if it can't;
+    /// empty if it can.
+    std::string countInstance(ObjectNames &, const ObjectNames::Entry &);
+
+private:
+    struct Open {
+        std::string handle;
+        ObjectNames::Entry entry;
+        std::shared_ptr<ObjectRecord> record; ///< Null in a world, where the builder hears of it.
+    };
+    SceneBuilder &builder_;
+    std::optional<Open> open_;
 };
 
 } // namespace candela

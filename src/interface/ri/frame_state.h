@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// The graphics state as a value: all that FrameBegin and WorldBegin save. Private to the room.
+#pragma once
+
+#include "interface/ri/object_definitions.h"
+#include "interface/ri/transformations.h"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace candela {
+
+struct LightList {
+    std::vector<std::shared_ptr<const LightRecord>> all;
+    std::map<std::string, int> byHandle; ///< Handle to index.
+};
+
+struct FrameState {
+    Options options;
+    std::shared_ptr<Attributes> attributes = std::make_shared<Attributes>();
+    TransformState transform;
+    std::map<std::string, CurrentTransform> coordinateSystems;
+    LightList lights;
+    ObjectNames objects;
+    bool inWorld = false;
+
+    /// The attributes for a change: what has been handed on stays as it is.
+    Attributes &edit() {
+        if (attributes.use_count() > 1)
+            attributes = std::make_shared<Attributes>(*attributes);
+        return *attributes;
+    }
+    /// The current transformation as it is handed on.
+    MotionTransform currentFromObject() const {
+        return {{{options.camera.shutterOpen, transform.current.matrix.rounded()}}};
+    }
+};
+
+} // namespace candela

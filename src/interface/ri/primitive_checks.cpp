@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "interface/ri/primitive_checks.h"
+
+#include "interface/ri/declarations.h"
+#include "interface/ri/variable_counts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace candela {
+
+namespace {
+
+bool isPosition(const Parameter &p) { return p.name == "P" || p.name == "Pw" || p.name == "Pz"; }
+
+bool needsPosition(const ShapeRecord &shape) {
+    return std::holds_alternative<PolygonsRecord>(shape) ||
+           std::holds_alternative<PatchMeshRecord>(shape);
+}
+
+/// Patches may give their vertices as "Pw" or, over the unit square, "Pz".
+const Parameter *positionOf(const ShapeRecord &shape, const ParameterList &variables) {
+    const Parameter *found = variables.find("P");
+    if (found || !std::holds_alternative<PatchMeshRecord>(shape))
+        return found;
+    found = variables.find("Pw");
+    return found ? found : variables.find("Pz");
+}
+
+int valuesIn(const Parameter &p) {
+    return int((p.floats.size() + p.strings.size()) / std::max(1, p.declaration.components()));
+}
+
+bool hasWholeValues(const Parameter &p) {
+    return (p.floats.size() + p.strings.size()) % std::max(1, p.declaration.components()) == 0;
+}
+
+bool allFinite(const Parameter &p) {
+    return std::ranges::all_of(p.floats, [](float value) { return std::isfinite(value); });
+}
+
+/// What is wrong with a variable on a shape with these counts; empty if nothing is.
+std::string variableDefect(const Parameter &variable, const VariableCounts &counts) {
+    int expected = counts.of(variable.declaration.storage);
+    if (!hasWholeValues(variable) || valuesIn(variable) != expected)
+        return "'" + variable.name + "' (" + textOf(variable.declaration) + ") needs " +
+               std::to_string(std::int64_t(expected) * variable.declaration.components()) +
+               " numbers here, found " +
+               std::to_string(variable.floats.size() + variable.strings.size());
+    if (!allFinite(variable))
+        return "'" + variable.name + "' has values that are infinite or not a number";
+    return {};
+}
+
+} // namespace
+
+std::shared_ptr<const PrimitiveRecord> checkedPrimitive(const char *request, ShapeRecord shape,
+                                                        ParameterList variables,
+                                                        const Attributes &attributes,
+                                                        RequestDiagnostics &diagnostics) {
+    const SourceLocation &where = variables.where;
+    auto leaveOut = [&](const std::string &why) {
+        diagnostics.error(where, request, why + "; the primitive is left out");
+        return nullptr;
+    };
+    const Parameter *position = positionOf(shape, variables);
+    if (needsPosition(shape) && !position)
+        return leaveOut("it has no \"P\"");
+    if (std::string defect = defectOf(shape, attributes); !defect.empty())
+        return leaveOut(defect);
+    std::int64_t vertices = verticesNeeded(shape, attributes);
+    if (std::holds_alternative<PolygonsRecord>(shape)) {
+        const int points = valuesIn(*position);
+        if (vertices > points && hasWholeValues(*position))
+            return leaveOut("there is no vertex " + std::to_string(vertices - 1) +
+                            ": \"P\" holds " + std::to_string(points) + " points, counted from 0");
+        vertices = points; // Those that no polygon uses do no harm.
+    }
+    VariableCounts counts = countsOf(shape, attributes, int(vertices));
+    ParameterList kept{where, {}};
+    for (Parameter &variable : variables.all) {
+        std::string defect = variableDefect(variable, counts);
+        if (variable.name == "Os")
+            diagnostics.clampOpacity(where, "\"Os\"", variable.floats);
+        if (defect.empty())
+            kept.all.push_back(std::move(variable));
+        else if (needsPosition(shape) && isPosition(variable))
+            return leaveOut(defect);
+        else
+            diagnostics.error(where, request, defect + "; the variable is left out");
+    }
+    return std::make_shared<const PrimitiveRecord>(
+        PrimitiveRecord{std::move(shape), std::move(kept), where});
+}
+
+} // namespace candela

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Operations on values alone, uniform ones or all lanes at once. Results are those of
+// ir::interpret, bit by bit.
+#pragma once
+
+#include "language/jit/code_function.h"
+#include "language/runtime/vector_math.h"
+
+namespace candela::codegen {
+
+/// The number in the model's type.
+Value *like(Value *model, float);
+
+/// An operation from Op::Add to Op::Pow; `b` is the last operand.
+Value *floatOperation(CodeFunction &, ir::Op, Value *a, Value *b);
+/// An operation from Op::Less to Op::IntegerFromFloat: comparisons, logic, selection, conversions.
+/// Operands are taken at the rate of the result.
+Value *logicOperation(CodeFunction &, ir::Op, ir::Rate result,
+                      llvm::function_ref<Value *(int k)> operand);
+/// As ir::randomNumber(): of the lanes' seeds and the place in the text.
+Value *randomNumber(CodeFunction &, Value *seed, int place);
+Value *callMath(CodeFunction &, runtime::MathFunction, const Values &arguments);
+
+Value *dot(CodeFunction &, const Values &, const Values &);
+/// As ir::normalize: a zero vector stays zero.
+Values normalized(CodeFunction &, const Values &);
+/// Lanes in which a channel is not zero.
+Value *anyNonZero(CodeFunction &, const Values &color);
+
+} // namespace candela::codegen

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "language/jit/array_memory.h"
+
+#include <llvm/IR/Intrinsics.h>
+#include <llvm/IR/MDBuilder.h>
+
+namespace candela::codegen {
+
+/// Bools are kept as integers: vectors of bits have no addressable elements.
+static llvm::Type *scalarOf(const CodeFunction &code, const ir::Array &array) {
+    return array.type == ir::Type::Float ? code.floatType : code.integerType;
+}
+
+static llvm::Type *rowOf(const llvm::AllocaInst *memory) {
+    return memory->getAllocatedType()->getArrayElementType();
+}
+
+ArrayMemory::ArrayMemory(CodeFunction &code, ValueTable &values, RuntimeCalls &calls)
+    : code_(code), builder_(code.builder), values_(values), calls_(calls) {
+    for (const ir::Array &array : values.function().arrays) {
+        auto *scalar = scalarOf(code, array);
+        auto *row = array.rate == ir::Rate::Varying ? code.lanes.varying(scalar) : scalar;
+        auto *memory = builder_.CreateAlloca(llvm::ArrayType::get(row, array.size));
+        memory->setAlignment(llvm::Align(64));
+        memory_.push_back(memory);
+    }
+}
+
+void ArrayMemory::clear() {
+    for (llvm::AllocaInst *memory : memory_) {
+        const auto size = code_.module.getDataLayout().getTypeAllocSize(memory->getAllocatedType());
+        builder_.CreateMemSet(memory, builder_.getInt8(0), size.getFixedValue(), llvm::Align(64));
+    }
+}
+
+void ArrayMemory::checkIndex(const ir::Instruction &i, Value *raw, Value *clamped) {
+    auto *outside = builder_.CreateICmpNE(raw, clamped);
+    if (auto *known = llvm::dyn_cast<llvm::Constant>(outside); known && known->isZeroValue())
+        return;
+    auto *lanes = code_.masks.currentAnd(code_.lanes.splat(outside));
+    auto *report = code_.block("index_outside"), *go = code_.block("index_clamped");
+    builder_.CreateCondBr(code_.lanes.any(lanes), report, go,
+                          llvm::MDBuilder(code_.module.getContext()).createUnlikelyBranchWeights());
+    builder_.SetInsertPoint(report);
+    calls_.reportIndexOutside(i);
+    builder_.CreateBr(go);
+    builder_.SetInsertPoint(go);
+}
+
+Value *ArrayMemory::elementAddress(const ir::Instruction &i, Value *&index) {
+    const ir::Array &array = values_.function().arrays[i.immediate];
+    llvm::AllocaInst *memory = memory_[i.immediate];
+    auto *raw = values_.get(i.operands[0]);
+    const auto whole = [&](int k) { return llvm::ConstantInt::get(raw->getType(), k); };
+    index = builder_.CreateBinaryIntrinsic(llvm::Intrinsic::smax, raw, whole(0));
+    index = builder_.CreateBinaryIntrinsic(llvm::Intrinsic::smin, index, whole(array.size - 1));
+    checkIndex(i, raw, index);
+    if (!index->getType()->isVectorTy())
+        return builder_.CreateGEP(rowOf(memory), memory, index);
+    if (array.rate == ir::Rate::Varying)
+        index = builder_.CreateAdd(
+            builder_.CreateMul(index, code_.lanes.splat(builder_.getInt32(code_.lanes.width()))),
+            code_.lanes.laneNumbers());
+    return memory;
+}
+
+Value *ArrayMemory::load(const ir::Instruction &i) {
+    const ir::Array &array = values_.function().arrays[i.immediate];
+    Value *index = nullptr;
+    auto *address = elementAddress(i, index);
+    auto *row = rowOf(memory_[i.immediate]);
+    // Every index is inside, so all lanes may load.
+    Value *element = index->getType()->isVectorTy()
+                         ? code_.lanes.gather(scalarOf(code_, array), address, index,
+                                              llvm::Constant::getAllOnesValue(
+                                                  code_.lanes.varying(builder_.getInt1Ty())))
+                         : builder_.CreateLoad(row, address);
+    return array.type == ir::Type::Bool ? builder_.CreateIsNotNull(element) : element;
+}
+
+void ArrayMemory::store(const ir::Instruction &i) {
+    const ir::Array &array = values_.function().arrays[i.immediate];
+    auto *mask = code_.masks.current();
+    Value *index = nullptr;
+    auto *address = elementAddress(i, index);
+    auto *value = values_.get(i.operands[1], array.rate);
+    auto *row = rowOf(memory_[i.immediate]);
+    if (array.type == ir::Type::Bool)
+        value = builder_.CreateZExt(value, row);
+    if (index->getType()->isVectorTy())
+        code_.lanes.scatter(value, address, index, mask);
+    else if (!value->getType()->isVectorTy())
+        builder_.CreateStore(value, address);
+    else
+        builder_.CreateStore(builder_.CreateSelect(mask, value, builder_.CreateLoad(row, address)),
+                             address);
+}
+
+} // namespace candela::codegen

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "language/jit/code_function.h"
+
+#include "language/runtime/shader_abi.h"
+
+namespace candela::codegen {
+
+static void setAttributes(llvm::Function &function, const CodeTarget &target) {
+    function.addFnAttr("target-cpu", target.cpu);
+    if (!target.features.empty())
+        function.addFnAttr("target-features", target.features);
+    // Without these LLVM may pass a vector of 16 in two halves where SLEEF expects it whole, and
+    // lanes 8 to 15 are silently wrong.
+    const std::string bits = std::to_string(target.registerBits());
+    function.addFnAttr("prefer-vector-width", bits);
+    function.addFnAttr("min-legal-vector-width", bits);
+    function.addFnAttr(llvm::Attribute::NoUnwind);
+    function.addParamAttr(0, llvm::Attribute::NoAlias);
+    function.addParamAttr(0, llvm::Attribute::ReadOnly);
+    function.addDereferenceableParamAttr(0, sizeof(ShaderArgs));
+}
+
+CodeFunction::CodeFunction(const CodeTarget &codeTarget, llvm::Module &codeModule,
+                           const std::string &symbol)
+    : target(codeTarget), module(codeModule), builder(codeModule.getContext()),
+      lanes(builder, codeTarget), masks(builder), floatType(builder.getFloatTy()),
+      integerType(builder.getInt32Ty()), pointerType(builder.getPtrTy()) {
+    auto *type = llvm::FunctionType::get(builder.getVoidTy(), {pointerType}, false);
+    function = llvm::Function::Create(type, llvm::Function::ExternalLinkage, symbol, module);
+    setAttributes(*function, target);
+    builder.SetInsertPoint(block("entry"));
+}
+
+llvm::BasicBlock *CodeFunction::block(const char *name) {
+    return llvm::BasicBlock::Create(module.getContext(), name, function);
+}
+
+Value *CodeFunction::entryMemory(llvm::Type *type, int count, const char *name) {
+    llvm::BasicBlock &entry = function->getEntryBlock();
+    llvm::IRBuilder<> atEntry(&entry, entry.begin());
+    auto *memory = atEntry.CreateAlloca(type, atEntry.getInt32(count), name);
+    memory->setAlignment(llvm::Align(64));
+    return memory;
+}
+
+Value *CodeFunction::invariantLoad(llvm::Type *type, Value *from) {
+    auto *load = builder.CreateLoad(type, from);
+    load->setMetadata(llvm::LLVMContext::MD_invariant_load,
+                      llvm::MDNode::get(module.getContext(), {}));
+    return load;
+}
+
+llvm::FunctionCallee CodeFunction::external(const std::string &name, llvm::FunctionType *type,
+                                            bool pure) {
+    auto callee = module.getOrInsertFunction(name, type);
+    auto *declared = llvm::cast<llvm::Function>(callee.getCallee());
+    declared->setDoesNotThrow();
+    if (pure) {
+        declared->setDoesNotAccessMemory();
+        declared->addFnAttr(llvm::Attribute::WillReturn);
+    }
+    return callee;
+}
+
+} // namespace candela::codegen

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// The LLVM function under construction: what all parts of the generator write to. Private to the
+// generator, as all that stands in `codegen`.
+#pragma once
+
+#include "language/jit/code_target.h"
+#include "language/jit/lanes.h"
+#include "language/jit/mask_stack.h"
+
+#include <llvm/IR/Module.h>
+
+#include <string>
+#include <vector>
+
+namespace candela::codegen {
+
+using llvm::Value;
+using Values = std::vector<Value *>;
+
+struct CodeFunction {
+    /// Adds void symbol(const ShaderArgs *) to the module; the builder stands at its entry.
+    CodeFunction(const CodeTarget &, llvm::Module &, const std::string &symbol);
+
+    const CodeTarget &target;
+    llvm::Module &module;
+    llvm::IRBuilder<> builder;
+    Lanes lanes;
+    MaskStack masks;
+    llvm::Function *function = nullptr;
+    llvm::Type *const floatType, *const integerType, *const pointerType;
+
+    llvm::BasicBlock *block(const char *name);
+    /// Memory for the whole call.
+    Value *entryMemory(llvm::Type *, int count, const char *name);
+    /// From where nothing changes during a call.
+    Value *invariantLoad(llvm::Type *, Value *from);
+    /// A function that code may call; a pure one depends on its arguments alone.
+    llvm::FunctionCallee external(const std::string &name, llvm::FunctionType *, bool pure);
+};
+
+} // namespace candela::codegen

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "language/jit/control_flow.h"
+
+namespace candela::codegen {
+
+using ir::Instruction;
+using ir::Op;
+using ir::Rate;
+using ir::Region;
+
+ControlFlow::ControlFlow(CodeFunction &code, ValueTable &values, EmitRegion emitRegion)
+    : code_(code), builder_(code.builder), values_(values), emitRegion_(std::move(emitRegion)) {}
+
+void ControlFlow::emitIf(const Instruction &i) {
+    if (values_.rate(i.operands[0]) == Rate::Uniform)
+        emitUniformIf(i);
+    else
+        emitVaryingIf(i);
+}
+
+Values ControlFlow::yields(const Region &region, const Instruction &owner) const {
+    Values result;
+    for (std::size_t k = 0; k < owner.results.size(); ++k)
+        result.push_back(values_.get(region.yields[k], values_.rate(owner.results[k])));
+    return result;
+}
+
+void ControlFlow::emitUniformIf(const Instruction &i) {
+    auto *condition = values_.get(i.operands[0], Rate::Uniform);
+    llvm::BasicBlock *starts[2] = {code_.block("then"), code_.block("else")};
+    auto *join = code_.block("endif");
+    builder_.CreateCondBr(condition, starts[0], starts[1]);
+    llvm::BasicBlock *ends[2];
+    Values yielded[2];
+    for (int branch = 0; branch < 2; ++branch) {
+        builder_.SetInsertPoint(starts[branch]);
+        emitRegion_(i.regions[branch]);
+        yielded[branch] = yields(i.regions[branch], i);
+        ends[branch] = builder_.GetInsertBlock();
+        builder_.CreateBr(join);
+    }
+    builder_.SetInsertPoint(join);
+    for (std::size_t k = 0; k < i.results.size(); ++k) {
+        auto *phi = builder_.CreatePHI(yielded[0][k]->getType(), 2);
+        for (int branch = 0; branch < 2; ++branch)
+            phi->addIncoming(yielded[branch][k], ends[branch]);
+        values_.set(i.results[k], phi);
+    }
+}
+
+/// Few plain operations: cheaper to run than to branch about.
+static bool isTrivial(const Region &region) {
+    if (region.body.size() > 6)
+        return false;
+    for (const Instruction &i : region.body) {
+        const bool plain = i.op <= Op::ConstString || (i.op >= Op::Add && i.op <= Op::Round) ||
+                           (i.op >= Op::Less && i.op <= Op::FloatFromBool);
+        if (!plain)
+            return false;
+    }
+    return true;
+}
+
+Values ControlFlow::emitBranch(const Region &region, Value *taken, const Instruction &owner) {
+    MaskStack::Scope scope(code_.masks, taken);
+    if (isTrivial(region)) {
+        emitRegion_(region);
+        return yields(region, owner);
+    }
+    auto *from = builder_.GetInsertBlock();
+    auto *run = code_.block("lanes"), *join = code_.block("join_lanes");
+    builder_.CreateCondBr(code_.lanes.any(taken), run, join);
+    builder_.SetInsertPoint(run);
+    emitRegion_(region);
+    const Values yielded = yields(region, owner);
+    auto *end = builder_.GetInsertBlock();
+    builder_.CreateBr(join);
+    builder_.SetInsertPoint(join);
+    Values merged;
+    for (Value *value : yielded) {
+        auto *phi = builder_.CreatePHI(value->getType(), 2);
+        phi->addIncoming(llvm::Constant::getNullValue(value->getType()), from);
+        phi->addIncoming(value, end);
+        merged.push_back(phi);
+    }
+    return merged;
+}
+
+void ControlFlow::emitVaryingIf(const Instruction &i) {
+    auto *condition = values_.get(i.operands[0], Rate::Varying);
+    const Values then = emitBranch(i.regions[0], code_.masks.currentAnd(condition), i);
+    const Values otherwise = emitBranch(i.regions[1], code_.masks.currentAndNot(condition), i);
+    for (std::size_t k = 0; k < i.results.size(); ++k)
+        values_.set(i.results[k], builder_.CreateSelect(condition, then[k], otherwise[k]));
+}
+
+void ControlFlow::emitLoop(const Instruction &i) {
+    const Region &region = i.regions[0];
+    const bool varying = values_.rate(region.arguments[0]) == Rate::Varying;
+    Values initial;
+    for (std::size_t k = 0; k < i.operands.size(); ++k)
+        initial.push_back(values_.get(i.operands[k], values_.rate(region.arguments[k])));
+    auto *from = builder_.GetInsertBlock();
+    auto *head = code_.block("loop"), *body = code_.block("loop_body"),
+         *done = code_.block("loop_end");
+    builder_.CreateBr(head);
+
+    builder_.SetInsertPoint(head);
+    std::vector<llvm::PHINode *> carried;
+    for (std::size_t k = 0; k < initial.size(); ++k) {
+        carried.push_back(builder_.CreatePHI(initial[k]->getType(), 2));
+        carried[k]->addIncoming(initial[k], from);
+        values_.set(region.arguments[k], carried[k]);
+    }
+    auto *mask = varying ? code_.masks.currentAnd(carried[0]) : code_.masks.current();
+    auto *goesOn = varying ? code_.lanes.any(mask) : carried[0];
+    builder_.CreateCondBr(goesOn, body, done);
+
+    builder_.SetInsertPoint(body);
+    MaskStack::Scope scope(code_.masks, mask);
+    emitRegion_(region);
+    for (std::size_t k = 0; k < carried.size(); ++k) {
+        const Rate rate = values_.rate(region.arguments[k]);
+        auto *next = values_.get(region.yields[k], rate);
+        if (varying && rate == Rate::Varying)
+            next = builder_.CreateSelect(mask, next, carried[k]);
+        carried[k]->addIncoming(next, builder_.GetInsertBlock());
+    }
+    builder_.CreateBr(head);
+
+    builder_.SetInsertPoint(done);
+    for (std::size_t k = 0; k < carried.size(); ++k)
+        values_.set(i.results[k], carried[k]);
+}
+
+} // namespace candela::codegen

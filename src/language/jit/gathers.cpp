@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "language/jit/gathers.h"
+
+#include "language/runtime/shader_abi.h"
+
+#include <llvm/IR/Intrinsics.h>
+
+#include <cstddef>
+
+namespace candela::codegen {
+
+Gathers::Gathers(CodeFunction &code, ShaderArguments &arguments, const ir::Region &body)
+    : code_(code), builder_(code.builder), arguments_(arguments),
+      parameters_{offsetof(ShaderArgs, parameters), offsetof(ShaderArgs, parameterOffset), 1, {}},
+      objectMatrices_{
+          offsetof(ShaderArgs, objectMatrices), offsetof(ShaderArgs, objectIndex), 32, {}} {
+    collect(body);
+}
+
+void Gathers::collect(const ir::Region &region) {
+    for (const ir::Instruction &i : region.body) {
+        if (i.op == ir::Op::Parameter)
+            parameters_.loaded[i.immediate] = nullptr;
+        for (int k = 0; k < 16 && (i.op == ir::Op::Object || i.op == ir::Op::ObjectInverse); ++k)
+            objectMatrices_.loaded[k + (i.op == ir::Op::ObjectInverse ? 16 : 0)] = nullptr;
+        for (const ir::Region &inner : i.regions)
+            collect(inner);
+    }
+}
+
+void Gathers::load() {
+    load(parameters_);
+    load(objectMatrices_);
+}
+
+Values Gathers::objectMatrix(bool inverse) const {
+    Values elements;
+    for (int k = 0; k < 16; ++k)
+        elements.push_back(objectMatrices_.loaded.at(k + (inverse ? 16 : 0)));
+    return elements;
+}
+
+Values Gathers::broadcast(const Table &table, Value *origin) {
+    Values values;
+    for (const auto &[place, value] : table.loaded) {
+        auto *element = builder_.CreateGEP(code_.floatType, origin, builder_.getInt32(place));
+        values.push_back(code_.lanes.splat(code_.invariantLoad(code_.floatType, element)));
+    }
+    return values;
+}
+
+Values Gathers::gather(const Table &table, Value *base, Value *index) {
+    Values values;
+    for (const auto &[place, value] : table.loaded)
+        values.push_back(code_.lanes.gather(
+            code_.floatType, builder_.CreateGEP(code_.floatType, base, builder_.getInt32(place)),
+            index, code_.masks.current()));
+    return values;
+}
+
+Values Gathers::broadcastOrGather(const Table &table, Value *base, Value *index) {
+    const Lanes &lanes = code_.lanes;
+    auto *mask = code_.masks.current();
+    auto *firstLane =
+        builder_.CreateBinaryIntrinsic(llvm::Intrinsic::cttz, lanes.bits(mask), builder_.getTrue());
+    auto *first = builder_.CreateExtractElement(index, firstLane);
+    auto *same = builder_.CreateICmpEQ(index, lanes.splat(first));
+    auto *together = code_.block("together"), *apart = code_.block("apart"),
+         *join = code_.block("gathered");
+    builder_.CreateCondBr(lanes.all(builder_.CreateOr(same, builder_.CreateNot(mask))), together,
+                          apart);
+    builder_.SetInsertPoint(together);
+    const Values shared = broadcast(table, builder_.CreateGEP(code_.floatType, base, first));
+    builder_.CreateBr(join);
+    builder_.SetInsertPoint(apart);
+    const Values gathered = gather(table, base, index);
+    builder_.CreateBr(join);
+    builder_.SetInsertPoint(join);
+    Values values;
+    for (std::size_t k = 0; k < shared.size(); ++k) {
+        auto *phi = builder_.CreatePHI(lanes.varying(code_.floatType), 2);
+        phi->addIncoming(shared[k], together);
+        phi->addIncoming(gathered[k], apart);
+        values.push_back(phi);
+    }
+    return values;
+}
+
+void Gathers::load(Table &table) {
+    if (table.loaded.empty())
+        return;
+    const Lanes &lanes = code_.lanes;
+    auto *base = arguments_.fieldPointer(table.baseField);
+    auto *indexPlane = builder_.CreateGEP(
+        code_.integerType, arguments_.fieldPointer(table.indexField), arguments_.firstPoint());
+    auto *raw = lanes.maskedLoad(code_.integerType, indexPlane, code_.masks.current());
+    auto *index = builder_.CreateMul(raw, lanes.splat(builder_.getInt32(table.stride)));
+    const Values values = lanes.width() == 1
+                              ? broadcast(table, builder_.CreateGEP(code_.floatType, base, index))
+                              : broadcastOrGather(table, base, index);
+    std::size_t next = 0;
+    for (auto &[place, value] : table.loaded)
+        value = values[next++];
+}
+
+} // namespace candela::codegen

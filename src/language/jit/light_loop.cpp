@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "language/jit/light_loop.h"
+
+#include "foundation/units/color.h"
+#include "language/jit/arithmetic.h"
+#include "language/runtime/shader_abi.h"
+
+#include <cstddef>
+
+namespace candela::codegen {
+
+using ir::Rate;
+
+/// bytes[light] != 0, lane by lane. Inactive lanes look at light 0, so a byte a lane may be read
+/// without branches.
+static Value *bytesNotZero(CodeFunction &code, Value *bytes, Value *light) {
+    auto &builder = code.builder;
+    const auto ofLight = [&](Value *index) -> Value * {
+        auto *address = builder.CreateGEP(builder.getInt8Ty(), bytes, index);
+        return builder.CreateIsNotNull(code.invariantLoad(builder.getInt8Ty(), address));
+    };
+    if (code.lanes.width() == 1)
+        return ofLight(light);
+    Value *result = llvm::PoisonValue::get(code.lanes.varying(builder.getInt1Ty()));
+    for (int k = 0; k < code.lanes.width(); ++k)
+        result =
+            builder.CreateInsertElement(result, ofLight(builder.CreateExtractElement(light, k)), k);
+    return result;
+}
+
+Value *acceptedByCategory(CodeFunction &code, ShaderArguments &arguments, int category,
+                          Value *row) {
+    auto &builder = code.builder;
+    const Lanes &lanes = code.lanes;
+    auto *maskType = lanes.varying(builder.getInt1Ty());
+    auto *accepts = arguments.fieldPointer(offsetof(ShaderArgs, categoryAccepts));
+    auto *start = builder.GetInsertBlock();
+    auto *test = code.block("category"), *load = code.block("lights"),
+         *look = code.block("accepts"), *join = code.block("accepted");
+    builder.CreateCondBr(builder.CreateIsNull(accepts), join, test);
+
+    builder.SetInsertPoint(test);
+    auto *lights = arguments.fieldPointer(offsetof(ShaderArgs, sampleLight));
+    auto *noLights = llvm::Constant::getNullValue(lanes.varying(code.integerType));
+    builder.CreateCondBr(builder.CreateIsNull(lights), look, load);
+    builder.SetInsertPoint(load);
+    auto *loaded = lanes.maskedLoad(
+        code.integerType, builder.CreateGEP(code.integerType, lights, row), code.masks.current());
+    builder.CreateBr(look);
+
+    builder.SetInsertPoint(look);
+    auto *light = builder.CreatePHI(lanes.varying(code.integerType), 2);
+    light->addIncoming(noLights, test);
+    light->addIncoming(loaded, load);
+    auto *lightCount = arguments.field(offsetof(ShaderArgs, lightCount), code.integerType);
+    auto *firstOfCategory = builder.CreateMul(builder.CreateAdd(lightCount, builder.getInt32(1)),
+                                              builder.getInt32(category));
+    auto *bytes = builder.CreateGEP(builder.getInt8Ty(), accepts, firstOfCategory);
+    auto *result = bytesNotZero(code, bytes, light);
+    auto *end = builder.GetInsertBlock();
+    builder.CreateBr(join);
+
+    builder.SetInsertPoint(join);
+    auto *accepted = builder.CreatePHI(maskType, 2);
+    accepted->addIncoming(llvm::Constant::getAllOnesValue(maskType), start);
+    accepted->addIncoming(result, end);
+    return accepted;
+}
+
+LightLoop::LightLoop(CodeFunction &code, ShaderArguments &arguments, ValueTable &values,
+                     const ir::Instruction &instruction)
+    : code_(code), builder_(code.builder), arguments_(arguments), values_(values),
+      instruction_(instruction), request_(values.function().requests[instruction.immediate]) {
+    if (request_.form != ir::ConeForm::Everywhere && request_.coneCount > 0)
+        findCones();
+}
+
+void LightLoop::findCones() {
+    const ir::Instruction &i = instruction_;
+    auto *angle = values_.get(i.operands[6], Rate::Varying);
+    if (request_.form == ir::ConeForm::Extended) {
+        delta_ = builder_.CreateFCmpOLE(angle, like(angle, 0));
+        if (auto *known = llvm::dyn_cast<llvm::Constant>(delta_); known && known->isZeroValue())
+            delta_ = nullptr;
+        return;
+    }
+    coneAxis_ = normalized(
+        code_, values_.get({i.operands[3], i.operands[4], i.operands[5]}, Rate::Varying));
+    coneCosine_ = callMath(code_, runtime::MathFunction::cos, {angle});
+}
+
+LightLoop::Sample LightLoop::deltaSample() {
+    const ir::Instruction &i = instruction_;
+    Sample sample;
+    sample.L = values_.get({i.operands[3], i.operands[4], i.operands[5]}, Rate::Varying);
+    sample.Cl = arguments_.color(offsetof(ShaderArgs, answers), i.immediate * colorSamples);
+    sample.lanes = builder_.CreateAnd(code_.masks.currentAnd(delta_), anyNonZero(code_, sample.Cl));
+    return sample;
+}
+
+LightLoop::Sample LightLoop::finiteSample(Value *number) {
+    auto *wide = builder_.getInt64Ty();
+    auto *stride = builder_.CreateSExt(
+        arguments_.field(offsetof(ShaderArgs, sampleStride), code_.integerType), wide);
+    auto *row = builder_.CreateAdd(builder_.CreateMul(builder_.CreateSExt(number, wide), stride),
+                                   builder_.CreateSExt(arguments_.firstPoint(), wide));
+    auto *mask = code_.masks.current();
+    const auto loadRow = [&](std::size_t table, int k) {
+        auto *plane = code_.invariantLoad(
+            code_.pointerType, builder_.CreateGEP(code_.pointerType, arguments_.fieldPointer(table),
+                                                  builder_.getInt32(k)));
+        return code_.lanes.maskedLoad(code_.floatType,
+                                      builder_.CreateGEP(code_.floatType, plane, row), mask);
+    };
+    Sample sample;
+    for (int k = 0; k < 3; ++k)
+        sample.L.push_back(loadRow(offsetof(ShaderArgs, sampleL), k));
+    for (int k = 0; k < colorSamples; ++k)
+        sample.Cl.push_back(loadRow(offsetof(ShaderArgs, sampleCl), k));
+    sample.lanes = builder_.CreateAnd(mask, anyNonZero(code_, sample.Cl));
+    if (delta_)
+        sample.lanes = builder_.CreateAnd(sample.lanes, builder_.CreateNot(delta_));
+    if (coneCosine_) {
+        auto *cosine = dot(code_, normalized(code_, sample.L), coneAxis_);
+        sample.lanes =
+            builder_.CreateAnd(sample.lanes, builder_.CreateFCmpOGE(cosine, coneCosine_));
+    }
+    if (request_.category >= 0)
+        sample.lanes = builder_.CreateAnd(
+            sample.lanes, acceptedByCategory(code_, arguments_, request_.category, row));
+    return sample;
+}
+
+LightLoop::Sample LightLoop::sample(Value *number) {
+    if (!delta_)
+        return finiteSample(number);
+    auto *delta = code_.block("delta"), *finite = code_.block("finite"),
+         *join = code_.block("sample");
+    builder_.CreateCondBr(builder_.CreateICmpSLT(number, builder_.getInt32(0)), delta, finite);
+    builder_.SetInsertPoint(delta);
+    const Sample fromDelta = deltaSample();
+    delta = builder_.GetInsertBlock();
+    builder_.CreateBr(join);
+    builder_.SetInsertPoint(finite);
+    const Sample fromFinite = finiteSample(number);
+    finite = builder_.GetInsertBlock();
+    builder_.CreateBr(join);
+    builder_.SetInsertPoint(join);
+    const auto merge = [&](Value *a, Value *b) {
+        auto *phi = builder_.CreatePHI(a->getType(), 2);
+        phi->addIncoming(a, delta);
+        phi->addIncoming(b, finite);
+        return phi;
+    };
+    Sample merged;
+    for (int k = 0; k < 3; ++k)
+        merged.L.push_back(merge(fromDelta.L[k], fromFinite.L[k]));
+    for (int k = 0; k < colorSamples; ++k)
+        merged.Cl.push_back(merge(fromDelta.Cl[k], fromFinite.Cl[k]));
+    merged.lanes = merge(fromDelta.lanes, fromFinite.lanes);
+    return merged;
+}
+
+Value *LightLoop::firstNumber() {
+    Value *first = builder_.getInt32(0);
+    if (!delta_)
+        return first;
+    return builder_.CreateSelect(code_.lanes.any(code_.masks.currentAnd(delta_)),
+                                 builder_.getInt32(-1), first);
+}
+
+std::vector<llvm::PHINode *> LightLoop::carry(const Values &initial, llvm::BasicBlock *from) {
+    const ir::Instruction &i = instruction_;
+    std::vector<llvm::PHINode *> phis;
+    for (std::size_t k = 0; k < initial.size(); ++k) {
+        phis.push_back(builder_.CreatePHI(initial[k]->getType(), 2));
+        phis[k]->addIncoming(initial[k], from);
+        values_.set(i.regions[0].arguments[3 + colorSamples + k], phis[k]);
+        values_.set(i.results[k], phis[k]);
+    }
+    return phis;
+}
+
+Values LightLoop::run(const Sample &light, const Values &carried, const EmitRegion &emitRegion) {
+    const ir::Region &region = instruction_.regions[0];
+    for (int k = 0; k < 3; ++k)
+        values_.set(region.arguments[k], light.L[k]);
+    for (int k = 0; k < colorSamples; ++k)
+        values_.set(region.arguments[3 + k], light.Cl[k]);
+    MaskStack::Scope scope(code_.masks, light.lanes);
+    emitRegion(region);
+    Values after;
+    for (std::size_t k = 0; k < carried.size(); ++k)
+        after.push_back(builder_.CreateSelect(
+            light.lanes, values_.get(region.yields[k], Rate::Varying), carried[k]));
+    return after;
+}
+
+void LightLoop::emit(const EmitRegion &emitRegion) {
+    const ir::Instruction &i = instruction_;
+    const std::size_t carriedCount = i.results.size();
+    Values initial;
+    for (std::size_t k = 0; k < carriedCount; ++k)
+        initial.push_back(
+            values_.get(i.operands[i.operands.size() - carriedCount + k], Rate::Varying));
+    auto *first = firstNumber();
+    auto *count = arguments_.field(offsetof(ShaderArgs, sampleCount), code_.integerType);
+    auto *from = builder_.GetInsertBlock();
+    auto *head = code_.block("lights"), *take = code_.block("light"), *lit = code_.block("lit"),
+         *next = code_.block("next_light"), *done = code_.block("lights_end");
+    builder_.CreateBr(head);
+
+    builder_.SetInsertPoint(head);
+    auto *number = builder_.CreatePHI(code_.integerType, 2, "sample");
+    number->addIncoming(first, from);
+    const std::vector<llvm::PHINode *> phis = carry(initial, from);
+    const Values carried(phis.begin(), phis.end());
+    builder_.CreateCondBr(builder_.CreateICmpSLT(number, count), take, done);
+
+    builder_.SetInsertPoint(take);
+    const Sample light = sample(number);
+    auto *unlit = builder_.GetInsertBlock();
+    builder_.CreateCondBr(code_.lanes.any(light.lanes), lit, next);
+
+    builder_.SetInsertPoint(lit);
+    const Values after = run(light, carried, emitRegion);
+    lit = builder_.GetInsertBlock();
+    builder_.CreateBr(next);
+
+    builder_.SetInsertPoint(next);
+    for (std::size_t k = 0; k < carriedCount; ++k) {
+        auto *merged = builder_.CreatePHI(carried[k]->getType(), 2);
+        merged->addIncoming(carried[k], unlit);
+        merged->addIncoming(after[k], lit);
+        phis[k]->addIncoming(merged, next);
+    }
+    number->addIncoming(builder_.CreateAdd(number, builder_.getInt32(1)), next);
+    builder_.CreateBr(head);
+    builder_.SetInsertPoint(done);
+}
+
+} // namespace candela::codegen

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Calls of the renderer's own functions: noise and its like, printf(), indices outside arrays.
+#pragma once
+
+#include "language/jit/shader_arguments.h"
+#include "language/jit/value_table.h"
+
+#include <string>
+#include <vector>
+
+namespace candela::codegen {
+
+class RuntimeCalls {
+public:
+    RuntimeCalls(CodeFunction &, const ShaderArguments &, ValueTable &);
+
+    /// One of Function::strings as code knows it, an integer; equal texts agree.
+    Value *string(int index) const;
+    void call(const ir::Instruction &);
+    void print(const ir::Instruction &);
+    /// That the instruction's index is outside its array.
+    void reportIndexOutside(const ir::Instruction &);
+
+private:
+    Value *text(const std::string &bytes);
+
+    CodeFunction &code_;
+    llvm::IRBuilder<> &builder_;
+    const ShaderArguments &arguments_;
+    ValueTable &values_;
+    std::vector<int> stringOffset_; ///< Of Function::strings, in strings_.
+    std::string strings_;
+    Value *inputs_ = nullptr, *outputs_ = nullptr; ///< Memory for a call's values.
+};
+
+} // namespace candela::codegen

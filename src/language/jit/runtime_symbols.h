@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// The symbols under which generated code calls what the renderer has for it.
+#pragma once
+
+#include "language/runtime/runtime_functions.h"
+
+#include <string>
+
+namespace candela {
+
+/// A runtime function, by its number, that takes `width` lanes.
+inline std::string runtimeSymbol(int runtimeFunction, int width) {
+    const auto facts = runtime::info(runtime::RuntimeFunction(runtimeFunction));
+    return std::string("candela_") + facts.name + "_w" + std::to_string(width);
+}
+/// printLanes() and reportIndexOutside().
+inline constexpr const char *printSymbol = "candela_print";
+inline constexpr const char *indexOutsideSymbol = "candela_index_outside";
+
+} // namespace candela

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "language/jit/shader_arguments.h"
+
+#include "foundation/units/color.h"
+#include "language/runtime/shader_abi.h"
+
+#include <cstddef>
+
+namespace candela::codegen {
+
+ShaderArguments::ShaderArguments(CodeFunction &code)
+    : code_(code), builder_(code.builder), pointer_(code.function->getArg(0)) {}
+
+void ShaderArguments::enterBlock(llvm::BasicBlock *prepare, Value *firstPoint) {
+    prepare_ = prepare;
+    firstPoint_ = firstPoint;
+}
+
+Value *ShaderArguments::blockMask() {
+    auto *word = builder_.getInt16Ty();
+    auto *given = fieldPointer(offsetof(ShaderArgs, active));
+    auto *from = builder_.GetInsertBlock();
+    auto *load = code_.block("load_mask"), *join = code_.block("join_mask");
+    builder_.CreateCondBr(builder_.CreateIsNull(given), join, load);
+    builder_.SetInsertPoint(load);
+    auto *index = builder_.CreateLShr(firstPoint_, 4);
+    auto *loaded = code_.invariantLoad(word, builder_.CreateGEP(word, given, index));
+    builder_.CreateBr(join);
+    builder_.SetInsertPoint(join);
+    auto *bits = builder_.CreatePHI(word, 2);
+    bits->addIncoming(llvm::ConstantInt::getAllOnesValue(word), from);
+    bits->addIncoming(loaded, load);
+    if (code_.lanes.width() == 16)
+        return builder_.CreateBitCast(bits, code_.lanes.varying(builder_.getInt1Ty()));
+    auto *lane = builder_.CreateTrunc(builder_.CreateAnd(firstPoint_, 15), word);
+    return builder_.CreateTrunc(builder_.CreateLShr(bits, lane), builder_.getInt1Ty());
+}
+
+Value *ShaderArguments::field(std::size_t offset, llvm::Type *type) {
+    return code_.invariantLoad(type,
+                               builder_.CreateConstGEP1_64(builder_.getInt8Ty(), pointer_, offset));
+}
+
+Value *ShaderArguments::fieldPointer(std::size_t offset) {
+    return field(offset, code_.pointerType);
+}
+
+Value *ShaderArguments::plane(std::size_t tableField, int index) {
+    Value *&plane = planes_[{tableField, index}];
+    if (!plane) {
+        llvm::IRBuilder<>::InsertPointGuard guard(builder_);
+        builder_.SetInsertPoint(prepare_->getTerminator());
+        auto *entry = builder_.CreateConstGEP1_64(code_.pointerType, fieldPointer(tableField),
+                                                  std::uint64_t(index));
+        plane = code_.invariantLoad(code_.pointerType, entry);
+    }
+    return builder_.CreateGEP(code_.floatType, plane, firstPoint_);
+}
+
+Value *ShaderArguments::planeHere(std::size_t tableField, int index) {
+    auto *entry = builder_.CreateConstGEP1_64(code_.pointerType, fieldPointer(tableField),
+                                              std::uint64_t(index));
+    return builder_.CreateGEP(code_.floatType, code_.invariantLoad(code_.pointerType, entry),
+                              firstPoint_);
+}
+
+Values ShaderArguments::color(std::size_t tableField, int first) {
+    auto *table = fieldPointer(tableField);
+    auto *from = builder_.GetInsertBlock();
+    auto *load = code_.block("load_color"), *join = code_.block("color");
+    builder_.CreateCondBr(builder_.CreateIsNull(table), join, load);
+    builder_.SetInsertPoint(load);
+    Values loaded, color;
+    for (int k = 0; k < colorSamples; ++k)
+        loaded.push_back(code_.lanes.load(code_.floatType, planeHere(tableField, first + k)));
+    builder_.CreateBr(join);
+    builder_.SetInsertPoint(join);
+    for (Value *channel : loaded) {
+        auto *phi = builder_.CreatePHI(channel->getType(), 2);
+        phi->addIncoming(llvm::Constant::getNullValue(channel->getType()), from);
+        phi->addIncoming(channel, load);
+        color.push_back(phi);
+    }
+    return color;
+}
+
+Value *ShaderArguments::frameSlot(int slot, int slots) {
+    auto *group = builder_.CreateSExt(builder_.CreateLShr(firstPoint_, 4), builder_.getInt64Ty());
+    auto *lane = builder_.CreateSExt(builder_.CreateAnd(firstPoint_, 15), builder_.getInt64Ty());
+    auto *row = builder_.CreateAdd(builder_.CreateMul(group, builder_.getInt64(slots)),
+                                   builder_.getInt64(slot));
+    auto *index = builder_.CreateAdd(builder_.CreateMul(row, builder_.getInt64(16)), lane);
+    return builder_.CreateGEP(code_.floatType, fieldPointer(offsetof(ShaderArgs, frame)), index);
+}
+
+Values ShaderArguments::spaceMatrix(int space, bool inverse) {
+    auto *table = fieldPointer(offsetof(ShaderArgs, spaces));
+    auto *matrix = code_.invariantLoad(
+        code_.pointerType, builder_.CreateConstGEP1_64(code_.pointerType, table, space));
+    Values elements;
+    for (int k = 0; k < 16; ++k)
+        elements.push_back(code_.invariantLoad(
+            code_.floatType,
+            builder_.CreateConstGEP1_64(code_.floatType, matrix, k + (inverse ? 16 : 0))));
+    return elements;
+}
+
+} // namespace candela::codegen

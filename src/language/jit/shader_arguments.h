@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// What generated code is called with: the fields of ShaderArgs, the tables of planes that they
+// point to, and where in a plane the block of W points stands that the code is at.
+#pragma once
+
+#include "language/jit/code_function.h"
+
+#include <map>
+#include <utility>
+
+namespace candela::codegen {
+
+class ShaderArguments {
+public:
+    explicit ShaderArguments(CodeFunction &);
+
+    /// From here on code is about the block of points that begins with `firstPoint`. `prepare` runs
+    /// once before the first block, if there is one.
+    void enterBlock(llvm::BasicBlock *prepare, Value *firstPoint);
+    Value *firstPoint() const { return firstPoint_; }
+    /// The caller's mask for the lanes of the block; all lanes if there is none.
+    Value *blockMask();
+
+    Value *pointer() const { return pointer_; }
+    /// A field of ShaderArgs, by its offset; fields and tables never change during a call.
+    Value *field(std::size_t offset, llvm::Type *);
+    Value *fieldPointer(std::size_t offset);
+    /// Where the block's lanes stand in plane `index` of a table. The plane is looked up before the
+    /// loop over blocks, where the table can't be null.
+    Value *plane(std::size_t tableField, int index);
+    /// colorSamples planes from `first` on of a table that may be null: black then.
+    Values color(std::size_t tableField, int first);
+    /// A slot of the frame, which has `slots` for each group of 16 points.
+    Value *frameSlot(int slot, int slots);
+    /// The elements of a named coordinate system's matrix.
+    Values spaceMatrix(int space, bool inverse);
+
+private:
+    /// As plane(), looked up here and now.
+    Value *planeHere(std::size_t tableField, int index);
+
+    CodeFunction &code_;
+    llvm::IRBuilder<> &builder_;
+    Value *pointer_;
+    Value *firstPoint_ = nullptr;
+    llvm::BasicBlock *prepare_ = nullptr;
+    std::map<std::pair<std::size_t, int>, Value *> planes_; ///< Looked up in prepare_.
+};
+
+} // namespace candela::codegen
