@@ -156,8 +156,8 @@ struct Wrapping {
     std::size_t most = 5000; ///< Layers.
 };
 
-/// Layers around an argument or a statement: a few, or far too many. Few of loops: they are lowered
-/// twice a level.
+/// Layers around an argument or a statement: a few, or far too many. Few of loops: the marking of
+/// live values goes through a loop's body twice, which doubles with each level.
 void nest(Words &words, const Corpus &, Chance &chance) {
     static constexpr Wrapping expressions[] = {
         {"(", ")"},     {"-", ""},          {"!", ""},         {"sin(", ")"},
