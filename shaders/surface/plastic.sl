@@ -3,7 +3,7 @@
 surface plastic(float Ka = 1;            /* share of ambient light */
                 float Kd = .5;           /* albedo of the body */
                 float Ks = .5;           /* strength of the highlights */
-                float roughness = .1;    /* their width; the exponent is its inverse */
+                float roughness = .1;    /* their width; the exponent is 8 over it */
                 color specularcolor = 1; /* their colour */)
 {
     normal facing = faceforward(normalize(N), I);

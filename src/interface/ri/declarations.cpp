@@ -215,6 +215,7 @@ std::optional<Declaration> Dictionary::standard(const std::string &name) {
             {"shadow:bias1", "float"},
             {"render:integrator", "string"},
             {"radiometry:units", "string"},
+            {"shading:highlights", "string"},
             {"radiosity:finalpass", "string"},
             {"trace:maxdepth", "integer"},
             {"light:units", "string"},

@@ -275,6 +275,25 @@ TEST_F(State, integratorsAreChecked) {
     EXPECT_EQ(errors(), 1);
 }
 
+TEST_F(State, highlightsAreChecked) {
+    for (const char *name : {"production", "ri", "shiny"})
+        state.option(at, "shading", text("highlights", name));
+    EXPECT_EQ(errors(), 1);
+    EXPECT_TRUE(says("the known ones are \"production\""));
+}
+
+TEST_F(State, depthsAreChecked) {
+    const auto depth = [&](float value) {
+        state.option(at, "trace", numbers("float maxdepth", {value}));
+    };
+    depth(0), depth(7);
+    EXPECT_EQ(errors(), 0);
+    depth(-1), depth(NAN), depth(INFINITY);
+    EXPECT_EQ(errors(), 3);
+    state.worldBegin(at);
+    EXPECT_EQ(builder.worlds.back().options.named.number("trace:maxdepth", 64), 7);
+}
+
 TEST_F(State, samplesHaveALimit) {
     state.pixelSamples(at, 4096, 4096);
     EXPECT_EQ(errors(), 0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Options (RI 3.2, section 4.1).
 #include "interface/ri/search_path.h"
+#include "interface/ri/option_checks.h"
 #include "interface/ri/state_handlers.h"
 
 #include <cmath>
@@ -229,23 +230,11 @@ static void expandSearchPath(Parameter &path, const GraphicsStateSettings::Searc
     path.strings = {expandSearchPath(text, previous, standard)};
 }
 
-static void checkIntegrator(RequestDiagnostics &diagnostics, const SourceLocation &where,
-                            const std::string &name) {
-    if (name == "bidir" || name == "radiosity")
-        diagnostics.warnOnce(where, "integrator:" + name,
-                             "Option \"render\" \"integrator\": this version has no \"" + name +
-                                 "\" and takes \"path\"");
-    else if (name != "path" && name != "classic")
-        diagnostics.error(where, "Option",
-                          "there is no integrator \"" + name +
-                              "\": the known ones are \"path\" and \"classic\"; taking \"path\"");
-}
-
 void StateHandlers::option(const SourceLocation &where, const std::string &category,
                            const TokenList &tokens) {
     for (Parameter &parameter : parameters_.ofCategory(tokens, "Option", category)) {
-        if (category == "render" && parameter.name == "integrator" && !parameter.strings.empty())
-            checkIntegrator(diagnostics_, where, parameter.strings.front());
+        if (!checkOption(diagnostics_, where, category, parameter))
+            continue;
         if (category == "searchpath" && !parameter.strings.empty())
             expandSearchPath(parameter, settings_.searchPaths, state_.options);
         std::string name = category + ":" + parameter.name;

@@ -59,6 +59,6 @@ Matrix spaceFromCurrent(Builder &b, const std::string &name) {
 Matrix currentFromObject(Builder &b) { return matrixOf(b, Op::Object, 0); }
 Matrix objectFromCurrent(Builder &b) { return matrixOf(b, Op::ObjectInverse, 0); }
 
-ValueId random(Builder &b) { return b.emit(Op::Random, {}, b.nextRandom())[0]; }
+ValueId random(Builder &b, ValueId turn) { return b.emit(Op::Random, {turn}, b.nextRandom())[0]; }
 
 } // namespace candela::ir

@@ -29,7 +29,7 @@ Matrix currentFromSpace(Builder &, const std::string &name);
 Matrix spaceFromCurrent(Builder &, const std::string &name);
 Matrix currentFromObject(Builder &);
 Matrix objectFromCurrent(Builder &);
-/// A new random number at each call site.
-ValueId random(Builder &);
+/// A new random number at each call site, and for each `turn`, a float.
+ValueId random(Builder &, ValueId turn);
 
 } // namespace candela::ir

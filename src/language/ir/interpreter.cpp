@@ -83,8 +83,9 @@ public:
     /// currentFromSpace and then spaceFromCurrent.
     const float *space(int index) const { return args_.spaces[index]; }
     const float *object() const { return args_.objectMatrices + 32 * args_.objectIndex[lane_]; }
-    float random(int site) const {
-        return randomNumber(std::bit_cast<std::uint32_t>(input(int(ShaderInput::seed))), site);
+    float random(int site, float turn) const {
+        return randomNumber(std::bit_cast<std::uint32_t>(input(int(ShaderInput::seed))), site,
+                            turn);
     }
 
     bool hasAnswered(int request) const { return args_.answeredRequest[lane_] == request; }
@@ -184,7 +185,7 @@ private:
         case Op::SpaceInverse: cells_.setAll(i, args_.space(i.immediate) + 16); return true;
         case Op::Object: cells_.setAll(i, args_.object()); return true;
         case Op::ObjectInverse: cells_.setAll(i, args_.object() + 16); return true;
-        case Op::Random: cells_.set(i, args_.random(i.immediate)); return true;
+        case Op::Random: cells_.set(i, args_.random(i.immediate, number(i, 0))); return true;
         default: return false;
         }
     }

@@ -9,7 +9,7 @@
 //   arithmetic of normalize() and dot() of builder_vectors.h.
 // - An Extended loop whose first angle is <= 0 is a delta request: it takes no samples but its own
 //   traced answer, once, with L = its first axis (unless the answer is black).
-// - Random hashes the seed's bits and its immediate: see randomNumber().
+// - Random hashes the bits of the seed and of its operand, and its immediate: see randomNumber().
 #pragma once
 
 #include "language/ir/ir.h"
@@ -21,9 +21,10 @@ namespace candela::ir {
 
 void interpret(const Function &, const ShaderArgs &);
 
-/// The number in [0,1) that Random gives for a seed plane's value.
-inline float randomNumber(std::uint32_t seedBits, std::int32_t immediate) {
-    std::uint32_t h = seedBits + std::uint32_t(immediate) * 0x9e3779b9u;
+/// The number in [0,1) that Random gives for a seed plane's value and its operand.
+inline float randomNumber(std::uint32_t seedBits, std::int32_t immediate, float turn) {
+    std::uint32_t h = seedBits + std::uint32_t(immediate) * 0x9e3779b9u +
+                      std::bit_cast<std::uint32_t>(turn) * 0x85ebca77u;
     h = (h ^ (h >> 16)) * 0x7feb352du;
     h = (h ^ (h >> 15)) * 0x846ca68bu;
     h ^= h >> 16;

@@ -159,8 +159,8 @@ TEST(Interpreter, LoopsArraysFramesAndPrinting) {
 TEST(Interpreter, RandomNumbersDifferByCallAndSeed) {
     Function function;
     Builder b(function);
-    output(b, "r", 0, random(b));
-    output(b, "r", 1, random(b));
+    output(b, "r", 0, random(b, number(b, 0)));
+    output(b, "r", 1, random(b, number(b, 0)));
     b.finish();
     TestBatch batch(function, 1000, 10);
     auto out = batch.run(function, interpret);

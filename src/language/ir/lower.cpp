@@ -93,8 +93,8 @@ bool arraysFit(const sl::TypedShader &shader, DiagnosticSink &sink) {
 
 std::optional<LoweredShader> lower(const sl::TypedShader &shader,
                                    const std::vector<StringValue> &strings,
-                                   const std::vector<std::string> &variables,
-                                   DiagnosticSink &sink) {
+                                   const std::vector<std::string> &variables, DiagnosticSink &sink,
+                                   const LoweringOptions &options) {
     if (shader.kind != sl::ShaderKind::Surface && shader.kind != sl::ShaderKind::Light) {
         sink.report(sl::diagnosticAt(Severity::Error, shader.where,
                                      std::string(sl::nameOf(shader.kind)) +
@@ -113,7 +113,7 @@ std::optional<LoweredShader> lower(const sl::TypedShader &shader,
         return std::nullopt;
     lowered.parameters = std::move(*parameters);
 
-    Lowering lowering(shader, lowered.whole, sink);
+    Lowering lowering(shader, options, lowered.whole, sink);
     declareParameters(lowering, lowered, strings, variables);
     enter(lowering, nullptr);
     lower(lowering, shader.body);

@@ -61,6 +61,13 @@ struct LoweredShader {
     bool directionOnly = false;
 };
 
+/// What a text leaves open.
+struct LoweringOptions {
+    /// specular() and specularbrdf() have this over the roughness as their exponent. RI 3.1 says 1
+    /// (section 15.6); production renderers, and the pictures that files were made by, have 8.
+    float highlightScale = 8;
+};
+
 /// Lowers a checked surface or light shader. Output slots: surface "Ci", "Oi"; light "L", "Cl";
 /// then the paper's bounds ("DCiDu"...) that the text sets, then output parameters. Oi starts as
 /// Os, Ci and Cl as black. Parameters and Space matrices are as of current space: whoever fills the
@@ -72,7 +79,8 @@ struct LoweredShader {
 /// constant, a default that is none) are reported; nothing is returned then. `variables` names the
 /// parameters that primitive variables override.
 std::optional<LoweredShader> lower(const sl::TypedShader &, const std::vector<StringValue> &strings,
-                                   const std::vector<std::string> &variables, DiagnosticSink &);
+                                   const std::vector<std::string> &variables, DiagnosticSink &,
+                                   const LoweringOptions & = {});
 
 } // namespace ir
 } // namespace candela

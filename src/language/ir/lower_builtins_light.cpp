@@ -43,25 +43,28 @@ Components diffuse(BuiltinCall &call) {
     return gather(call, normal, "!diffuse", [&](const Triple &L) { return dot(b, L, normal); });
 }
 
-/// max(0, N.H)^(1/roughness), with unit vectors.
-ValueId highlight(Builder &b, const Triple &L, const Triple &N, const Triple &V,
+/// max(0, N.H)^(highlightScale / roughness), with unit vectors.
+ValueId highlight(Lowering &lowering, const Triple &L, const Triple &N, const Triple &V,
                   ValueId roughness) {
+    Builder &b = lowering.b;
     const Triple half = normalize(b, add(b, L, V));
-    return pow(b, max(b, dot(b, N, half), number(b, 0)), div(b, number(b, 1), roughness));
+    const ValueId exponent = div(b, number(b, lowering.options.highlightScale), roughness);
+    return pow(b, max(b, dot(b, N, half), number(b, 0)), exponent);
 }
 
 Components specular(BuiltinCall &call) {
     Builder &b = call.b;
     const Triple normal = normalize(b, call.triple(0)), view = normalize(b, call.triple(1));
-    return gather(call, normal, "!specular",
-                  [&](const Triple &L) { return highlight(b, L, normal, view, call.number(2)); });
+    return gather(call, normal, "!specular", [&](const Triple &L) {
+        return highlight(call.lowering, L, normal, view, call.number(2));
+    });
 }
 
 Components specularbrdf(BuiltinCall &call) {
     Builder &b = call.b;
-    return Components(colorSamples,
-                      highlight(b, normalize(b, call.triple(0)), normalize(b, call.triple(1)),
-                                normalize(b, call.triple(2)), call.number(3)));
+    return Components(colorSamples, highlight(call.lowering, normalize(b, call.triple(0)),
+                                              normalize(b, call.triple(1)),
+                                              normalize(b, call.triple(2)), call.number(3)));
 }
 
 Components phong(BuiltinCall &call) {

@@ -77,12 +77,20 @@ template <Op op> Components extreme(BuiltinCall &call) {
     return result;
 }
 
+/// The lower bound is tested first: it wins where it is above the upper one.
+ValueId clamp(Builder &b, ValueId x, ValueId low, ValueId high) {
+    const float *least = constantFloat(b, low), *most = constantFloat(b, high);
+    if (least && most && *least <= *most) // The form that analyses know.
+        return min(b, max(b, x, low), high);
+    return select(b, less(b, x, low), low, min(b, x, high));
+}
+
 Components clamp(BuiltinCall &call) {
-    Builder &b = call.b;
-    const Components atLeast = map(call.arguments[0], call.arguments[1],
-                                   [&](ValueId x, ValueId low) { return max(b, x, low); });
-    return map(atLeast, call.arguments[2],
-               [&](ValueId x, ValueId high) { return min(b, x, high); });
+    Components result;
+    for (size_t i = 0; i < call.arguments[0].size(); ++i)
+        result.push_back(
+            clamp(call.b, call.arguments[0][i], call.arguments[1][i], call.arguments[2][i]));
+    return result;
 }
 
 Components step(BuiltinCall &call) {
@@ -112,7 +120,7 @@ Components mix(BuiltinCall &call) {
 Components random(BuiltinCall &call) {
     Components result;
     for (int i = 0; i < componentCount(call.result()); ++i)
-        result.push_back(random(call.b));
+        result.push_back(random(call.b, call.lowering.variables.cells[call.lowering.turn]));
     return result;
 }
 

@@ -47,6 +47,8 @@ const Case floats[] = {
          return std::max({u, v, 0.25});
      }},
     {"clamp(u, -0.25, 0.5)", [](double u, double) { return clampTo(u, -0.25, 0.5); }},
+    {"clamp(u, 0.5, -0.25)", [](double u, double) { return u < 0.5 ? 0.5 : -0.25; }},
+    {"clamp(v, u, -u)", [](double u, double v) { return v < u ? u : std::min(v, -u); }},
     {"floor(5 * u)", [](double u, double) { return std::floor(5 * u); }},
     {"ceil(5 * u)", [](double u, double) { return std::ceil(5 * u); }},
     {"round(5 * u) + round(0.5) * 10 + round(-0.5) * 100",
@@ -279,6 +281,27 @@ TEST(LowerBuiltins, RandomNumbersDiffer) {
         EXPECT_LT(out[c][0], 1);
         EXPECT_NE(out[c][0], out[c][1]);
         EXPECT_NE(out[c][0], out[(c + 1) % 3][0]);
+    }
+}
+
+/// Loops within loops, in functions, under conditions, unrolled or not: no number comes twice.
+TEST(LowerBuiltins, RandomNumbersDifferInEachTurnOfALoop) {
+    const char *bodies[] = {
+        "for (i = 0; i < 24; i += 1) n[i] = random();",
+        "for (i = 0; i < 4; i += 1) for (j = 0; j < 6; j += 1) n[6 * i + j] = random();",
+        "float draw() { return random(); } while (i < 24) { n[i] = draw(); i += 1; }",
+        "for (i = 0; i < 24; i += 1) { if (mod(i, 2) < 1) n[i] = random(); else n[i] = random(); }",
+        "for (i = 0; i < 12; i += 1) { n[i] = random(); for (j = 0; j < 1; j += 1) "
+        "n[12 + i] = random(); }",
+    };
+    for (const char *body : bodies) {
+        const auto out = evaluateBody(
+            "color", std::string("float n[24]; float i = 0, j; uniform float twice = 0, k, l; ") +
+                         body +
+                         " for (k = 0; k < 24; k += 1) for (l = k + 1; l < 24; l += 1) "
+                         "  if (n[k] == n[l]) result += 1; setcomp(result, 1, n[0] - n[23]);");
+        EXPECT_EQ(out[0][0], 0) << body;
+        EXPECT_NE(out[1][0], 0) << body;
     }
 }
 

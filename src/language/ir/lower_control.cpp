@@ -124,6 +124,9 @@ CarriedCells carriedCells(const Lowering &lowering, const sl::Stmt &loop) {
     CarriedCells carried;
     for (const sl::Symbol *symbol : effects.assigned)
         lowering.variables.appendCells(*symbol, carried.variables);
+    if (effects.drawsAnew)
+        carried.variables.push_back(lowering.turn);
+    carried.drawsAnew = effects.drawsAnew;
     const auto names = [](const std::vector<const sl::Stmt *> &list, const sl::Stmt *target) {
         return std::find(list.begin(), list.end(), target) != list.end();
     };
@@ -169,6 +172,8 @@ void lowerLoop(Lowering &lowering, const sl::Stmt &statement) {
         variables.setCells(carried, {arguments.begin() + 1, arguments.end()});
         for (int flag : parts.flags)
             cells[flag] = boolean(b, false); // Or there would be no round.
+        if (parts.drawsAnew)
+            cells[lowering.turn] = add(b, cells[lowering.turn], number(b, 1));
         const ValueId none = boolean(b, false);
         const int broken = variables.newCells({none, none, none});
         const int continued = broken + 1, next = broken + 2;

@@ -28,6 +28,7 @@ struct CarriedCells {
     std::vector<int> results;   ///< Of the function that it may return from.
     std::vector<int> flags;     ///< Of jumps to places outside of it.
     bool breaks = false;        ///< Whether it may break itself.
+    bool drawsAnew = false;     ///< See LoopEffects.
 };
 /// Of a Loop or light statement.
 CarriedCells carriedCells(const Lowering &, const sl::Stmt &);

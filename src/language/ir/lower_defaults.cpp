@@ -132,7 +132,7 @@ private:
         const sl::Symbol &symbol = *parameter.symbol;
         Function function;
         function.name = shader_.name;
-        Lowering lowering(shader_, function, sink_);
+        Lowering lowering(shader_, {}, function, sink_);
         lowering.spaces.allowShaderOnly();
         declareEarlier(lowering);
         enter(lowering, nullptr);

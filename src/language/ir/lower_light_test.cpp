@@ -3,6 +3,7 @@
 #include "language/ir/lower_test_support.h"
 
 #include <cmath>
+#include <functional>
 
 namespace candela::ir {
 namespace {
@@ -15,8 +16,9 @@ const std::vector<ShaderRun::Sample> samples = {{{0, 0, 2}, {1, 2, 3}, 1},
 Vec3 unit(Vec3 v) { return v * (1 / std::sqrt(dot(v, v))); }
 
 /// Red of Ci over the samples.
-float redUnder(const std::string &body, const std::vector<ShaderRun::Sample> &lights = samples) {
-    ShaderRun run("surface test() { Ci = 0; " + body + " }", 3);
+float redUnder(const std::string &body, const LoweringOptions &options = {},
+               const std::vector<ShaderRun::Sample> &lights = samples) {
+    ShaderRun run("surface test() { Ci = 0; " + body + " }", 3, {}, {}, options);
     EXPECT_TRUE(run.lowered) << run.diagnostics.text();
     if (!run.lowered)
         return NAN;
@@ -26,7 +28,7 @@ float redUnder(const std::string &body, const std::vector<ShaderRun::Sample> &li
     return run.run().at("Ci")[0][1];
 }
 
-float sumOf(float (*term)(Vec3 L, float Cl)) {
+float sumOf(const std::function<float(Vec3 L, float Cl)> &term) {
     float sum = 0;
     for (const auto &sample : samples)
         sum += term(sample.L, sample.Cl[0]);
@@ -119,12 +121,16 @@ TEST(LowerLight, Categories) {
 TEST(LowerLight, BuiltinLoops) {
     EXPECT_NEAR(redUnder("Ci = diffuse(N);"),
                 sumOf([](Vec3 L, float Cl) { return std::max(0.0f, unit(L).z) * Cl; }), 1e-6);
-    EXPECT_NEAR(redUnder("Ci = specular(N, -I, 0.1);"), sumOf([](Vec3 L, float Cl) {
-                    if (L.z < 0)
-                        return 0.0f;
-                    const Vec3 half = unit(unit(L) + Vec3{0, -0.6f, 0.8f});
-                    return Cl * std::pow(std::max(0.0f, half.z), 10.0f);
-                }),
+    const auto highlights = [](float exponent) {
+        return sumOf([exponent](Vec3 L, float Cl) {
+            if (L.z < 0)
+                return 0.0f;
+            const Vec3 half = unit(unit(L) + Vec3{0, -0.6f, 0.8f});
+            return Cl * std::pow(std::max(0.0f, half.z), exponent);
+        });
+    };
+    EXPECT_NEAR(redUnder("Ci = specular(N, -I, 0.1);"), highlights(80), 1e-5);
+    EXPECT_NEAR(redUnder("Ci = specular(N, -I, 0.1);", {.highlightScale = 1}), highlights(10),
                 1e-5);
     EXPECT_NEAR(redUnder("Ci = phong(N, -I, 5);"), sumOf([](Vec3 L, float Cl) {
                     if (L.z < 0)

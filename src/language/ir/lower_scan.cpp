@@ -67,10 +67,13 @@ public:
         return result;
     }
 
+    bool draws = false, loops = false;
+
 protected:
     void visit(const sl::Stmt &statement) override {
         if (statement.kind == sl::StmtKind::Declare)
             inside_.insert(statement.symbol);
+        loops |= statement.kind == sl::StmtKind::Loop;
     }
     void visit(const sl::Expr &expr) override {
         if (expr.kind == sl::ExprKind::Assign)
@@ -87,6 +90,7 @@ private:
             addOnce(assigned_, symbol);
     }
     void assignOutputs(const sl::Expr &call) {
+        draws |= call.overload->function->id == sl::BuiltinId::random;
         const auto &parameters = call.overload->parameters;
         for (size_t i = 0; i < call.operands.size() && i < parameters.size(); ++i)
             if (parameters[i].output)
@@ -201,6 +205,7 @@ LoopEffects loopEffects(const sl::Stmt &loop) {
     else
         assignments.walk(loop.body);
     effects.assigned = assignments.outside();
+    effects.drawsAnew = assignments.draws && assignments.loops;
     JumpWalker jumps(effects);
     jumps.walk(loop.body);
     jumps.forgetInner();

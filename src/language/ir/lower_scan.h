@@ -19,6 +19,7 @@ struct LoopEffects {
     /// Loops and light statements that it may break or continue: itself or around it.
     std::vector<const sl::Stmt *> breaks, continues;
     bool returns = false;
+    bool drawsAnew = false; ///< It draws random numbers, and is a Loop or has some.
 };
 
 /// Of a Loop (condition, body and steps) or a light statement (body).

@@ -24,10 +24,11 @@ public:
 
     explicit ShaderRun(const std::string &source, int count = 21,
                        const std::vector<StringValue> &strings = {},
-                       const std::vector<std::string> &variables = {}) {
+                       const std::vector<std::string> &variables = {},
+                       const LoweringOptions &options = {}) {
         const auto front = sl::analyzeSource({"test.sl", source}, {}, diagnostics);
         if (front)
-            lowered = lower(*front->shaders[0], strings, variables, diagnostics);
+            lowered = lower(*front->shaders[0], strings, variables, diagnostics, options);
         if (!lowered)
             return;
         EXPECT_EQ(verify(lowered->whole), "") << print(lowered->whole);

@@ -47,9 +47,11 @@ Components startOf(Builder &b, sl::ShaderKind kind, const sl::PredefinedVariable
 
 } // namespace
 
-Lowering::Lowering(const sl::TypedShader &shader, Function &function, DiagnosticSink &sink)
-    : shader(shader), b(function), messages(sink), variables(b, computedArrays(shader)),
-      spaces(b, messages) {
+Lowering::Lowering(const sl::TypedShader &shader, const LoweringOptions &options,
+                   Function &function, DiagnosticSink &sink)
+    : shader(shader), options(options), b(function), messages(sink),
+      variables(b, computedArrays(shader)), spaces(b, messages),
+      turn(variables.newCells({number(b, 0)})) {
     for (const sl::PredefinedVariable &variable : sl::predefinedVariables())
         variables.declarePredefined(variable.id, variable.type.base,
                                     startOf(b, shader.kind, variable));

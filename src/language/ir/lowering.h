@@ -41,13 +41,16 @@ struct EmittedLight {
 /// A shader that is being lowered.
 struct Lowering {
     /// Predefined variables get what the renderer gives, outputs their starting values.
-    Lowering(const sl::TypedShader &shader, Function &function, DiagnosticSink &sink);
+    Lowering(const sl::TypedShader &, const LoweringOptions &, Function &, DiagnosticSink &);
 
     const sl::TypedShader &shader;
+    const LoweringOptions options;
     Builder b;
     Messages messages;
     Variables variables;
     Spaces spaces;
+    /// Cell: a number that is another in each turn of each loop that draws random numbers.
+    const int turn;
     std::vector<Frame> frames; ///< The shader, and the functions that are being inlined in it.
     std::vector<Components> targetValues; ///< Of the assignments that are being evaluated.
     EmittedLight light;

@@ -35,6 +35,7 @@ enum class Question : std::uint8_t {
     Opacity, ///< Output "Oi".
     Light,   ///< Light shaders: outputs "L" (from the light to Ps) and "Cl".
 };
+inline constexpr int questionCount = int(Question::Light) + 1;
 
 /// One importance cone that Prepare states. Its six outputs (axis x y z in current space and of
 /// any length, full angle in degrees, exponent, importance >= 0) start at output slot `output`.

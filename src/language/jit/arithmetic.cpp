@@ -90,12 +90,14 @@ Value *logicOperation(CodeFunction &code, Op op, ir::Rate result,
     }
 }
 
-Value *randomNumber(CodeFunction &code, Value *seed, int place) {
+Value *randomNumber(CodeFunction &code, Value *seed, int place, Value *turn) {
     auto &make = code.builder;
     Value *h = seed;
     const auto number = [&](std::uint32_t k) { return code.lanes.splat(make.getInt32(k)); };
     const auto shifted = [&](int by) { return make.CreateXor(h, make.CreateLShr(h, by)); };
     h = make.CreateAdd(h, number(std::uint32_t(place) * 0x9e3779b9u));
+    auto *bits = make.CreateBitCast(turn, code.lanes.varying(code.integerType));
+    h = make.CreateAdd(h, make.CreateMul(bits, number(0x85ebca77u)));
     h = make.CreateMul(shifted(16), number(0x7feb352du));
     h = make.CreateMul(shifted(15), number(0x846ca68bu));
     h = make.CreateLShr(shifted(16), 8);

@@ -17,8 +17,8 @@ Value *floatOperation(CodeFunction &, ir::Op, Value *a, Value *b);
 /// Operands are taken at the rate of the result.
 Value *logicOperation(CodeFunction &, ir::Op, ir::Rate result,
                       llvm::function_ref<Value *(int k)> operand);
-/// As ir::randomNumber(): of the lanes' seeds and the place in the text.
-Value *randomNumber(CodeFunction &, Value *seed, int place);
+/// As ir::randomNumber(): of the lanes' seeds, the place in the text, and the turn.
+Value *randomNumber(CodeFunction &, Value *seed, int place, Value *turn);
 Value *callMath(CodeFunction &, runtime::MathFunction, const Values &arguments);
 
 Value *dot(CodeFunction &, const Values &, const Values &);

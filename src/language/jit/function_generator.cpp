@@ -161,7 +161,8 @@ Values FunctionGenerator::source(const Instruction &i) {
     case Op::ObjectInverse: return gathers_.objectMatrix(true);
     case Op::Random: {
         auto *seeds = arguments_.plane(offsetof(ShaderArgs, inputs), int(ShaderInput::seed));
-        return {randomNumber(code_, code_.lanes.load(code_.integerType, seeds), i.immediate)};
+        return {randomNumber(code_, code_.lanes.load(code_.integerType, seeds), i.immediate,
+                             values_.get(i.operands[0], Rate::Varying))};
     }
     case Op::FrameLoad:
         return {code_.lanes.load(code_.floatType,

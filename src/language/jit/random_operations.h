@@ -135,7 +135,7 @@ private:
         case 3:
             return pools_.keep(
                 {currentFromObject(b_)[below(16)], objectFromCurrent(b_)[below(16)]});
-        case 4: return pools_.floats.push_back(random(b_));
+        case 4: return pools_.floats.push_back(random(b_, input(b_, ShaderInput::P, below(3))));
         case 5: return pools_.bools.push_back(b_.emit(Op::AnsweredRequest, {}, below(2))[0]);
         case 6: return pools_.bools.push_back(b_.emit(Op::CategoryAccepts, {}, below(2))[0]);
         default: return pools_.floats.push_back(number(b_, constant()));

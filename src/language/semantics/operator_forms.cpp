@@ -81,10 +81,18 @@ int operandCost(const OperatorForm &form, const TypeSet &left, const TypeSet &ri
     return form.cost + conversionCost(left, form.left) + conversionCost(right, form.right);
 }
 
+/// Beside a float, what may be float is: `.5 * noise(P)` and `noise(P) - .5` are floats whatever
+/// the context wants, as files of thirty years expect.
+TypeSet besideFloat(const TypeSet &types, const TypeSet &other) {
+    return other.isOnly(Float) && types.has(Float) ? TypeSet{Float} : types;
+}
+
 } // namespace
 
-const OperatorForm *chooseForm(BinaryOp op, const TypeSet &left, const TypeSet &right,
+const OperatorForm *chooseForm(BinaryOp op, const TypeSet &leftTypes, const TypeSet &rightTypes,
                                std::optional<BaseType> wanted) {
+    const TypeSet left = besideFloat(leftTypes, rightTypes);
+    const TypeSet right = besideFloat(rightTypes, leftTypes);
     const OperatorForm *best = nullptr;
     int bestCost = impossible;
     for (const OperatorForm &form : formsOf(op)) {
@@ -107,7 +115,9 @@ static bool fitsNatively(const OperatorForm &form, const TypeSet &left, const Ty
 
 // Not what could only be had by promotion (float + float is no color), and of point, vector and
 // normal only what comes cheapest.
-TypeSet resultsOf(BinaryOp op, const TypeSet &left, const TypeSet &right) {
+TypeSet resultsOf(BinaryOp op, const TypeSet &leftTypes, const TypeSet &rightTypes) {
+    const TypeSet left = besideFloat(leftTypes, rightTypes);
+    const TypeSet right = besideFloat(rightTypes, leftTypes);
     TypeSet result;
     if (left.empty() && right.empty())
         return result;

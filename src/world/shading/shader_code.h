@@ -71,7 +71,7 @@ private:
     std::vector<float> blocks_;
     ShaderSpaces spaces_;
     LightCategories categories_;
-    mutable std::array<CompiledQuestion, 8> questions_;
+    mutable std::array<CompiledQuestion, ir::questionCount> questions_;
 };
 
 /// A shader as bound to primitives or a light.

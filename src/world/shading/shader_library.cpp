@@ -29,7 +29,8 @@ struct ShaderLibrary::State {
     const sl::TypedShader *find(ShaderKind, const ShaderRecord &, const Options &, ir::LightRule);
     const sl::TypedShader *fromLibrary(const std::string &surface);
     const ir::LoweredShader *lowerOnce(const sl::TypedShader &, const ShaderRecord &,
-                                       const std::set<std::string> &variables, std::string &key);
+                                       const Options &, const std::set<std::string> &variables,
+                                       std::string &key);
 };
 
 ShaderLibrary::ShaderLibrary(ShaderLibrarySettings settings, DiagnosticSink &diagnostics)
@@ -105,6 +106,7 @@ const sl::TypedShader *ShaderLibrary::State::find(ShaderKind kind, const ShaderR
 
 const ir::LoweredShader *ShaderLibrary::State::lowerOnce(const sl::TypedShader &shader,
                                                          const ShaderRecord &record,
+                                                         const Options &options,
                                                          const std::set<std::string> &variables,
                                                          std::string &key) {
     addToKey(key, *shader.where.location().file + ":" + shader.name);
@@ -126,9 +128,14 @@ const ir::LoweredShader *ShaderLibrary::State::lowerOnce(const sl::TypedShader &
             addToKey(key, "variable " + parameter.symbol->name);
             overriding.push_back(parameter.symbol->name);
         }
+    ir::LoweringOptions lowering;
+    if (options.named.string("shading:highlights", "production") == "ri") {
+        lowering.highlightScale = 1;
+        addToKey(key, "RI's highlights");
+    }
     auto [entry, isNew] = lowered.try_emplace(key);
     if (isNew)
-        entry->second = ir::lower(shader, strings, overriding, diagnostics);
+        entry->second = ir::lower(shader, strings, overriding, diagnostics, lowering);
     return entry->second ? &*entry->second : nullptr;
 }
 
@@ -138,7 +145,7 @@ std::optional<ShaderInstance> ShaderLibrary::instance(ShaderKind kind, const Sha
     const sl::TypedShader *shader = state_->find(kind, record, options, rule);
     std::string key = rule == ir::LightRule::Path ? "path " : "classic ";
     const ir::LoweredShader *lowered =
-        shader ? state_->lowerOnce(*shader, record, variables, key) : nullptr;
+        shader ? state_->lowerOnce(*shader, record, options, variables, key) : nullptr;
     if (!lowered) {
         if (kind != ShaderKind::Surface || record.name.empty())
             return std::nullopt;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0
    Highlights alone. */
-surface glossy(float roughness = .05;)
+surface glossy(float roughness = .4;)
 {
     normal facing = faceforward(normalize(N), I);
     Oi = Os;

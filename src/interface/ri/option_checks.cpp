@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "interface/ri/option_checks.h"
+
+#include <map>
+
+namespace candela {
+
+namespace {
+
+struct GivenOption {
+    RequestDiagnostics &diagnostics;
+    const SourceLocation &where;
+    const Parameter &parameter;
+
+    /// Of the first value.
+    std::string text() const { return parameter.strings.empty() ? "" : parameter.strings.front(); }
+    bool wrong(const std::string &message) const {
+        diagnostics.error(where, "Option", message);
+        return false;
+    }
+};
+
+bool integrator(const GivenOption &given) {
+    const std::string name = given.text();
+    if (name == "bidir" || name == "radiosity")
+        given.diagnostics.warnOnce(given.where, "integrator:" + name,
+                                   "Option \"render\" \"integrator\": this version has no \"" +
+                                       name + "\" and takes \"path\"");
+    else if (name != "path" && name != "classic")
+        given.wrong("there is no integrator \"" + name +
+                    "\": the known ones are \"path\" and \"classic\"; taking \"path\"");
+    return true;
+}
+
+bool highlights(const GivenOption &given) {
+    const std::string name = given.text();
+    return name == "production" || name == "ri" ||
+           given.wrong("there are no highlights \"" + name +
+                       "\": the known ones are \"production\" (exponent 8/roughness) and \"ri\" "
+                       "(1/roughness)");
+}
+
+bool maxDepth(const GivenOption &given) {
+    const float depth = given.parameter.floats.empty() ? 0 : given.parameter.floats.front();
+    return (depth >= 0 && depth <= 1 << 20) ||
+           given.wrong("\"trace\" \"maxdepth\" is how often light may be scattered on its way to "
+                       "the eye, a number from 0 (emission alone) to 1048576");
+}
+
+} // namespace
+
+bool checkOption(RequestDiagnostics &diagnostics, const SourceLocation &where,
+                 const std::string &category, const Parameter &parameter) {
+    static const std::map<std::string, bool (*)(const GivenOption &), std::less<>> checks = {
+        {"render:integrator", integrator},
+        {"shading:highlights", highlights},
+        {"trace:maxdepth", maxDepth},
+    };
+    const auto check = checks.find(category + ":" + parameter.name);
+    return check == checks.end() || check->second({diagnostics, where, parameter});
+}
+
+} // namespace candela
