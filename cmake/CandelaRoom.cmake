@@ -31,8 +31,10 @@ endfunction()
 
 # candela_test(name SOURCES file... ROOMS room... [LABELS label...]): a GoogleTest program.
 # Tests find the source tree and the build tree through CANDELA_SOURCE_DIR and CANDELA_BINARY_DIR.
+# The global property CANDELA_UNIT_TESTS names them all.
 function(candela_test name)
     cmake_parse_arguments(TEST "" "" "SOURCES;ROOMS;LABELS" ${ARGN})
+    set_property(GLOBAL APPEND PROPERTY CANDELA_UNIT_TESTS ${name})
     add_executable(${name} ${TEST_SOURCES})
     target_link_libraries(${name} PRIVATE ${TEST_ROOMS} GTest::gtest GTest::gtest_main)
     target_compile_definitions(${name} PRIVATE CANDELA_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
