@@ -23,10 +23,14 @@ test-long:
 	cmake --build --preset tsan --target candela
 	cd build && ctest --output-on-failure -j 2 -L long
 
+# Random inputs, with sanitizers: 10,000 mutated shaders and 10,000 streams of words for the
+# compiler alone, 10,000 mutated scenes and shaders to render (tests/README.md). What fails is kept.
 fuzz:
 	@tools/install-packages
 	cmake --preset asan >/dev/null
-	cmake --build --preset asan --target render_each
+	cmake --build --preset asan --target fuzz_compiler render_each
+	CANDELA_TIME_SCALE=5 build-asan/bin/fuzz_compiler --count 10000 \
+	    --keep build-asan/fuzz-failures
 	CANDELA_CACHE=$(CURDIR)/build-asan/shader-cache CANDELA_TIME_SCALE=3 \
 	    tests/fuzz/fuzz.py --program build-asan/bin/render_each --count 10000 \
 	    --keep build-asan/fuzz-failures

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays a CPU second through Candela's ray world against bare Embree on the same rays: those of
-// scene A in waves of 4096. Prints JSON; Mrays/s on one core, the best of several rounds.
+// ray_rate [threads]: rays a CPU second through Candela's ray world against bare Embree on the same
+// rays: those of scene A in waves of 4096. Prints JSON; Mrays/s of a thread while all of them trace
+// at once (they may share a core, as the renderer's do), the best of several rounds.
 #include "cornell_box.h"
 #include "world/rays/ray_world.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <ctime>
 #include <functional>
+#include <numeric>
+#include <thread>
 #include <vector>
 
 namespace candela::bench {
@@ -17,7 +22,7 @@ constexpr int waveSize = 4096, waves = 64, rounds = 7, packet = 16;
 
 double cpuSeconds() {
     timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
     return double(now.tv_sec) + double(now.tv_nsec) * 1e-9;
 }
 
@@ -131,39 +136,51 @@ private:
     RTCScene scene_;
 };
 
-double bestRate(const std::vector<RayBatch> &batches,
+/// CPU seconds of all threads together, each tracing all batches.
+double secondsOfRound(int threads, const std::vector<RayBatch> &batches,
+                      const std::function<void(const RayBatch &)> &trace) {
+    std::vector<double> seconds(threads);
+    std::vector<std::jthread> running;
+    for (double &own : seconds)
+        running.emplace_back([&] {
+            FlushDenormals flush;
+            const double start = cpuSeconds();
+            std::ranges::for_each(batches, trace);
+            own = cpuSeconds() - start;
+        });
+    running.clear();
+    return std::accumulate(seconds.begin(), seconds.end(), 0.0);
+}
+
+double bestRate(int threads, const std::vector<RayBatch> &batches,
                 const std::function<void(const RayBatch &)> &trace) {
     double rays = 0, best = 0;
     for (const RayBatch &batch : batches)
         rays += batch.count;
-    for (int round = 0; round < rounds; ++round) {
-        double start = cpuSeconds();
-        for (const RayBatch &batch : batches)
-            trace(batch);
-        best = std::max(best, rays / (cpuSeconds() - start) * 1e-6);
-    }
+    for (int round = 0; round < rounds; ++round)
+        best = std::max(best, threads * rays / secondsOfRound(threads, batches, trace) * 1e-6);
     return best;
 }
 
-void measure() {
+void measure(int threads) {
     CornellBox box;
     RayWorld world(meshesOf(box));
     FlushDenormals flush;
     Rays rays(box, world);
     BareEmbree bare(box);
-    HitBatch hits(waveSize);
-    std::vector<std::uint8_t> blocked(waveSize);
     auto intersect = [&](bool coherent) {
         return [&, coherent](const RayBatch &batch) {
+            thread_local HitBatch hits(waveSize);
             world.intersect(batch, hits, RayWorld::Which::All, coherent);
         };
     };
     auto print = [&](const char *name, const std::vector<RayBatch> &batches,
                      const std::function<void(const RayBatch &)> &ours, bool coherent,
                      bool occlusion, const char *end) {
-        double candela = bestRate(batches, ours);
-        double embree = bestRate(
-            batches, [&](const RayBatch &batch) { bare.packets(batch, coherent, occlusion); });
+        double candela = bestRate(threads, batches, ours);
+        double embree = bestRate(threads, batches, [&](const RayBatch &batch) {
+            bare.packets(batch, coherent, occlusion);
+        });
         std::printf("  \"%s\": {\"candela\": %.4g, \"embree\": %.4g}%s\n", name, candela, embree,
                     end);
     };
@@ -172,11 +189,17 @@ void measure() {
     print("bounce", rays.bounce, intersect(false), false, false, ",");
     print(
         "shadow", rays.shadow,
-        [&](const RayBatch &batch) { world.occluded(batch, blocked.data()); }, false, true, "");
+        [&](const RayBatch &batch) {
+            thread_local std::vector<std::uint8_t> blocked(waveSize);
+            world.occluded(batch, blocked.data());
+        },
+        false, true, "");
     std::printf("}\n");
 }
 
 } // namespace
 } // namespace candela::bench
 
-int main() { candela::bench::measure(); }
+int main(int count, char **words) {
+    candela::bench::measure(count > 1 ? std::max(1, std::atoi(words[1])) : 1);
+}

@@ -79,28 +79,26 @@ private:
         return kept;
     }
 
-    /// Operands, results, yields and the last arguments of the region run in step.
+    /// Operands, results, yields and the last arguments of the region run in step. What this marks
+    /// within the region is seen by run()'s next round: a second one here would double with every
+    /// loop around.
     bool markLoop(const Instruction &i) {
         const Region &region = i.regions[0];
         bool kept = anyLive(i.results);
         std::size_t firstOperand = i.operands.size() - i.results.size();
         std::size_t firstArgument = region.arguments.size() - i.results.size();
-        auto sweep = [&] {
-            for (std::size_t k = 0; k < i.results.size(); ++k)
-                if (carriedLive(i, k)) {
-                    need(region.yields[k]);
-                    need(i.operands[firstOperand + k]);
-                    need(region.arguments[firstArgument + k]);
-                }
-            kept |= mark(region);
-        };
-        sweep();
+        for (std::size_t k = 0; k < i.results.size(); ++k)
+            if (carriedLive(i, k)) {
+                need(region.yields[k]);
+                need(i.operands[firstOperand + k]);
+                need(region.arguments[firstArgument + k]);
+            }
+        kept |= mark(region);
         if (kept) {
             if (i.op == Op::Loop)
                 need(region.arguments[0]);
             for (std::size_t k = 0; k < firstOperand; ++k)
                 need(i.operands[k]);
-            sweep();
         }
         return kept;
     }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "language/semantics/front_test_support.h"
+#include "language/syntax/reporter.h"
 
 namespace candela::sl {
 namespace {
@@ -295,6 +296,17 @@ TEST(Errors, AllOfAFileInOneRunWithCarets) {
               "test.sl:6:19: error: operator '+' cannot be applied to color and normal\n"
               "        Ci = tint * c + Kd * N;\n"
               "                      ^\n");
+}
+
+TEST(Errors, AFileDoesNotFloodWithWarnings) {
+    std::string text = "surface s() { Ci = 1;";
+    for (int i = 0; i < 1000; ++i)
+        text += " float x" + std::to_string(i) + " = u;";
+    Compiled compiled(text + " }");
+    EXPECT_TRUE(compiled.good());
+    EXPECT_EQ(compiled.diagnostics.count(Severity::Warning), Reporter::warningLimit + 1);
+    EXPECT_EQ(compiled.diagnostics.all().back().message,
+              "too many warnings; the rest is not shown");
 }
 
 } // namespace

@@ -9,6 +9,7 @@ namespace candela::sl {
 
 // A few macros that call each other twice can ask for 2^n tokens; arguments can nest for ever.
 static constexpr size_t tokenBudget = 200'000;
+static constexpr size_t namesAToken = 16; // A long chain of macros copies ever more hidden names.
 static constexpr int depthLimit = 64;
 
 const Token &TokenStream::peek() const {
@@ -72,7 +73,8 @@ bool MacroTable::expand(const Token &name, TokenStream &stream) {
         arguments = std::move(*collected);
     }
     std::vector<Token> result = substitute(name, macro, arguments);
-    if (overBudget(name.where, result.size() + 1))
+    const size_t hidden = name.hidden ? name.hidden->size() : 0;
+    if (overBudget(name.where, result.size() + 1 + hidden / namesAToken))
         return true;
     hide(result, name);
     if (!result.empty())

@@ -170,6 +170,12 @@ TEST(Preprocessor, GrowthAndNestingHaveLimits) {
     }
     EXPECT_EQ(Result(text + "A59").diagnostics.count(Severity::Error), 1);
 
+    std::string chain;
+    for (int i = 0; i < 20000; ++i)
+        chain += "#define A" + std::to_string(i) + " A" + std::to_string(i + 1) + "\n";
+    EXPECT_EQ(Result(chain + "A0").diagnostics.count(Severity::Error), 1);
+    EXPECT_EQ(Result(chain + "A19500").diagnostics.count(Severity::Error), 0);
+
     std::string nested = "#define F(x) x\n";
     for (int i = 0; i < 5000; ++i)
         nested += "F(";

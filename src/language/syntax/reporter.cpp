@@ -17,8 +17,12 @@ void Reporter::error(const Place &where, std::string message) {
 }
 
 void Reporter::warning(const Place &where, std::string message) {
-    if (!hopeless() && isNew(where, message))
-        sink_.report(diagnosticAt(Severity::Warning, where, std::move(message)));
+    if (hopeless() || warnings_ >= warningLimit || !isNew(where, message))
+        return;
+    sink_.report(diagnosticAt(Severity::Warning, where, std::move(message)));
+    if (++warnings_ == warningLimit)
+        sink_.report(
+            diagnosticAt(Severity::Warning, where, "too many warnings; the rest is not shown"));
 }
 
 } // namespace candela::sl

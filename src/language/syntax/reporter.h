@@ -23,12 +23,13 @@ public:
     bool hopeless() const { return errors_ >= errorLimit; }
 
     static constexpr int errorLimit = 100;
+    static constexpr int warningLimit = 100;
 
 private:
     bool isNew(const Place &, const std::string &message);
 
     DiagnosticSink &sink_;
-    int errors_ = 0;
+    int errors_ = 0, warnings_ = 0;
     std::set<std::tuple<const SourceFile *, int, int, std::string>> said_;
 };
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <ctime>
 #include <pmmintrin.h>
 
 namespace candela {
@@ -189,6 +190,24 @@ CANDELA_HOT void nameInstances(int count, std::uint32_t worldShapes,
     }
 }
 
+/// Adds the CPU time of its thread from its making to its end.
+class ThreadStopwatch {
+public:
+    explicit ThreadStopwatch(std::atomic<std::uint64_t> &nanoseconds)
+        : nanoseconds_(nanoseconds), start_(now()) {}
+    ~ThreadStopwatch() { nanoseconds_.fetch_add(now() - start_, std::memory_order_relaxed); }
+    ThreadStopwatch(const ThreadStopwatch &) = delete;
+
+private:
+    static std::uint64_t now() {
+        timespec time{};
+        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+        return std::uint64_t(time.tv_sec) * 1'000'000'000 + std::uint64_t(time.tv_nsec);
+    }
+    std::atomic<std::uint64_t> &nanoseconds_;
+    const std::uint64_t start_;
+};
+
 } // namespace
 
 FlushDenormals::FlushDenormals() : saved_(_mm_getcsr()) {
@@ -248,6 +267,7 @@ std::string RayWorld::failure() const { return handles_->device.failure(); }
 
 void RayWorld::intersect(const RayBatch &rays, HitBatch &hits, Which which, bool coherent) const {
     FlushDenormals guard;
+    const ThreadStopwatch stopwatch(nanoseconds_);
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     context.flags =
@@ -266,6 +286,7 @@ void RayWorld::intersect(const RayBatch &rays, HitBatch &hits, Which which, bool
 
 void RayWorld::occluded(const RayBatch &rays, std::uint8_t *blocked) const {
     FlushDenormals guard;
+    const ThreadStopwatch stopwatch(nanoseconds_);
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;

@@ -87,7 +87,11 @@ const Options &Scene::options() const { return state_->options; }
 const Camera &Scene::camera() const { return state_->camera; }
 bool Scene::isClassic() const { return state_->classic; }
 Lights Scene::lights() const { return Lights(*state_); }
-Scene::Statistics Scene::statistics() const { return state_->statistics; }
+Scene::Statistics Scene::statistics() const {
+    Statistics statistics = state_->statistics;
+    statistics.secondsTracing = state_->rays->secondsTracing();
+    return statistics;
+}
 
 void Scene::intersect(const RayBatch &rays, HitBatch &hits, Coherence coherence) const {
     state_->rays->intersect(rays, hits, RayWorld::Which::All, coherence == Coherence::Primary);

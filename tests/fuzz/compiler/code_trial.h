@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// Generated code of both widths against the interpreter.
+#pragma once
+
+#include "runs.h"
+#include "workers.h"
+
+namespace candela::fuzz {
+
+/// What is wrong with the code for a question, or nothing. The batch's frame is as the questions
+/// before have left it, and is that again for each run.
+std::string compareCode(const ir::Function &, Batch &, const std::string &question, Monitor &);
+
+} // namespace candela::fuzz

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "shader_trial.h"
+
+#include "code_trial.h"
+#include "runs.h"
+
+#include "language/ir/questions.h"
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <span>
+
+namespace candela::fuzz {
+
+namespace {
+
+using ir::Question;
+
+constexpr const char *questionNames[] = {"Shade",   "Surface", "View",    "Prepare",
+                                         "Scatter", "Emit",    "Opacity", "Light"};
+const char *nameOf(Question question) { return questionNames[int(question)]; }
+
+constexpr std::array surfaceQuestions{Question::Shade,   Question::Surface, Question::View,
+                                      Question::Prepare, Question::Scatter, Question::Emit,
+                                      Question::Opacity};
+constexpr std::array lightQuestions{Question::Light};
+
+/// A whole text after folding and the light rule, its slices and a batch of points.
+class ShaderTrial {
+public:
+    ShaderTrial(ir::Function whole, Batch batch, bool isSurface, Monitor &monitor)
+        : whole_(std::move(whole)), batch_(std::move(batch)), isSurface_(isSurface),
+          monitor_(monitor) {}
+
+    std::string slice() {
+        if (isSurface_) {
+            monitor_.enter(Stage::Facts, "surfaceFacts");
+            ir::surfaceFacts(whole_);
+        }
+        const auto all = isSurface_ ? std::span<const Question>(surfaceQuestions)
+                                    : std::span<const Question>(lightQuestions);
+        for (const Question question : all) {
+            monitor_.enter(Stage::Slice, nameOf(question));
+            const ir::Function &function =
+                slices_.emplace(question, ir::slice(whole_, question)).first->second;
+            if (const std::string problem = ir::verify(function); !problem.empty())
+                return "makes an invalid function\n" + problem + "\n" + ir::print(function);
+        }
+        return {};
+    }
+
+    /// The slices answer as the whole text does.
+    std::string interpret() {
+        monitor_.enter(Stage::Interpret, "whole");
+        const RunResult lit = batch_.run(whole_, ir::interpret, Light::Given);
+        countNumbers(lit);
+        ++monitor_.tally().interpreted;
+        if (!isSurface_)
+            return expectOutputs(Question::Light, Light::Given, lit, {{"L", "L"}, {"Cl", "Cl"}});
+        std::string problem =
+            expectOutputs(Question::Shade, Light::Given, lit, {{"Ci", "Ci"}, {"Oi", "Oi"}});
+        if (!problem.empty())
+            return problem;
+        monitor_.enter(Stage::Interpret, "whole, dark");
+        const RunResult dark = batch_.run(whole_, ir::interpret, Light::None);
+        for (const auto &[question, names] :
+             {std::pair<Question, std::vector<Names>>{Question::Emit, {{"Ce", "Ci"}}},
+              {Question::Opacity, {{"Oi", "Oi"}}},
+              {Question::Prepare, {{"Ce", "Ci"}, {"Oi", "Oi"}}}})
+            if (problem.empty())
+                problem = expectOutputs(question, Light::None, dark, names);
+        return problem;
+    }
+
+    /// Code answers as the interpreter does.
+    std::string generate(Question question) {
+        monitor_.enter(Stage::Interpret, nameOf(question));
+        if (question == Question::View)
+            batch_.run(slices_.at(Question::Surface), ir::interpret, Light::Given);
+        if (question == Question::Scatter)
+            batch_.run(slices_.at(Question::Prepare), ir::interpret, Light::Given);
+        return compareCode(slices_.at(question), batch_, nameOf(question), monitor_);
+    }
+
+    const std::map<Question, ir::Function> &slices() const { return slices_; }
+
+private:
+    struct Names {
+        const char *slice, *whole;
+    };
+
+    std::string expectOutputs(Question question, Light light, const RunResult &whole,
+                              const std::vector<Names> &names) {
+        monitor_.enter(Stage::Interpret, nameOf(question));
+        const ir::Function &function = slices_.at(question);
+        const RunResult found = batch_.run(function, ir::interpret, light);
+        for (const Names &name : names)
+            if (const std::string difference =
+                    differenceOfOutputs(whole_, whole, name.whole, function, found, name.slice);
+                !difference.empty())
+                return "slice does not answer as the whole text does\n" + difference;
+        return {};
+    }
+
+    void countNumbers(const RunResult &run) {
+        for (const auto &plane : run.outputs)
+            for (const float x : plane) {
+                ++monitor_.tally().numbers;
+                monitor_.tally().finite += std::isfinite(x) && x != 0 && x != unreached;
+            }
+    }
+
+    ir::Function whole_;
+    Batch batch_;
+    bool isSurface_;
+    Monitor &monitor_;
+    std::map<Question, ir::Function> slices_;
+};
+
+std::vector<ir::FoldedValue> steeringValues(const ir::Function &whole, Batch &batch) {
+    std::vector<ir::FoldedValue> values;
+    for (const int slot : ir::steeringParameters(whole))
+        values.push_back({slot, batch.makeEqual(slot)});
+    return values;
+}
+
+/// Folding changes no answer. Without light: it may number requests anew.
+std::string tryFolded(const ir::Function &whole, const ir::Function &folded, Batch &batch,
+                      Monitor &monitor) {
+    if (const std::string problem = ir::verify(folded); !problem.empty())
+        return "folds to an invalid function\n" + problem;
+    monitor.enter(Stage::Interpret, "fold");
+    batch.fit(whole);
+    const RunResult expected = batch.run(whole, ir::interpret, Light::None);
+    const std::string difference =
+        differenceOf(expected, batch.run(folded, ir::interpret, Light::None));
+    return difference.empty() ? "" : "does not answer as before folding\n" + difference;
+}
+
+std::string tryUnder(ir::LightRule rule, const ir::LoweredShader &shader, Chance &chance,
+                     const TrialSettings &settings, Monitor &monitor) {
+    const bool all = settings.thoroughness == Thoroughness::All;
+    const bool isSurface = shader.kind == "surface";
+    Batch batch(shader, chance);
+    monitor.enter(Stage::Facts, "fold");
+    const auto values = steeringValues(shader.whole, batch);
+    ir::Function whole = values.empty() ? shader.whole : ir::fold(shader.whole, values);
+    if (const std::string problem =
+            values.empty() ? "" : tryFolded(shader.whole, whole, batch, monitor);
+        !problem.empty())
+        return problem;
+    if (isSurface) {
+        monitor.enter(Stage::Facts, "light rule");
+        whole = ir::applyLightRule(whole, rule);
+    }
+    batch.fit(whole);
+    ShaderTrial trial(std::move(whole), std::move(batch), isSurface, monitor);
+    std::string problem = trial.slice();
+    if (problem.empty())
+        problem = trial.interpret();
+    const std::size_t chosen = chance.below(trial.slices().size());
+    const bool generates = settings.thoroughness == Thoroughness::Share &&
+                           chance.oneIn(std::size_t(settings.generateOneIn));
+    std::size_t at = 0;
+    for (const auto &slice : trial.slices())
+        if (problem.empty() && (all || (generates && at++ == chosen)))
+            problem = trial.generate(slice.first);
+    return problem;
+}
+
+} // namespace
+
+std::string tryLowered(const ir::LoweredShader &shader, Chance &chance,
+                       const TrialSettings &settings, Monitor &monitor) {
+    if (const std::string problem = ir::verify(shader.whole); !problem.empty())
+        return "lowers to an invalid function\n" + problem;
+    ir::print(shader.whole);
+    if (settings.thoroughness == Thoroughness::Share)
+        return tryUnder(chance.pick(std::array{ir::LightRule::Classic, ir::LightRule::Path}),
+                        shader, chance, settings, monitor);
+    for (const ir::LightRule rule : {ir::LightRule::Classic, ir::LightRule::Path})
+        if (std::string problem = tryUnder(rule, shader, chance, settings, monitor);
+            !problem.empty())
+            return problem;
+    return {};
+}
+
+} // namespace candela::fuzz
