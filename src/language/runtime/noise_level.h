@@ -21,7 +21,7 @@ namespace {
 constexpr float longestPeriod = 16777216.0f;
 
 /// Odd numbers by which lattice coordinates are multiplied, and corners. Chosen by trial among
-/// forty combinations: joint distributions of neighbouring corners' gradients over a million
+/// ninety combinations: joint distributions of neighbouring corners' gradients over a million
 /// lattice points show nothing beyond chance, nor do spectra.
 constexpr std::uint32_t axisFactors[4] = {0x6c8e9cf5u, 0xb5297a4du, 0x68e31da5u, 0x1b56c4e9u};
 constexpr std::uint32_t cornerFactor = 0x846ca68bu;
