@@ -45,7 +45,7 @@ void Statistics::add(const Scene &scene, const TransportStatistics &transport) {
     numbers_["scene.shaderCodes"] += double(s.codes);
     numbers_["scene.dicingSeconds"] += s.secondsDicing;
     numbers_["scene.buildingSeconds"] += s.secondsBuilding;
-    numbers_["transport.rayCpuSeconds"] += s.secondsTracing;
+    numbers_["transport.raySeconds"] += s.secondsTracing;
     numbers_["transport.paths"] += double(transport.paths);
     numbers_["transport.cameraRays"] += double(transport.cameraRays);
     numbers_["transport.bounceRays"] += double(transport.bounceRays);

@@ -6,9 +6,9 @@
 #include "world/rays/embree_scene.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstring>
-#include <ctime>
 #include <pmmintrin.h>
 
 namespace candela {
@@ -190,22 +190,21 @@ CANDELA_HOT void nameInstances(int count, std::uint32_t worldShapes,
     }
 }
 
-/// Adds the CPU time of its thread from its making to its end.
-class ThreadStopwatch {
+/// Adds the time from its making to its end. Not a thread's CPU time: to ask for that is a call of
+/// the system, as long as a batch of shadow rays takes.
+class Stopwatch {
 public:
-    explicit ThreadStopwatch(std::atomic<std::uint64_t> &nanoseconds)
-        : nanoseconds_(nanoseconds), start_(now()) {}
-    ~ThreadStopwatch() { nanoseconds_.fetch_add(now() - start_, std::memory_order_relaxed); }
-    ThreadStopwatch(const ThreadStopwatch &) = delete;
+    explicit Stopwatch(std::atomic<std::uint64_t> &nanoseconds) : nanoseconds_(nanoseconds) {}
+    ~Stopwatch() {
+        const std::chrono::nanoseconds passed = Clock::now() - start_;
+        nanoseconds_.fetch_add(std::uint64_t(passed.count()), std::memory_order_relaxed);
+    }
+    Stopwatch(const Stopwatch &) = delete;
 
 private:
-    static std::uint64_t now() {
-        timespec time{};
-        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-        return std::uint64_t(time.tv_sec) * 1'000'000'000 + std::uint64_t(time.tv_nsec);
-    }
+    using Clock = std::chrono::steady_clock;
     std::atomic<std::uint64_t> &nanoseconds_;
-    const std::uint64_t start_;
+    const Clock::time_point start_ = Clock::now();
 };
 
 } // namespace
@@ -267,7 +266,7 @@ std::string RayWorld::failure() const { return handles_->device.failure(); }
 
 void RayWorld::intersect(const RayBatch &rays, HitBatch &hits, Which which, bool coherent) const {
     FlushDenormals guard;
-    const ThreadStopwatch stopwatch(nanoseconds_);
+    const Stopwatch stopwatch(nanoseconds_);
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     context.flags =
@@ -286,7 +285,7 @@ void RayWorld::intersect(const RayBatch &rays, HitBatch &hits, Which which, bool
 
 void RayWorld::occluded(const RayBatch &rays, std::uint8_t *blocked) const {
     FlushDenormals guard;
-    const ThreadStopwatch stopwatch(nanoseconds_);
+    const Stopwatch stopwatch(nanoseconds_);
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;

@@ -67,7 +67,7 @@ public:
     void intersect(const RayBatch &, HitBatch &, Which, bool coherent) const;
     /// blocked[i] = 1 if an opaque shape stands in ray i's way (or it is not to be traced, 2).
     void occluded(const RayBatch &, std::uint8_t *blocked) const;
-    /// CPU seconds of all threads in these two, packing of packets included.
+    /// Seconds of all threads in these two, packing of packets included.
     double secondsTracing() const { return double(nanoseconds_) * 1e-9; }
 
 private:

@@ -69,7 +69,7 @@ public:
     struct Statistics {
         std::size_t primitives = 0, instances = 0, triangles = 0, lights = 0, codes = 0;
         double secondsDicing = 0, secondsBuilding = 0;
-        double secondsTracing = 0; ///< CPU time of all threads with rays, so far.
+        double secondsTracing = 0; ///< Of all threads, with rays, so far.
     };
     Statistics statistics() const;
 
