@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/geometry/polygon_mesh.h"
 
-#include "world/geometry/corner_order.h"
 #include "world/geometry/triangulate.h"
 
 #include <algorithm>
@@ -84,9 +83,7 @@ private:
         if (result == TriangulationResult::HoleDropped && holesDropped_++ == 0)
             firstHoleDropped_ = face;
         for (std::size_t i = mesh_.triangles.size(); i < mesh_.faceVertices.size(); ++i) {
-            auto &places = mesh_.faceVertices[i];
-            beginAt(bluntCorner(corners_[places[0]], corners_[places[1]], corners_[places[2]]),
-                    places);
+            const auto &places = mesh_.faceVertices[i];
             auto point = [&](int k) { return std::uint32_t(record_.vertices[places[k]]); };
             mesh_.triangles.push_back({point(0), point(1), point(2)});
             mesh_.face.push_back(std::uint32_t(face));

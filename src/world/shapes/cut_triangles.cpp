@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/shapes/cut_triangles.h"
 
+#include "world/shapes/corner_order.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -30,11 +32,16 @@ float distanceTo(const std::array<Corner, 3> &t, Vec3 eye) {
 
 class Cutter {
 public:
-    Cutter(const DicedMesh &from, Vec3 eye) : from_(from), eye_(eye) {}
+    Cutter(const DicedMesh &from, const Vec3 *eye) : from_(from), eye_(eye) {}
 
     bool isLarge(const std::array<Corner, 3> &t, float least) const {
+        if (!eye_)
+            return false;
         float edge = std::sqrt(squaredEdge(t, longest(t)));
-        return edge > longestEdgeShare * std::max(distanceTo(t, eye_), least);
+        return edge > longestEdgeShare * std::max(distanceTo(t, *eye_), least);
+    }
+    static bool isTurnedNeedle(const std::array<Corner, 3> &t) {
+        return bluntCorner(t[0].position, t[1].position, t[2].position) != 0;
     }
 
     std::vector<std::uint32_t> run(DicedMesh &to) {
@@ -87,18 +94,20 @@ private:
     }
 
     const DicedMesh &from_;
-    Vec3 eye_;
+    const Vec3 *eye_;
     DicedMesh to_;
     std::vector<std::uint32_t> pieces_;
 };
 
 } // namespace
 
-std::vector<std::uint32_t> cutLargeTriangles(DicedMesh &mesh, Vec3 eye) {
+std::vector<std::uint32_t> cutTriangles(DicedMesh &mesh, const Vec3 *eye) {
     Cutter cutter(mesh, eye);
     bool any = false;
-    for (std::uint32_t k = 0; k < mesh.triangles.size() && !any; ++k)
-        any = cutter.isLarge(cutter.cornersOf(k), 0);
+    for (std::uint32_t k = 0; k < mesh.triangles.size() && !any; ++k) {
+        const auto corners = cutter.cornersOf(k);
+        any = cutter.isLarge(corners, 0) || cutter.isTurnedNeedle(corners);
+    }
     if (!any)
         return {};
     const DicedMesh whole = std::move(mesh);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/shapes/shape.h"
 
-#include "world/geometry/corner_order.h"
+#include "world/shapes/corner_order.h"
 #include "world/shapes/cut_triangles.h"
 #include "world/shapes/dice_rate.h"
 
@@ -71,7 +71,6 @@ Reach reachOf(const RayShape &mesh) {
     return reach;
 }
 
-/// Meshes that name points directly keep the order that they have: it is part of the names.
 void beginAtBluntCorners(DicedMesh &mesh) {
     const std::vector<Vec3> &p = mesh.positions;
     for (auto &triangle : mesh.triangles)
@@ -153,8 +152,8 @@ RayShape dice(Shape &shape, const DiceRate &rate, const Vec3 *eye) {
     for (Vec3 &position : diced.positions)
         position = transformPoint(shape.outerFromShape, position);
     shape.flat = hasFlatNormals(*shape.surface, diced);
-    if (eye && diced.vertexUv.empty())
-        shape.pieces = cutLargeTriangles(diced, *eye);
+    if (diced.vertexUv.empty())
+        shape.pieces = cutTriangles(diced, eye);
     shape.naming = diced.vertexUv.empty() ? Naming::Direct : Naming::Corners;
     if (shape.naming == Naming::Corners) {
         beginAtBluntCorners(diced);
@@ -168,7 +167,7 @@ RayShape dice(Shape &shape, const DiceRate &rate, const Vec3 *eye) {
     const Reach reach = reachOf(result);
     shape.offset =
         diced.chordError * largestStretch(shape.outerFromShape) + elementRounding * reach.slender;
-    if (!shape.pieces.empty() && diced.chordError == 0)
+    if (eye && !shape.pieces.empty() && diced.chordError == 0)
         shape.offsetShare = elementRounding * longestEdgeShare * reach.slender / reach.longestEdge;
     return result;
 }
