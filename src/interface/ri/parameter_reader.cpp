@@ -17,14 +17,16 @@ void ParameterReader::declare(const SourceLocation &where, const std::string &na
                                "\"varying color\" or \"float[2]\"");
 }
 
-std::optional<ParsedToken> ParameterReader::tokenOf(const TokenValue &value, const char *request) {
-    auto token = parseToken(value.token);
-    if (!token)
-        diagnostics_.error(value.where, request,
-                           "'" + value.token +
-                               "' is no parameter: expected \"name\" or \"[class] type[n] "
-                               "name\"; the parameter is left out");
-    return token;
+template <class Body>
+void ParameterReader::forTokens(const TokenList &tokens, const char *request, Body body) {
+    for (const TokenValue &value : tokens.all)
+        if (const auto token = parseToken(value.token))
+            body(value, *token);
+        else
+            diagnostics_.error(value.where, request,
+                               "'" + value.token +
+                                   "' is no parameter: expected \"name\" or \"[class] type[n] "
+                                   "name\"; the parameter is left out");
 }
 
 std::optional<Declaration> ParameterReader::declarationOf(const ParsedToken &token) const {
@@ -49,43 +51,37 @@ Declaration ParameterReader::guess(const TokenValue &value, const ParsedToken &t
 ParameterList ParameterReader::ofRequest(const SourceLocation &where, const TokenList &tokens,
                                          const char *request) {
     ParameterList result{where, {}};
-    for (const TokenValue &value : tokens.all) {
-        auto token = tokenOf(value, request);
-        if (!token)
-            continue;
-        auto declaration = declarationOf(*token);
+    forTokens(tokens, request, [&](const TokenValue &value, const ParsedToken &token) {
+        auto declaration = declarationOf(token);
         if (!declaration)
-            declaration = guess(value, *token, request, request + (":" + token->name));
+            declaration = guess(value, token, request, request + (":" + token.name));
         if (auto parameter =
-                singleValue(value, *token, *declaration, request, diagnostics_.policy()))
+                singleValue(value, token, *declaration, request, diagnostics_.policy()))
             result.all.push_back(std::move(*parameter));
-    }
+    });
     return result;
 }
 
 std::vector<Parameter> ParameterReader::ofCategory(const TokenList &tokens, const char *request,
                                                    const std::string &category) {
     std::vector<Parameter> result;
-    for (const TokenValue &value : tokens.all) {
-        auto token = tokenOf(value, request);
-        if (!token)
-            continue;
-        std::string qualified = category + ":" + token->name;
-        auto declaration = token->declaration;
-        for (const std::string &name : {qualified, token->name})
+    forTokens(tokens, request, [&](const TokenValue &value, const ParsedToken &token) {
+        std::string qualified = category + ":" + token.name;
+        auto declaration = token.declaration;
+        for (const std::string &name : {qualified, token.name})
             if (!declaration)
                 declaration = dictionary_.declaredByUser(name);
         if (!declaration)
             declaration = Dictionary::standard(qualified);
         if (!declaration)
-            declaration = guess(value, *token, request, qualified);
+            declaration = guess(value, token, request, qualified);
         // A search path may come as several strings, which is one path.
         bool path = category == "searchpath" && declaration->type == ValueType::String;
-        auto parameter = (path ? typedParameter : singleValue)(value, *token, *declaration, request,
+        auto parameter = (path ? typedParameter : singleValue)(value, token, *declaration, request,
                                                                diagnostics_.policy());
         if (parameter)
             result.push_back(std::move(*parameter));
-    }
+    });
     return result;
 }
 
@@ -117,45 +113,39 @@ ParameterList ParameterReader::ofShader(const SourceLocation &where, const Token
                                         const std::string &name, const Options &options) {
     const auto known = shaders_.parametersOf(kind, name, options, where);
     ParameterList result{where, {}};
-    for (const TokenValue &value : tokens.all) {
-        auto token = tokenOf(value, request);
-        if (!token)
-            continue;
-        auto declaration = shaderParameterType(value, *token, request, name, known);
+    forTokens(tokens, request, [&](const TokenValue &value, const ParsedToken &token) {
+        auto declaration = shaderParameterType(value, token, request, name, known);
         if (!declaration)
-            continue;
-        auto parameter = singleValue(value, *token, *declaration, request, diagnostics_.policy());
+            return;
+        auto parameter = singleValue(value, token, *declaration, request, diagnostics_.policy());
         if (!parameter)
-            continue;
+            return;
         if (std::ranges::all_of(parameter->floats, [](float f) { return std::isfinite(f); }))
             result.all.push_back(std::move(*parameter));
         else
             diagnostics_.error(value.where, request,
-                               "parameter '" + token->name + "' is not finite; it is left out");
-    }
+                               "parameter '" + token.name + "' is not finite; it is left out");
+    });
     return result;
 }
 
 ParameterList ParameterReader::ofPrimitive(const SourceLocation &where, const TokenList &tokens,
                                            const char *request) {
     ParameterList result{where, {}};
-    for (const TokenValue &value : tokens.all) {
-        auto token = tokenOf(value, request);
-        if (!token)
-            continue;
-        auto declaration = declarationOf(*token);
+    forTokens(tokens, request, [&](const TokenValue &value, const ParsedToken &token) {
+        auto declaration = declarationOf(token);
         if (!declaration)
             diagnostics_.warnOnce(
-                value.where, "variable:" + token->name,
-                std::string(request) + ": primitive variable '" + token->name +
+                value.where, "variable:" + token.name,
+                std::string(request) + ": primitive variable '" + token.name +
                     "' has not been declared, so that its class is unknown; it is left out");
-        else if (result.find(token->name))
+        else if (result.find(token.name))
             diagnostics_.error(value.where, request,
-                               "'" + token->name + "' is given twice; the first counts");
+                               "'" + token.name + "' is given twice; the first counts");
         else if (auto parameter =
-                     typedParameter(value, *token, *declaration, request, diagnostics_.policy()))
+                     typedParameter(value, token, *declaration, request, diagnostics_.policy()))
             result.all.push_back(std::move(*parameter));
-    }
+    });
     return result;
 }
 

@@ -37,7 +37,8 @@ public:
 private:
     using ShaderParameters = std::vector<ShaderLookup::ParameterType>;
 
-    std::optional<ParsedToken> tokenOf(const TokenValue &, const char *request);
+    /// Calls body(value, token) for each; what is no token is reported.
+    template <class Body> void forTokens(const TokenList &, const char *request, Body);
     /// By the token itself, Declare or the standard.
     std::optional<Declaration> declarationOf(const ParsedToken &) const;
     std::optional<Declaration> shaderParameterType(const TokenValue &, const ParsedToken &,

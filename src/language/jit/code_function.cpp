@@ -35,6 +35,26 @@ llvm::BasicBlock *CodeFunction::block(const char *name) {
     return llvm::BasicBlock::Create(module.getContext(), name, function);
 }
 
+Values CodeFunction::valuesIf(Value *condition, const char *name,
+                              const std::function<Values()> &body) {
+    auto *from = builder.GetInsertBlock();
+    auto *run = block(name), *join = block("join");
+    builder.CreateCondBr(condition, run, join);
+    builder.SetInsertPoint(run);
+    const Values made = body();
+    auto *end = builder.GetInsertBlock();
+    builder.CreateBr(join);
+    builder.SetInsertPoint(join);
+    Values merged;
+    for (Value *value : made) {
+        auto *phi = builder.CreatePHI(value->getType(), 2);
+        phi->addIncoming(llvm::Constant::getNullValue(value->getType()), from);
+        phi->addIncoming(value, end);
+        merged.push_back(phi);
+    }
+    return merged;
+}
+
 Value *CodeFunction::entryMemory(llvm::Type *type, int count, const char *name) {
     llvm::BasicBlock &entry = function->getEntryBlock();
     llvm::IRBuilder<> atEntry(&entry, entry.begin());

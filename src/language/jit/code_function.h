@@ -9,6 +9,7 @@
 
 #include <llvm/IR/Module.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,9 @@ struct CodeFunction {
     llvm::Type *const floatType, *const integerType, *const pointerType;
 
     llvm::BasicBlock *block(const char *name);
+    /// What `body` writes runs if the condition (one bool for all lanes) holds, and gives its
+    /// values then; else they are zero.
+    Values valuesIf(Value *condition, const char *name, const std::function<Values()> &body);
     /// Memory for the whole call.
     Value *entryMemory(llvm::Type *, int count, const char *name);
     /// From where nothing changes during a call.

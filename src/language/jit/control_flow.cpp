@@ -63,27 +63,11 @@ static bool isTrivial(const Region &region) {
 
 Values ControlFlow::emitBranch(const Region &region, Value *taken, const Instruction &owner) {
     MaskStack::Scope scope(code_.masks, taken);
-    if (isTrivial(region)) {
+    const auto emit = [&] {
         emitRegion_(region);
         return yields(region, owner);
-    }
-    auto *from = builder_.GetInsertBlock();
-    auto *run = code_.block("lanes"), *join = code_.block("join_lanes");
-    builder_.CreateCondBr(code_.lanes.any(taken), run, join);
-    builder_.SetInsertPoint(run);
-    emitRegion_(region);
-    const Values yielded = yields(region, owner);
-    auto *end = builder_.GetInsertBlock();
-    builder_.CreateBr(join);
-    builder_.SetInsertPoint(join);
-    Values merged;
-    for (Value *value : yielded) {
-        auto *phi = builder_.CreatePHI(value->getType(), 2);
-        phi->addIncoming(llvm::Constant::getNullValue(value->getType()), from);
-        phi->addIncoming(value, end);
-        merged.push_back(phi);
-    }
-    return merged;
+    };
+    return isTrivial(region) ? emit() : code_.valuesIf(code_.lanes.any(taken), "lanes", emit);
 }
 
 void ControlFlow::emitVaryingIf(const Instruction &i) {

@@ -65,23 +65,12 @@ Value *ShaderArguments::planeHere(std::size_t tableField, int index) {
 }
 
 Values ShaderArguments::color(std::size_t tableField, int first) {
-    auto *table = fieldPointer(tableField);
-    auto *from = builder_.GetInsertBlock();
-    auto *load = code_.block("load_color"), *join = code_.block("color");
-    builder_.CreateCondBr(builder_.CreateIsNull(table), join, load);
-    builder_.SetInsertPoint(load);
-    Values loaded, color;
-    for (int k = 0; k < colorSamples; ++k)
-        loaded.push_back(code_.lanes.load(code_.floatType, planeHere(tableField, first + k)));
-    builder_.CreateBr(join);
-    builder_.SetInsertPoint(join);
-    for (Value *channel : loaded) {
-        auto *phi = builder_.CreatePHI(channel->getType(), 2);
-        phi->addIncoming(llvm::Constant::getNullValue(channel->getType()), from);
-        phi->addIncoming(channel, load);
-        color.push_back(phi);
-    }
-    return color;
+    return code_.valuesIf(builder_.CreateIsNotNull(fieldPointer(tableField)), "load_color", [&] {
+        Values loaded;
+        for (int k = 0; k < colorSamples; ++k)
+            loaded.push_back(code_.lanes.load(code_.floatType, planeHere(tableField, first + k)));
+        return loaded;
+    });
 }
 
 Value *ShaderArguments::frameSlot(int slot, int slots) {
