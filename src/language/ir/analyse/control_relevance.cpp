@@ -56,8 +56,8 @@ private:
             from.other |= origins_[v].other;
             from.slots.insert(origins_[v].slots.begin(), origins_[v].slots.end());
         }
-        from.other |=
-            info(i.op).varying || !isPure(i.op) || i.op == Op::Space || i.op == Op::SpaceInverse;
+        from.other |= info(i.op).uniformity == ResultUniformity::Varying || !isPure(i.op) ||
+                      info(i.op).kind == OpClass::Source;
         if (i.op == Op::Parameter)
             from = {true, false, {i.immediate}};
         if (i.op == Op::If || i.op == Op::Loop || i.op == Op::LightLoop)

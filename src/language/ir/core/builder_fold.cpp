@@ -2,6 +2,7 @@
 #include "language/ir/core/builder_fold.h"
 
 #include "language/ir/core/builder_sources.h"
+#include "language/ir/core/evaluate.h"
 #include "language/ir/core/op_info.h"
 
 #include <cmath>
@@ -25,6 +26,11 @@ Folded foldArithmetic(Builder &b, Op op, const std::vector<ValueId> &operands) {
     if (op == Op::Sub && right && *right == 0 && !std::signbit(*right))
         return operands[0];
     return {};
+}
+
+Folded foldComparison(Builder &b, Op op, ValueId left, ValueId right) {
+    const float *x = constantFloat(b, left), *y = constantFloat(b, right);
+    return x && y ? Folded(boolean(b, evaluateCompare(op, *x, *y))) : Folded{};
 }
 
 Folded foldLogic(Builder &b, Op op, ValueId left, ValueId right) {
@@ -57,14 +63,9 @@ void markRegion(const Region &region, std::vector<bool> &read) {
 std::optional<ValueId> foldOperation(Builder &b, Op op, const std::vector<ValueId> &operands) {
     if (isFloatArithmetic(op))
         return foldArithmetic(b, op, operands);
+    if (isFloatComparison(op))
+        return foldComparison(b, op, operands[0], operands[1]);
     switch (op) {
-    case Op::Less:
-    case Op::LessEqual:
-    case Op::Equal:
-    case Op::NotEqual: {
-        const float *left = constantFloat(b, operands[0]), *right = constantFloat(b, operands[1]);
-        return left && right ? Folded(boolean(b, evaluateCompare(op, *left, *right))) : Folded{};
-    }
     case Op::And:
     case Op::Or: return foldLogic(b, op, operands[0], operands[1]);
     case Op::Not: {

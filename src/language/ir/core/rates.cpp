@@ -53,8 +53,8 @@ private:
                          divergent || varies(i.operands[0]) || varies(i.operands[1]));
         default: break;
         }
-        bool varying = info(i.op).varying;
-        if (i.op == Op::ArrayLoad)
+        bool varying = info(i.op).uniformity == ResultUniformity::Varying;
+        if (info(i.op).uniformity == ResultUniformity::Array)
             varying |= function_.arrays[i.immediate].rate == Rate::Varying;
         for (ValueId v : i.operands)
             varying |= varies(v);
