@@ -4,6 +4,7 @@
 #include "language/ir/core/builder_sources.h"
 #include "language/ir/core/evaluate.h"
 #include "language/ir/core/op_info.h"
+#include "language/ir/core/regions.h"
 
 #include <cmath>
 
@@ -47,17 +48,6 @@ Folded foldSelect(Builder &b, ValueId condition, ValueId yes, ValueId no) {
     return yes == no ? Folded(yes) : Folded{};
 }
 
-void markRegion(const Region &region, std::vector<bool> &read) {
-    for (const Instruction &i : region.body) {
-        if (i.op == Op::Input)
-            read[i.immediate] = true;
-        if (i.op == Op::Random)
-            read[std::size_t(ShaderInput::seed)] = true;
-        for (const Region &inner : i.regions)
-            markRegion(inner, read);
-    }
-}
-
 } // namespace
 
 std::optional<ValueId> foldOperation(Builder &b, Op op, const std::vector<ValueId> &operands) {
@@ -92,7 +82,12 @@ std::optional<ValueId> foldOperation(Builder &b, Op op, const std::vector<ValueI
 
 void markInputsRead(Function &function) {
     function.inputsRead.assign(std::size_t(ShaderInput::Count), false);
-    markRegion(function.body, function.inputsRead);
+    forEachInstruction(function.body, [&](const Instruction &i) {
+        if (i.op == Op::Input)
+            function.inputsRead[i.immediate] = true;
+        if (i.op == Op::Random)
+            function.inputsRead[std::size_t(ShaderInput::seed)] = true;
+    });
 }
 
 } // namespace candela::ir

@@ -4,6 +4,7 @@
 
 #include "language/ir/core/builder.h"
 #include "language/ir/core/op_info.h"
+#include "language/ir/core/regions.h"
 #include "language/ir/transform/dead_code.h"
 
 #include <map>
@@ -33,14 +34,6 @@ public:
 private:
     std::map<int, int> numbers_;
 };
-
-template <class Visitor> void forEachInstruction(Region &region, Visitor visit) {
-    for (Instruction &i : region.body) {
-        visit(i);
-        for (Region &inner : i.regions)
-            forEachInstruction(inner, visit);
-    }
-}
 
 struct Tables {
     Renumbering values, arrays, strings, spaces, variables, requests, categories;

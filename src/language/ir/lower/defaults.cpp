@@ -4,6 +4,7 @@
 #include "language/ir/core/builder_effects.h"
 #include "language/ir/core/builder_sources.h"
 #include "language/ir/core/op_info.h"
+#include "language/ir/core/regions.h"
 #include "language/ir/interpret/interpreter.h"
 #include "language/ir/lower/cleanup.h"
 #include "language/ir/lower/control.h"
@@ -32,14 +33,12 @@ SpacedDefault splitSpace(const sl::Expr &expr) {
 }
 
 bool needsRenderer(const Region &region) {
-    return std::any_of(region.body.begin(), region.body.end(), [](const Instruction &i) {
+    return anyInstruction(region, [](const Instruction &i) {
         switch (info(i.op).kind) {
         case OpClass::Source:
         case OpClass::Random:
         case OpClass::Light: return true;
-        default:
-            return i.op == Op::LightLoop ||
-                   std::any_of(i.regions.begin(), i.regions.end(), needsRenderer);
+        default: return i.op == Op::LightLoop;
         }
     });
 }
