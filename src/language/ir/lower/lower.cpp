@@ -121,6 +121,11 @@ std::optional<LoweredShader> lower(const sl::TypedShader &shader,
     if (lowering.messages.failed())
         return std::nullopt;
     lowering.b.finish();
+    const auto tell = [&](const char *pass) {
+        if (options.listener)
+            options.listener(pass, lowered.whole);
+    };
+    tell("lower");
     lowered.lightClass = lowering.light.kind;
     if (const auto power = lowering.light.direction
                                ? powerOfDistance(lowered.whole, *lowering.light.direction)
@@ -129,7 +134,9 @@ std::optional<LoweredShader> lower(const sl::TypedShader &shader,
         lowered.directionOnly = *power == 0;
     }
     expandDerivatives(lowered.whole);
+    tell("derivatives");
     removeUnused(lowered.whole, lowered.parameters);
+    tell("clean up");
     return lowered;
 }
 
