@@ -68,7 +68,7 @@ struct LoweringOptions {
     /// (section 15.6); production renderers, and the pictures that files were made by, have 8.
     float highlightScale = 8;
     /// Is told of "lower", "derivatives" and "clean up"; may be empty.
-    PassListener listener;
+    PassListener listener{};
 };
 
 /// Lowers a checked surface or light shader. Output slots: surface "Ci", "Oi"; light "L", "Cl";
