@@ -60,7 +60,7 @@ Values makeResults(Function &function, Op op, const Values &operands, int immedi
         if (letter == '*')
             make(Type::Float, runtime::info(runtime::RuntimeFunction(immediate)).outputs);
         else
-            make(letter == '.' ? same : typeOf(letter), countOf(letter));
+            make(letter == '.' ? same : typeOf(letter), countOf(letter, function.colors.samples));
     return results;
 }
 

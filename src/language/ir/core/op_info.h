@@ -3,7 +3,6 @@
 // have no lists of operations of their own.
 #pragma once
 
-#include "foundation/units/color.h"
 #include "language/ir/core/ir.h"
 
 #include <string_view>
@@ -165,8 +164,10 @@ constexpr Type typeOf(char letter) {
            : letter == 's' ? Type::String
                            : Type::Float;
 }
-/// How many values a letter stands for; not of "*".
-constexpr int countOf(char letter) { return letter == 'c' ? colorSamples : letter == 'm' ? 16 : 1; }
+/// How many values a letter stands for in a function with so many color samples; not of "*".
+constexpr int countOf(char letter, int colorSamples) {
+    return letter == 'c' ? colorSamples : letter == 'm' ? 16 : 1;
+}
 
 constexpr bool isConstant(Op op) { return info(op).kind == OpClass::Constant; }
 constexpr bool isPure(Op op) { return info(op).purity == Purity::Pure; }

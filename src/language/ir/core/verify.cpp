@@ -161,7 +161,8 @@ private:
                       const std::vector<ValueId> &values, Type same, const char *what) {
         std::vector<Type> types;
         for (char letter : letters)
-            types.insert(types.end(), countOf(letter), letter == '.' ? same : typeOf(letter));
+            types.insert(types.end(), countOf(letter, function_.colors.samples),
+                         letter == '.' ? same : typeOf(letter));
         if (!expect(i, values.size() == types.size(), "wrong arity"))
             return false;
         for (std::size_t k = 0; k < values.size(); ++k)
@@ -209,12 +210,12 @@ private:
         if (request.form != ConeForm::Everywhere)
             fixed += std::size_t(perCone * request.coneCount);
         if (!sameTypes(i, i.operands, i.results, fixed, "operands") ||
-            !sameTypes(i, region.arguments, i.results, 3 + colorSamples, "arguments") ||
+            !sameTypes(i, region.arguments, i.results, 3 + function_.colors.samples, "arguments") ||
             !sameTypes(i, region.yields, i.results, 0, "yields"))
             return false;
         std::vector<ValueId> floats(i.operands.begin(), i.operands.begin() + fixed);
         floats.insert(floats.end(), region.arguments.begin(),
-                      region.arguments.begin() + 3 + colorSamples);
+                      region.arguments.begin() + 3 + function_.colors.samples);
         return checkAll(i, floats, int(floats.size()));
     }
 

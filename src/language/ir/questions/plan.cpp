@@ -36,6 +36,7 @@ void eliminateCommonSubexpressions(Function &text, std::vector<ConeTest> &coneTe
 void readFacts(Plan &plan) {
     Function emission = specializeUnder(plan, {}, "Ci", "Ce");
     std::vector<bool> zero = provablyZero(emission);
+    plan.emits.resize(size_t(plan.text.colors.samples));
     for (const Instruction &i : emission.body.body)
         if (i.op == Op::Output)
             plan.emits[emission.outputs[i.immediate].component] = !zero[i.operands[0]];
@@ -54,7 +55,7 @@ Function specializeUnder(const Plan &plan, const Assumption &assumption, const s
     SpecializationOptions options;
     options.coneTests = &plan.coneTests;
     SpecializedText specialized = specialize(plan.text, plan.dependence, b, {assumption}, options);
-    for (int k = 0; k < colorSamples; ++k)
+    for (int k = 0; k < plan.text.colors.samples; ++k)
         output(b, slot, k, specialized.output(0, from, k).value_or(number(b, 0)));
     b.finish();
     removeDeadCode(result);
