@@ -4,12 +4,7 @@
 
 namespace candela {
 
-int QuestionCode::output(std::string_view name) const {
-    for (std::size_t slot = 0; slot < function.outputs.size(); ++slot)
-        if (function.outputs[slot].name == name && function.outputs[slot].component == 0)
-            return int(slot);
-    return -1;
-}
+int QuestionCode::output(ir::OutputKind kind) const { return ir::slotOf(function.outputs, kind); }
 
 ShaderCode::ShaderCode(ir::LoweredShader shader, ir::LightRule rule, std::shared_ptr<Jit> jit,
                        std::shared_ptr<const ShaderMessages> messages)

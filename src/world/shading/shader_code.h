@@ -27,8 +27,8 @@ struct QuestionCode {
     ir::Function function;
     ShaderFunction code = nullptr;
 
-    /// Index of the first output plane of that name; -1 if the question doesn't have it.
-    int output(std::string_view name) const;
+    /// Index of the output's first plane; -1 if the question doesn't have it.
+    int output(ir::OutputKind) const;
     bool reads(ShaderInput input) const { return function.inputsRead[int(input)]; }
 };
 

@@ -193,7 +193,8 @@ AffineProof proveAffine(const Function &whole) {
     for (auto [slot, v] : outputs) {
         const OutputSlot &output = whole.outputs[slot];
         const Form &form = analysis.at(v);
-        if (output.name == "Ci" && (form.broken || (form.channels & ~(1u << output.component))))
+        if (output.name == OutputKind::Ci &&
+            (form.broken || (form.channels & ~(1u << output.component))))
             return {false, form.line};
     }
     return {};

@@ -139,7 +139,7 @@ std::optional<float> powerOfDistance(const Function &function, const Triple &L) 
     solve(degrees);
     std::optional<Degree> all;
     forEachInstruction(function.body, [&](const Instruction &i) {
-        if (i.op == Op::Output && function.outputs[size_t(i.immediate)].name == "Cl")
+        if (i.op == Op::Output && function.outputs[size_t(i.immediate)].name == OutputKind::Cl)
             all = merged(all.value_or(Degree{}), degrees.at(i, 0));
     });
     if (!all || all->kind == Degree::Unknown)

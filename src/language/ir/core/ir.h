@@ -14,6 +14,7 @@
 
 #include "foundation/base/diagnostics.h"
 #include "foundation/units/color_basis.h"
+#include "language/ir/core/outputs.h"
 #include "language/runtime/shader_abi.h"
 
 #include <cstdint>
@@ -90,12 +91,6 @@ struct Array {
 /// A float of the instance's parameter block.
 struct ParameterSlot {
     std::string name; ///< The shader parameter it is a component of; or a hidden one ("shader").
-    int component = 0;
-};
-
-/// What an output plane holds: "Ci" 0..2, "cone 0 axis" 0..2, ...
-struct OutputSlot {
-    std::string name;
     int component = 0;
 };
 

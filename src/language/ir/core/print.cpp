@@ -84,7 +84,7 @@ private:
         return text;
     }
     static std::string slot(const std::vector<OutputSlot> &slots, int index) {
-        return fmt::format("\"{}\".{}", slots[index].name, slots[index].component);
+        return fmt::format("\"{}\".{}", slots[index].name.text(), slots[index].component);
     }
 
     std::string immediate(const Instruction &i) const {

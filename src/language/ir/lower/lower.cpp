@@ -54,16 +54,16 @@ void declareParameters(Lowering &lowering, LoweredShader &lowered,
 void writeOutputs(Lowering &lowering, const LoweredShader &lowered) {
     const sl::TypedShader &shader = lowering.shader;
     Variables &variables = lowering.variables;
-    const auto write = [&](const std::string &name, const Components &value) {
+    const auto write = [&](const OutputName &name, const Components &value) {
         for (int c = 0; c < int(value.size()); ++c)
             output(lowering.b, name, c, value[c]);
     };
     if (shader.kind == sl::ShaderKind::Surface) {
-        write("Ci", variables.load(sl::PredefinedId::Ci));
-        write("Oi", variables.load(sl::PredefinedId::Oi));
+        write(OutputKind::Ci, variables.load(sl::PredefinedId::Ci));
+        write(OutputKind::Oi, variables.load(sl::PredefinedId::Oi));
     } else {
-        write("L", variables.load(sl::PredefinedId::L));
-        write("Cl", variables.load(sl::PredefinedId::Cl));
+        write(OutputKind::L, variables.load(sl::PredefinedId::L));
+        write(OutputKind::Cl, variables.load(sl::PredefinedId::Cl));
     }
     for (const auto &symbol : shader.symbols) // The paper's bounds, where the shader sets them.
         if (symbol->predefined && symbol->written && symbol->predefined->name[1] == 'C')

@@ -25,9 +25,8 @@ struct Plan {
 /// The plan holds pointers into its own text and stays where it is.
 std::unique_ptr<Plan> makePlan(const Function &whole);
 
-/// Outputs of a surface's Ci under an assumption, in one stage, as output slot `slot`.
-Function specializeUnder(const Plan &, const Assumption &, const std::string &from,
-                         const std::string &slot);
+/// Outputs of a surface's Ci under an assumption, in one stage, as output `to`.
+Function specializeUnder(const Plan &, const Assumption &, OutputKind from, OutputKind to);
 
 /// Frame slots of the values that later stages need. The slot of Ce's channel k has the key
 /// text.values.size() + k.

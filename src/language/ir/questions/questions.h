@@ -18,29 +18,24 @@ namespace candela::ir {
 /// A surface shader's printf() speaks in Prepare alone (or in View, which stands for it), so that a
 /// point prints once, whatever else it is asked; what stands in light loops prints nothing.
 enum class Question : std::uint8_t {
-    Shade,   ///< Everything, all light given. Outputs "Ci", "Oi".
-    Surface, ///< The Surface stage alone: fills its part of the frame.
-    View,    ///< The View stage on the frame of Surface. Outputs as Prepare.
-    Prepare, ///< Surface and View in one. Outputs "cone k axis|angle|exponent|importance",
-             ///< "Ce" (emission), "Ca" (answer to ambient and irradiance as given, without Ce;
-             ///< only if SurfaceFacts::readsAmbient), "Oi".
-    Scatter, ///< On the frame: the linear response. Output "g": for answeredRequest =
-             ///< finiteRequests, pi f_r cos for the direction sampleL; for a delta request, the
-             ///< factor on the radiance from its direction.
-    Emit,    ///< Output "Ce": Ci with every light request, ambient() and irradiance() zero.
-    Opacity, ///< Output "Oi".
-    Light,   ///< Light shaders: outputs "L" (from the light to Ps) and "Cl".
+#define QUESTION(name, text, meaning) name,
+#include "language/ir/questions/questions.def"
+#undef QUESTION
 };
-inline constexpr int questionCount = int(Question::Light) + 1;
+inline constexpr int questionCount = 0
+#define QUESTION(name, text, meaning) +1
+#include "language/ir/questions/questions.def"
+#undef QUESTION
+    ;
 /// "shade", "surface", ...
 const char *nameOf(Question);
 
-/// One importance cone that Prepare states. Its six outputs (axis x y z in current space and of
-/// any length, full angle in degrees, exponent, importance >= 0) start at output slot `output`.
-/// The caller clears the importance plane first: lanes that do not reach the request leave it.
+/// One importance cone that Prepare states, by the planes that hold it (outputs.def). The caller
+/// clears the importance plane first: lanes that do not reach the request leave it.
 struct ConeSlot {
     int request = 0;
-    int output = 0;
+    int axis = 0; ///< The first of three.
+    int angle = 0, exponent = 0, importance = 0;
     bool exact = false; ///< The answer to light is this lobe, up to a factor.
 };
 

@@ -8,8 +8,11 @@
 namespace candela::ir {
 
 const char *nameOf(Question question) {
-    constexpr const char *names[] = {"shade",   "surface", "view",    "prepare",
-                                     "scatter", "emit",    "opacity", "light"};
+    constexpr const char *names[] = {
+#define QUESTION(name, text, meaning) text,
+#include "language/ir/questions/questions.def"
+#undef QUESTION
+    };
     return names[int(question)];
 }
 
@@ -47,10 +50,24 @@ Function sliceQuestion(const Function &whole, Question question) {
         removeDeadCode(result);
         return result;
     }
-    case Question::Emit: return specializeUnder(*makePlan(whole), {}, "Ci", "Ce");
-    case Question::Opacity: return specializeUnder(*makePlan(whole), {}, "Oi", "Oi");
+    case Question::Emit:
+        return specializeUnder(*makePlan(whole), {}, OutputKind::Ci, OutputKind::Ce);
+    case Question::Opacity:
+        return specializeUnder(*makePlan(whole), {}, OutputKind::Oi, OutputKind::Oi);
     default: return sliceFramed(*makePlan(whole), question);
     }
+}
+
+std::vector<ConeSlot> coneSlots(const Plan &plan) {
+    const std::vector<OutputSlot> outputs = prepareOutputs(plan);
+    std::vector<ConeSlot> slots;
+    for (int n = 0; n < int(plan.cones.size()); ++n) {
+        const auto plane = [&](OutputKind kind) { return slotOf(outputs, {kind, n}); };
+        slots.push_back({plan.cones[n].request, plane(OutputKind::ConeAxis),
+                         plane(OutputKind::ConeAngle), plane(OutputKind::ConeExponent),
+                         plane(OutputKind::ConeImportance), plan.cones[n].exact});
+    }
+    return slots;
 }
 
 bool hasLoops(const Plan &plan) {
@@ -71,8 +88,7 @@ Function slice(const Function &whole, Question question) {
 SurfaceFacts surfaceFacts(const Function &whole) {
     auto plan = makePlan(whole);
     SurfaceFacts facts;
-    for (std::size_t n = 0; n < plan->cones.size(); ++n)
-        facts.cones.push_back({plan->cones[n].request, int(6 * n), plan->cones[n].exact});
+    facts.cones = coneSlots(*plan);
     facts.hasLoops = hasLoops(*plan);
     facts.readsAmbient = plan->readsAmbient;
     for (bool emits : plan->emits)

@@ -22,15 +22,15 @@ Function emptyLike(const Function &whole) {
     return result;
 }
 
-std::optional<ValueId> SpecializedText::output(int assumption, const std::string &slot,
+std::optional<ValueId> SpecializedText::output(int assumption, const OutputName &name,
                                                int component) {
-    auto it = outputs.find({slot, component});
+    auto it = outputs.find({name, component});
     return it == outputs.end() ? std::nullopt
                                : std::optional(mapping.value(assumption, it->second));
 }
 
-std::optional<ValueId> SpecializedText::responseOutput(const std::string &slot, int component) {
-    auto it = outputs.find({slot, component});
+std::optional<ValueId> SpecializedText::responseOutput(const OutputName &name, int component) {
+    auto it = outputs.find({name, component});
     bool lit = it != outputs.end() && dependence.responds(it->second);
     return lit ? std::optional(mapping.value(0, it->second)) : std::nullopt;
 }
