@@ -35,17 +35,13 @@ std::optional<CompiledShader> compileShader(const sl::TypedShader &shader, ir::L
     listener("fold", whole);
 
     CompiledShader compiled;
-    std::vector<ir::Question> questions{ir::Question::Light};
-    if (lowered->kind == "surface") {
+    if (lowered->kind == sl::ShaderKind::Surface) {
         whole = ir::applyLightRule(whole, rule);
         listener("light rule", whole);
         listener("plan", ir::makePlan(whole)->text);
         compiled.facts = ir::surfaceFacts(whole);
-        questions = {ir::Question::Shade,   ir::Question::Surface, ir::Question::View,
-                     ir::Question::Prepare, ir::Question::Scatter, ir::Question::Emit,
-                     ir::Question::Opacity};
     }
-    for (const ir::Question question : questions) {
+    for (const ir::Question question : ir::questionsOf(lowered->kind)) {
         compiled.answers.push_back({question, ir::slice(whole, question)});
         listener(ir::nameOf(question), compiled.answers.back().function);
     }

@@ -9,7 +9,7 @@ int QuestionCode::output(ir::OutputKind kind) const { return ir::slotOf(function
 ShaderCode::ShaderCode(ir::LoweredShader shader, ir::LightRule rule, std::shared_ptr<Jit> jit,
                        std::shared_ptr<const ShaderMessages> messages)
     : shader_(std::move(shader)), jit_(std::move(jit)), messages_(std::move(messages)) {
-    if (shader_.kind == "surface") {
+    if (shader_.kind == sl::ShaderKind::Surface) {
         shader_.whole = ir::applyLightRule(shader_.whole, rule);
         facts_ = ir::surfaceFacts(shader_.whole);
     }

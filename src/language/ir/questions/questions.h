@@ -8,6 +8,7 @@
 
 #include "foundation/base/diagnostics.h"
 #include "language/ir/core/ir.h"
+#include "language/syntax/base_type.h"
 
 #include <memory>
 #include <string>
@@ -18,17 +19,19 @@ namespace candela::ir {
 /// A surface shader's printf() speaks in Prepare alone (or in View, which stands for it), so that a
 /// point prints once, whatever else it is asked; what stands in light loops prints nothing.
 enum class Question : std::uint8_t {
-#define QUESTION(name, text, meaning) name,
+#define QUESTION(name, text, kind, meaning) name,
 #include "language/ir/questions/questions.def"
 #undef QUESTION
 };
 inline constexpr int questionCount = 0
-#define QUESTION(name, text, meaning) +1
+#define QUESTION(name, text, kind, meaning) +1
 #include "language/ir/questions/questions.def"
 #undef QUESTION
     ;
 /// "shade", "surface", ...
 const char *nameOf(Question);
+/// The questions that texts of the kind answer, in order.
+std::vector<Question> questionsOf(sl::ShaderKind);
 
 /// One importance cone that Prepare states, by the planes that hold it (outputs.def). The caller
 /// clears the importance plane first: lanes that do not reach the request leave it.

@@ -9,11 +9,24 @@ namespace candela::ir {
 
 const char *nameOf(Question question) {
     constexpr const char *names[] = {
-#define QUESTION(name, text, meaning) text,
+#define QUESTION(name, text, kind, meaning) text,
 #include "language/ir/questions/questions.def"
 #undef QUESTION
     };
     return names[int(question)];
+}
+
+std::vector<Question> questionsOf(sl::ShaderKind kind) {
+    constexpr sl::ShaderKind kinds[] = {
+#define QUESTION(name, text, kind, meaning) sl::ShaderKind::kind,
+#include "language/ir/questions/questions.def"
+#undef QUESTION
+    };
+    std::vector<Question> questions;
+    for (int q = 0; q < questionCount; ++q)
+        if (kinds[q] == kind)
+            questions.push_back(Question(q));
+    return questions;
 }
 
 namespace {
