@@ -40,6 +40,8 @@ std::optional<CompiledShader> compileShader(const sl::TypedShader &shader, ir::L
         listener("light rule", whole);
         listener("plan", ir::makePlan(whole)->text);
         compiled.facts = ir::surfaceFacts(whole);
+    } else if (lowered->kind == sl::ShaderKind::Light) {
+        compiled.lightFacts = ir::lightFacts(whole);
     }
     for (const ir::Question question : ir::questionsOf(lowered->kind)) {
         compiled.answers.push_back({question, ir::slice(whole, question)});

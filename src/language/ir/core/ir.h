@@ -81,6 +81,14 @@ struct LightRequest {
     int line = 0;
 };
 
+/// Where illuminate() or solar() of a light shader's text sends light; EmissionCone carries its
+/// number as immediate.
+struct Emission {
+    bool distant = false;  ///< solar(): light without a position, from its direction everywhere.
+    bool repeated = false; ///< In a loop: it may be stated again and again.
+    int line = 0;
+};
+
 /// A local array in memory.
 struct Array {
     Type type = Type::Float;
@@ -103,6 +111,7 @@ struct Function {
     Region body;               ///< No arguments, no yields: results leave through Output.
     std::vector<Array> arrays;
     std::vector<LightRequest> requests;
+    std::vector<Emission> emissions;       ///< Of light shaders, in the order of the text.
     std::vector<std::string> strings;      ///< By ConstString's immediate.
     std::vector<std::string> files;        ///< Source files, by Instruction::file.
     std::vector<std::string> spaces;       ///< Named coordinate systems, by Space's immediate.

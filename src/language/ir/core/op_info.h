@@ -43,6 +43,7 @@ enum class Immediate : std::uint8_t {
     Request,
     RequestOrFinite, ///< A request, or finiteRequests.
     Category,
+    Emission,
     Output,
     Frame,
 };

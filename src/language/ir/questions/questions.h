@@ -33,11 +33,13 @@ const char *nameOf(Question);
 /// The questions that texts of the kind answer, in order.
 std::vector<Question> questionsOf(sl::ShaderKind);
 
-/// One importance cone that Prepare states, by the planes that hold it (outputs.def). The caller
-/// clears the importance plane first: lanes that do not reach the request leave it.
+/// One importance cone that Prepare (or, of lights, Emission) states, by the planes that hold it
+/// (outputs.def). The caller clears the importance plane first: lanes that do not reach the request
+/// leave it.
 struct ConeSlot {
-    int request = 0;
-    int axis = 0; ///< The first of three.
+    int request = 0;  ///< Of lights: which of Function::emissions.
+    int axis = 0;     ///< The first of three.
+    int position = 0; ///< Likewise; of lights alone.
     int angle = 0, exponent = 0, importance = 0;
     bool exact = false; ///< The answer to light is this lobe, up to a factor.
 };
@@ -59,6 +61,14 @@ struct SurfaceFacts {
 
 /// A function's facts; `path` rule as for slice().
 SurfaceFacts surfaceFacts(const Function &whole);
+
+/// What is known of a light shader without running it.
+struct LightFacts {
+    std::vector<ConeSlot> cones; ///< Of Question::Emission, one each of Function::emissions.
+    /// The cones depend on the light alone, not on Ps or anything else of the point that is lit.
+    bool conesAreTheLights = true;
+};
+LightFacts lightFacts(const Function &whole);
 
 /// The function that answers the question, with dead code gone, ready to interpret or compile.
 /// `whole` is a lowered shader to which folding and the light rule have been applied.

@@ -46,11 +46,62 @@ Function sliceFramed(const Plan &plan, Question question) {
     return result;
 }
 
-void removePrints(Region &region) {
-    std::erase_if(region.body, [](const Instruction &i) { return i.op == Op::Print; });
+void removeAll(Op op, Region &region) {
+    std::erase_if(region.body, [op](const Instruction &i) { return i.op == op; });
     for (Instruction &i : region.body)
         for (Region &inner : i.regions)
-            removePrints(inner);
+            removeAll(op, inner);
+}
+
+/// The planes that one emission's nine numbers go to, in the order of its operands.
+std::vector<OutputSlot> emissionOutputs(int emission, int colorSamples) {
+    std::vector<OutputSlot> slots;
+    for (const OutputKind kind :
+         {OutputKind::ConePosition, OutputKind::ConeAxis, OutputKind::ConeAngle,
+          OutputKind::ConeExponent, OutputKind::ConeImportance})
+        for (int c = 0; c < componentsOf(kind, colorSamples); ++c)
+            slots.push_back({{kind, emission}, c});
+    return slots;
+}
+
+std::vector<OutputSlot> emissionOutputs(const Function &whole) {
+    std::vector<OutputSlot> slots;
+    for (int n = 0; n < int(whole.emissions.size()); ++n)
+        for (const OutputSlot &slot : emissionOutputs(n, whole.colors.samples))
+            slots.push_back(slot);
+    return slots;
+}
+
+/// Puts outputs where the region states emissions.
+void writeEmissions(Region &region, const std::vector<OutputSlot> &slots) {
+    std::vector<Instruction> body;
+    for (Instruction &i : region.body) {
+        for (Region &inner : i.regions)
+            writeEmissions(inner, slots);
+        if (i.op != Op::EmissionCone) {
+            body.push_back(std::move(i));
+            continue;
+        }
+        const int first = slotOf(slots, {OutputKind::ConePosition, i.immediate});
+        for (int k = 0; k < int(i.operands.size()); ++k)
+            body.push_back({.op = Op::Output,
+                            .operands = {i.operands[size_t(k)]},
+                            .results = {},
+                            .regions = {},
+                            .immediate = first + k,
+                            .line = i.line});
+    }
+    region.body = std::move(body);
+}
+
+Function sliceEmission(const Function &whole) {
+    Function result = whole;
+    removeAll(Op::Print, result.body);
+    removeAll(Op::Output, result.body);
+    result.outputs = emissionOutputs(whole);
+    writeEmissions(result.body, result.outputs);
+    removeDeadCode(result);
+    return result;
 }
 
 Function sliceQuestion(const Function &whole, Question question) {
@@ -59,10 +110,12 @@ Function sliceQuestion(const Function &whole, Question question) {
     case Question::Light: {
         Function result = whole;
         if (question == Question::Shade)
-            removePrints(result.body);
+            removeAll(Op::Print, result.body);
+        removeAll(Op::EmissionCone, result.body);
         removeDeadCode(result);
         return result;
     }
+    case Question::Emission: return sliceEmission(whole);
     case Question::Emit:
         return specializeUnder(*makePlan(whole), {}, OutputKind::Ci, OutputKind::Ce);
     case Question::Opacity:
@@ -76,9 +129,12 @@ std::vector<ConeSlot> coneSlots(const Plan &plan) {
     std::vector<ConeSlot> slots;
     for (int n = 0; n < int(plan.cones.size()); ++n) {
         const auto plane = [&](OutputKind kind) { return slotOf(outputs, {kind, n}); };
-        slots.push_back({plan.cones[n].request, plane(OutputKind::ConeAxis),
-                         plane(OutputKind::ConeAngle), plane(OutputKind::ConeExponent),
-                         plane(OutputKind::ConeImportance), plan.cones[n].exact});
+        slots.push_back({.request = plan.cones[n].request,
+                         .axis = plane(OutputKind::ConeAxis),
+                         .angle = plane(OutputKind::ConeAngle),
+                         .exponent = plane(OutputKind::ConeExponent),
+                         .importance = plane(OutputKind::ConeImportance),
+                         .exact = plan.cones[n].exact});
     }
     return slots;
 }
@@ -112,6 +168,23 @@ SurfaceFacts surfaceFacts(const Function &whole) {
     facts.notAffineLine = proof.line;
     facts.staticRequests = plan->dependence.staticRequests;
     facts.notStaticLine = plan->dependence.notStaticLine;
+    return facts;
+}
+
+LightFacts lightFacts(const Function &whole) {
+    LightFacts facts;
+    const Function emission = slice(whole, Question::Emission);
+    for (int n = 0; n < int(whole.emissions.size()); ++n) {
+        const auto plane = [&](OutputKind kind) { return slotOf(emission.outputs, {kind, n}); };
+        facts.cones.push_back({.request = n,
+                               .axis = plane(OutputKind::ConeAxis),
+                               .position = plane(OutputKind::ConePosition),
+                               .angle = plane(OutputKind::ConeAngle),
+                               .exponent = plane(OutputKind::ConeExponent),
+                               .importance = plane(OutputKind::ConeImportance)});
+    }
+    for (int c = 0; c < 3; ++c)
+        facts.conesAreTheLights &= !emission.inputsRead[size_t(ShaderInput::Ps) + size_t(c)];
     return facts;
 }
 

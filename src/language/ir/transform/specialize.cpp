@@ -13,6 +13,7 @@ Function emptyLike(const Function &whole) {
     result.name = whole.name;
     result.colors = whole.colors;
     result.requests = whole.requests;
+    result.emissions = whole.emissions;
     result.strings = whole.strings;
     result.files = whole.files;
     result.spaces = whole.spaces;
@@ -86,9 +87,10 @@ std::vector<std::vector<int>> groupsBy(Specialization &s, ValueId condition) {
     return groups;
 }
 
-void walkPrint(Specialization &s, const Instruction &i) {
+/// What is said once, whatever the assumptions.
+void walkStatement(Specialization &s, const Instruction &i) {
     if (s.options.prints && s.active[0] == 0)
-        s.b.emit(i.op, s.mapping.values(0, i.operands));
+        s.b.emit(i.op, s.mapping.values(0, i.operands), i.immediate);
 }
 
 void walkPlain(Specialization &s, const Instruction &i, StageRange range) {
@@ -168,7 +170,8 @@ static void walk(Specialization &s, const Instruction &i, StageRange range) {
         s.outputs[{slot.name, slot.component}] = i.operands[0];
         return;
     }
-    case Op::Print: return walkPrint(s, i);
+    case Op::Print:
+    case Op::EmissionCone: return walkStatement(s, i);
     case Op::If: return walkIf(s, i, range);
     case Op::Loop: return walkLoop(s, i, range);
     case Op::LightLoop: return walkLightLoop(s, i, range);
