@@ -65,7 +65,7 @@ struct StageAnalysis : ForwardAnalysis<Stage> {
         return std::max(
             {arrayOf(i), latest(i.operands, conditionAround(around)), carriedAround(around)});
     }
-    Stage flow(const Flow &flow, const Enclosing *around) const {
+    Stage flow(const ValueFlow &flow, const Enclosing *around) const {
         const auto condition = conditionOf(flow.owner);
         if (!condition || !canBeSaved(flow.to))
             return Stage::Response;

@@ -56,7 +56,7 @@ struct DegreeAnalysis : ForwardAnalysis<Degree> {
     Degree array(const Instruction &, const Enclosing *) const { return unknown; }
     Degree given(const Instruction &, std::size_t) const { return unknown; }
 
-    Degree flow(const Flow &flow, const Enclosing *) const {
+    Degree flow(const ValueFlow &flow, const Enclosing *) const {
         if (isL(flow.to))
             return {Degree::Power, 1};
         const auto condition = conditionOf(flow.owner);
