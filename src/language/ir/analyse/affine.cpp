@@ -88,7 +88,7 @@ struct AffineAnalysis : ForwardAnalysis<Form> {
     Form result(const Instruction &i, std::size_t k, const Enclosing *) const {
         if (at(i.results[k]).broken)
             return at(i.results[k]);
-        if (info(i.op).kind == OpClass::Light && info(i.op).results == "c")
+        if (isAnswer(i.op))
             return anyLit(i.operands) ? brokenAt(i.line) : lightOf(int(k));
         return formOf(i);
     }

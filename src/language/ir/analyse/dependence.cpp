@@ -57,8 +57,7 @@ struct StageAnalysis : ForwardAnalysis<Stage> {
                                                 : Stage::Surface;
         if (isArrayAccess(i.op))
             return arrayOf(i);
-        const bool answers = info(i.op).kind == OpClass::Light && info(i.op).results == "c";
-        return answers ? Stage::Response : latest(i.operands);
+        return isAnswer(i.op) ? Stage::Response : latest(i.operands);
     }
     /// Loads and stores of an array keep their order: all count to the latest.
     Stage array(const Instruction &i, const Enclosing *around) const {

@@ -81,7 +81,7 @@ struct DegreeAnalysis : ForwardAnalysis<Degree> {
         }
         if (!isPure(i.op) || info(i.op).kind == OpClass::Random)
             return unknown;
-        if (info(i.op).kind == OpClass::Comparison && isFloatComparison(i.op)) // Both grow alike.
+        if (isFloatComparison(i.op)) // Both sides grow alike.
             return merged(at(i, 0), at(i, 1)).kind == Degree::Unknown ? unknown : steady;
         if (i.op == Op::Sqrt)
             return at(i, 0).kind == Degree::Power ? Degree{Degree::Power, at(i, 0).power / 2}
