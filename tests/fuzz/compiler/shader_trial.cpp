@@ -140,7 +140,7 @@ std::string tryFolded(const ir::Function &whole, const ir::Function &folded, Bat
 std::string tryUnder(ir::LightRule rule, const ir::LoweredShader &shader, Chance &chance,
                      const TrialSettings &settings, Monitor &monitor) {
     const bool all = settings.thoroughness == Thoroughness::All;
-    const bool isSurface = shader.kind == "surface";
+    const bool isSurface = shader.kind == sl::ShaderKind::Surface;
     Batch batch(shader, chance);
     monitor.enter(Stage::Facts, "fold");
     const auto values = steeringValues(shader.whole, batch);
