@@ -184,6 +184,11 @@ constexpr bool isFloatComparison(Op op) {
 /// Loads and stores of local arrays.
 constexpr bool isArrayAccess(Op op) { return info(op).kind == OpClass::Memory; }
 
+/// Light that comes from outside of the text: answers, ambient(), irradiance().
+constexpr bool isAnswer(Op op) {
+    return info(op).kind == OpClass::Light && info(op).results == "c";
+}
+
 /// As OpInfo::cost, with that of the runtime function that a Call calls.
 int costOf(const Instruction &);
 

@@ -51,7 +51,7 @@ private:
     /// with every loop around.
     bool mark(const Instruction &i) {
         bool kept = isKept(i);
-        const auto follow = [&](const Flow &flow) {
+        const auto follow = [&](const ValueFlow &flow) {
             if (live_[flow.to])
                 need(flow.from);
         };
