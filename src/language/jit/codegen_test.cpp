@@ -149,6 +149,7 @@ class Codegen : public testing::TestWithParam<CodeFor> {
 protected:
     bool roundsAsHost() const { return GetParam().roundsAsHost(); }
     bool runs() const { return GetParam().hostRuns(); }
+    void compareRandomPrograms(int longestFunction);
     void countFinite(const Result &result) {
         for (const auto &plane : result.outputs)
             for (float x : plane) {
@@ -160,8 +161,13 @@ protected:
     int numbers_ = 0, finite_ = 0;
 };
 
-TEST_P(Codegen, RandomProgramsEqualTheInterpreterInAllLanes) {
-    Jit wide(GetParam().options(16), diagnostics_), narrow(GetParam().options(1), diagnostics_);
+void Codegen::compareRandomPrograms(int longestFunction) {
+    const auto options = [&](int width) {
+        JitOptions options = GetParam().options(width);
+        options.longestFunction = longestFunction;
+        return options;
+    };
+    Jit wide(options(16), diagnostics_), narrow(options(1), diagnostics_);
     const bool runs = this->runs();
     // Code without masked memory operations takes LLVM long.
     const unsigned programs = (!runs ? 5 : roundsAsHost() ? 40 : 20) * campaignFactor();
@@ -188,6 +194,14 @@ TEST_P(Codegen, RandomProgramsEqualTheInterpreterInAllLanes) {
     EXPECT_GE(finite_, numbers_ / 5);
     if (!runs)
         GTEST_SKIP() << "compiled for " << GetParam().name << ", which this machine can't execute";
+}
+
+TEST_P(Codegen, RandomProgramsEqualTheInterpreterInAllLanes) { compareRandomPrograms(0); }
+
+/// Cut wherever it can be, and in pieces that hold control flow.
+TEST_P(Codegen, SoDoRandomProgramsInPieces) {
+    for (int longest : {1, 40})
+        compareRandomPrograms(longest);
 }
 
 /// One operation on many numbers: ordinary ones, huge, tiny, and the special ones.

@@ -56,6 +56,8 @@ Jit::State::State(const JitOptions &given, DiagnosticSink &diagnostics)
                                         : std::filesystem::path(given.cacheFolder)) {
     if (given.width != 1 && given.width != laneBlock)
         target.reset();
+    if (target && given.longestFunction > 0)
+        target->longestFunction = given.longestFunction;
     if (target)
         createLinker();
     else
@@ -108,6 +110,7 @@ std::string Jit::State::keyOf(const ir::Function &function) const {
     hash.add(target->cpu);
     hash.add(target->features);
     hash.add(std::uint64_t(target->width));
+    hash.add(std::uint64_t(target->longestFunction));
     addFunction(hash, function);
     return hash.text();
 }

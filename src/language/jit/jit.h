@@ -22,6 +22,7 @@ struct JitOptions {
     /// ~/.cache/candela. A folder that can't be written is done without.
     std::string cacheFolder;
     bool useCache = true;
+    int longestFunction = 0; ///< As CodeTarget has it; 0 = as CodeTarget has it by itself.
 };
 
 /// Compiles functions and keeps their code alive. Thread-safe.
