@@ -3,7 +3,7 @@
 // noise by itself; compile times. codegen_test compares results, here only time counts.
 #include "shading_functions.h"
 
-#include "language/ir/test_batch.h"
+#include "language/ir/interpret/test_batch.h"
 #include "language/jit/jit.h"
 #include "language/runtime/runtime_functions.h"
 

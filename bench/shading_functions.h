@@ -2,7 +2,7 @@
 // The three shaders of shading_bench.cpp, as IR and as hand-written C++ for AVX-512.
 #pragma once
 
-#include "language/ir/ir.h"
+#include "language/ir/core/ir.h"
 #include "language/runtime/shader_abi.h"
 
 namespace candela::bench {

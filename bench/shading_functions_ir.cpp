@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "shading_functions.h"
 
-#include "language/ir/builder_arithmetic.h"
-#include "language/ir/builder_control.h"
-#include "language/ir/builder_effects.h"
-#include "language/ir/builder_light.h"
-#include "language/ir/builder_sources.h"
-#include "language/ir/builder_vectors.h"
+#include "language/ir/core/builder_arithmetic.h"
+#include "language/ir/core/builder_control.h"
+#include "language/ir/core/builder_effects.h"
+#include "language/ir/core/builder_light.h"
+#include "language/ir/core/builder_sources.h"
+#include "language/ir/core/builder_vectors.h"
 #include "language/runtime/runtime_functions.h"
 
 namespace candela::bench {
