@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What compiling costs: for every shader of the given files, each entry point by itself with
 // nothing in the cache. One line of JSON a shader.
-#include "language/ir/lower.h"
-#include "language/ir/questions.h"
+#include "language/ir/lower/lower.h"
+#include "language/ir/questions/questions.h"
+#include "language/ir/transform/light_rule.h"
 #include "language/jit/jit.h"
 #include "language/semantics/front.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/jit/function_pieces.h"
 
-#include "language/ir/op_info.h"
+#include "language/ir/core/op_info.h"
 
 #include <algorithm>
 #include <functional>

@@ -4,7 +4,7 @@
 // function than the one that makes them wait in spill slots.
 #pragma once
 
-#include "language/ir/ir.h"
+#include "language/ir/core/ir.h"
 
 #include <cstddef>
 #include <map>
