@@ -36,17 +36,20 @@ std::optional<CompiledShader> compileShader(const sl::TypedShader &shader, ir::L
 
     CompiledShader compiled;
     std::vector<ir::Question> questions{ir::Question::Light};
+    std::shared_ptr<const ir::Plan> plan;
     if (lowered->kind == "surface") {
         whole = ir::applyLightRule(whole, rule);
         listener("light rule", whole);
-        listener("plan", ir::makePlan(whole)->text);
-        compiled.facts = ir::surfaceFacts(whole);
+        plan = ir::makePlan(whole);
+        listener("plan", plan->text);
+        compiled.facts = ir::surfaceFacts(*plan);
         questions = {ir::Question::Shade,   ir::Question::Surface, ir::Question::View,
                      ir::Question::Prepare, ir::Question::Scatter, ir::Question::Emit,
                      ir::Question::Opacity};
     }
     for (const ir::Question question : questions) {
-        compiled.answers.push_back({question, ir::slice(whole, question)});
+        compiled.answers.push_back(
+            {question, plan ? ir::slice(*plan, question) : ir::slice(whole, question)});
         listener(ir::nameOf(question), compiled.answers.back().function);
     }
     return compiled;

@@ -28,6 +28,7 @@ struct CodeFunction {
     Lanes lanes;
     MaskStack masks;
     llvm::Function *function = nullptr;
+    int colorSamples = 0; ///< Of every colour in it.
     llvm::Type *const floatType, *const integerType, *const pointerType;
 
     /// A machine function beside it, which it calls for a part of its work.

@@ -76,6 +76,7 @@ FunctionGenerator::FunctionGenerator(const ir::Function &function, const CodeTar
       values_(function, code_.lanes), arguments_(code_), gathers_(code_, arguments_, function.body),
       calls_(code_, arguments_, values_), arrays_(code_, values_, calls_),
       control_(code_, values_, [this](const Region &region) { emitRegion(region); }) {
+    code_.colorSamples = function.colors.samples;
     if (!pieces_.whole())
         values_.keepIn(spills_.emplace(code_, pieces_.slot, pieces_.slots));
 }
@@ -247,7 +248,7 @@ Values FunctionGenerator::source(const Instruction &i) {
     case Op::CategoryAccepts:
         return {acceptedByCategory(code_, arguments_, i.immediate, arguments_.firstPoint())};
     case Op::Answer:
-        return arguments_.color(offsetof(ShaderArgs, answers), i.immediate * colorSamples);
+        return arguments_.color(offsetof(ShaderArgs, answers), i.immediate * code_.colorSamples);
     case Op::Ambient: return arguments_.color(offsetof(ShaderArgs, ambient), 0);
     case Op::Irradiance: return arguments_.color(offsetof(ShaderArgs, irradiance), 0);
     default: return {};

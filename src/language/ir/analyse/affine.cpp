@@ -36,7 +36,8 @@ Form lightOf(int channel) { return {true, false, 0, false, 1u << channel, noCarr
 class AffineSweep {
 public:
     explicit AffineSweep(const Function &function)
-        : forms_(function.values.size()), arrays_(function.arrays.size()) {
+        : samples_(function.colors.samples), forms_(function.values.size()),
+          arrays_(function.arrays.size()) {
         do {
             changed_ = false;
             sweep(function.body);
@@ -205,16 +206,16 @@ private:
         std::size_t fixed = i.operands.size() - i.results.size();
         for (int k = 0; k < 3; ++k)
             set(region.arguments[k], unlit());
-        for (int k = 0; k < colorSamples; ++k)
+        for (int k = 0; k < samples_; ++k)
             set(region.arguments[3 + k], lightOf(k));
         for (std::size_t k = 0; k < i.results.size(); ++k) {
-            ValueId argument = region.arguments[3 + colorSamples + k];
+            ValueId argument = region.arguments[3 + samples_ + k];
             set(argument, Form{true, false, 0, false, 0, int(argument)});
         }
         sweep(region);
         bool conesLit = anyLit({i.operands.begin() + 3, i.operands.begin() + fixed});
         for (std::size_t k = 0; k < i.results.size(); ++k) {
-            ValueId argument = region.arguments[3 + colorSamples + k];
+            ValueId argument = region.arguments[3 + samples_ + k];
             Form added = forms_[region.yields[k]];
             const Form &initial = forms_[i.operands[fixed + k]];
             if (conesLit)
@@ -233,6 +234,7 @@ private:
         return otherwise;
     }
 
+    const int samples_;
     std::vector<Form> forms_, arrays_;
     std::map<int, ValueId> outputs_;
     bool changed_ = false;

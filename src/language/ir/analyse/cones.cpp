@@ -15,11 +15,11 @@ class LightTaint {
 public:
     LightTaint(const Function &text, const Instruction &loop)
         : text_(text), tainted_(text.values.size()) {
-        for (int k = 0; k < colorSamples; ++k)
+        for (int k = 0; k < text.colors.samples; ++k)
             tainted_[loop.regions[0].arguments[3 + k]] = true;
         do {
             changed_ = false;
-            sweepCarried(loop, 3 + colorSamples);
+            sweepCarried(loop, 3 + text.colors.samples);
         } while (changed_);
     }
     bool has(ValueId v) const { return tainted_[v]; }
@@ -48,7 +48,7 @@ private:
     void sweep(const Region &region) {
         for (const Instruction &i : region.body) {
             if (i.op == Op::Loop || i.op == Op::LightLoop)
-                sweepCarried(i, i.op == Op::Loop ? 0 : 3 + colorSamples);
+                sweepCarried(i, i.op == Op::Loop ? 0 : 3 + text_.colors.samples);
             bool from = any(i.operands) || (i.op == Op::ArrayLoad && arraysTainted_);
             arraysTainted_ |= i.op == Op::ArrayStore && from;
             for (std::size_t k = 0; k < i.results.size(); ++k) {

@@ -46,7 +46,7 @@ Values makeResults(Function &function, Op op, const Values &operands, int immedi
             rate = Rate::Varying;
     if (op == Op::Call || op == Op::Answer || op == Op::Ambient || op == Op::Irradiance) {
         Values floats(op == Op::Call ? runtime::info(runtime::RuntimeFunction(immediate)).outputs
-                                     : colorSamples);
+                                     : function.colors.samples);
         for (ValueId &v : floats)
             v = function.addValue(Type::Float, rate);
         return floats;

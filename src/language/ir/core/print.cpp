@@ -38,6 +38,8 @@ public:
 
     std::string run() {
         line("function {} frame {}", function_.name, function_.frameSlots);
+        if (!function_.colors.isRgb())
+            line("colors of {} samples", function_.colors.samples);
         for (std::size_t i = 0; i < function_.requests.size(); ++i)
             printRequest(int(i), function_.requests[i]);
         for (std::size_t i = 0; i < function_.arrays.size(); ++i)

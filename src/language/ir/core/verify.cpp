@@ -132,8 +132,9 @@ private:
         }
         case Op::Answer:
         case Op::Irradiance:
-            return checkAll(i, i.operands, 6) && checkAll(i, i.results, colorSamples);
-        case Op::Ambient: return checkAll(i, i.operands, 0) && checkAll(i, i.results, colorSamples);
+            return checkAll(i, i.operands, 6) && checkAll(i, i.results, function_.colors.samples);
+        case Op::Ambient:
+            return checkAll(i, i.operands, 0) && checkAll(i, i.results, function_.colors.samples);
         case Op::FrameStore:
             return expect(i, i.operands.size() == 1 && i.results.empty(), "wrong arity") &&
                    expect(i, type(i.operands[0]) != Type::String, "saves a string");
@@ -216,12 +217,12 @@ private:
         if (request.form != ConeForm::Everywhere)
             fixed += std::size_t(perCone * request.coneCount);
         if (!sameTypes(i, i.operands, i.results, fixed, "operands") ||
-            !sameTypes(i, region.arguments, i.results, 3 + colorSamples, "arguments") ||
+            !sameTypes(i, region.arguments, i.results, 3 + function_.colors.samples, "arguments") ||
             !sameTypes(i, region.yields, i.results, 0, "yields"))
             return false;
         std::vector<ValueId> floats(i.operands.begin(), i.operands.begin() + fixed);
         floats.insert(floats.end(), region.arguments.begin(),
-                      region.arguments.begin() + 3 + colorSamples);
+                      region.arguments.begin() + 3 + function_.colors.samples);
         return checkAll(i, floats, int(floats.size()));
     }
 

@@ -23,7 +23,7 @@ struct SpacedDefault {
 SpacedDefault splitSpace(const sl::Expr &expr) {
     const sl::Expr *inner = &expr;
     while (inner->kind == sl::ExprKind::Convert &&
-           componentCount(inner->type.base) == componentCount(inner->operands[0]->type.base))
+           inner->operands[0]->type.base != sl::BaseType::Float)
         inner = inner->operands[0].get();
     if (inner->kind == sl::ExprKind::FromSpace && inner->type.base != sl::BaseType::Color)
         return {inner->operands[0].get(), inner->operands[1].get()};
@@ -69,8 +69,8 @@ std::vector<float> runConstant(const Function &function) {
 class Defaults {
 public:
     Defaults(const sl::TypedShader &shader, const std::vector<StringValue> &strings,
-             DiagnosticSink &sink)
-        : shader_(shader), strings_(strings), sink_(sink) {}
+             const ColorBasis &colors, DiagnosticSink &sink)
+        : shader_(shader), strings_(strings), colors_(colors), sink_(sink) {}
 
     bool add(const sl::Parameter &parameter) {
         const sl::Symbol &symbol = *parameter.symbol;
@@ -132,6 +132,7 @@ private:
         const sl::Symbol &symbol = *parameter.symbol;
         Function function;
         function.name = shader_.name;
+        function.colors = colors_;
         Lowering lowering(shader_, {}, function, sink_);
         lowering.spaces.allowShaderOnly();
         declareEarlier(lowering);
@@ -169,6 +170,7 @@ private:
 
     const sl::TypedShader &shader_;
     const std::vector<StringValue> &strings_;
+    const ColorBasis &colors_;
     DiagnosticSink &sink_;
 };
 
@@ -176,8 +178,9 @@ private:
 
 std::optional<std::vector<ShaderParameter>> parametersOf(const sl::TypedShader &shader,
                                                          const std::vector<StringValue> &strings,
+                                                         const ColorBasis &colors,
                                                          DiagnosticSink &sink) {
-    Defaults defaults(shader, strings, sink);
+    Defaults defaults(shader, strings, colors, sink);
     bool good = true;
     for (const sl::Parameter &parameter : shader.parameters)
         good = defaults.add(parameter) && good;

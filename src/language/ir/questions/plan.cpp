@@ -48,6 +48,7 @@ bool holds(const Region &region, const std::function<bool(const Instruction &)> 
 void readFacts(Plan &plan) {
     Function emission = specializeUnder(plan, {}, "Ci", "Ce");
     std::vector<bool> zero = provablyZero(emission);
+    plan.emits.resize(size_t(plan.text.colors.samples));
     for (const Instruction &i : emission.body.body)
         if (i.op == Op::Output)
             plan.emits[emission.outputs[i.immediate].component] = !zero[i.operands[0]];
@@ -66,15 +67,16 @@ Function specializeUnder(const Plan &plan, const Assumption &assumption, const s
     SpecializationOptions options;
     options.coneTests = &plan.coneTests;
     SpecializedText specialized = specialize(plan.text, plan.dependence, b, {assumption}, options);
-    for (int k = 0; k < colorSamples; ++k)
+    for (int k = 0; k < plan.text.colors.samples; ++k)
         output(b, slot, k, specialized.output(0, from, k).value_or(number(b, 0)));
     b.finish();
     removeDeadCode(result);
     return result;
 }
 
-std::unique_ptr<Plan> makePlan(const Function &whole) {
-    auto plan = std::make_unique<Plan>();
+std::shared_ptr<const Plan> makePlan(const Function &whole) {
+    auto plan = std::make_shared<Plan>();
+    plan->whole = whole;
     plan->text = whole;
     removeDeadCode(plan->text);
     plan->coneTests = addConeTests(plan->text);
@@ -83,6 +85,7 @@ std::unique_ptr<Plan> makePlan(const Function &whole) {
     plan->framed = plan->dependence.staticRequests;
     plan->cones = conesOf(plan->text, plan->dependence, plan->framed);
     readFacts(*plan);
+    plan->frame = planFrame(*plan);
     return plan;
 }
 

@@ -16,7 +16,7 @@ const char *nameOf(Question question) {
 namespace {
 
 Function sliceFramed(const Plan &plan, Question question) {
-    FramePlan frame = planFrame(plan);
+    const FramePlan &frame = plan.frame;
     Function result;
     switch (question) {
     case Question::Surface: result = specializeSurface(plan, frame.all); break;
@@ -37,20 +37,32 @@ void removePrints(Region &region) {
             removePrints(inner);
 }
 
-Function sliceQuestion(const Function &whole, Question question) {
+/// Shade and Light, which take the text as it is.
+Function sliceWhole(const Function &whole, Question question) {
+    Function result = whole;
+    if (question == Question::Shade)
+        removePrints(result.body);
+    removeDeadCode(result);
+    return result;
+}
+
+bool takesWhole(Question question) {
+    return question == Question::Shade || question == Question::Light;
+}
+
+Function sliceQuestion(const Plan &plan, Question question) {
+    if (takesWhole(question))
+        return sliceWhole(plan.whole, question);
     switch (question) {
-    case Question::Shade:
-    case Question::Light: {
-        Function result = whole;
-        if (question == Question::Shade)
-            removePrints(result.body);
-        removeDeadCode(result);
-        return result;
+    case Question::Emit: return specializeUnder(plan, {}, "Ci", "Ce");
+    case Question::Opacity: return specializeUnder(plan, {}, "Oi", "Oi");
+    default: return sliceFramed(plan, question);
     }
-    case Question::Emit: return specializeUnder(*makePlan(whole), {}, "Ci", "Ce");
-    case Question::Opacity: return specializeUnder(*makePlan(whole), {}, "Oi", "Oi");
-    default: return sliceFramed(*makePlan(whole), question);
-    }
+}
+
+Function named(Function function, const Function &whole, Question question) {
+    function.name = whole.name + "." + nameOf(question);
+    return function;
 }
 
 bool hasLoops(const Plan &plan) {
@@ -62,28 +74,32 @@ bool hasLoops(const Plan &plan) {
 
 } // namespace
 
-Function slice(const Function &whole, Question question) {
-    Function result = sliceQuestion(whole, question);
-    result.name = whole.name + "." + nameOf(question);
-    return result;
+Function slice(const Plan &plan, Question question) {
+    return named(sliceQuestion(plan, question), plan.whole, question);
 }
 
-SurfaceFacts surfaceFacts(const Function &whole) {
-    auto plan = makePlan(whole);
+Function slice(const Function &whole, Question question) {
+    return takesWhole(question) ? named(sliceWhole(whole, question), whole, question)
+                                : slice(*makePlan(whole), question);
+}
+
+SurfaceFacts surfaceFacts(const Plan &plan) {
     SurfaceFacts facts;
-    for (std::size_t n = 0; n < plan->cones.size(); ++n)
-        facts.cones.push_back({plan->cones[n].request, int(6 * n), plan->cones[n].exact});
-    facts.hasLoops = hasLoops(*plan);
-    facts.readsAmbient = plan->readsAmbient;
-    for (bool emits : plan->emits)
+    for (std::size_t n = 0; n < plan.cones.size(); ++n)
+        facts.cones.push_back({plan.cones[n].request, int(6 * n), plan.cones[n].exact});
+    facts.hasLoops = hasLoops(plan);
+    facts.readsAmbient = plan.readsAmbient;
+    for (bool emits : plan.emits)
         facts.emits |= emits;
-    facts.opaqueIfOsIs1 = opaqueIfOsIs1(slice(whole, Question::Opacity));
-    AffineProof proof = proveAffine(whole);
+    facts.opaqueIfOsIs1 = opaqueIfOsIs1(slice(plan, Question::Opacity));
+    AffineProof proof = proveAffine(plan.whole);
     facts.affine = proof.affine;
     facts.notAffineLine = proof.line;
-    facts.staticRequests = plan->dependence.staticRequests;
-    facts.notStaticLine = plan->dependence.notStaticLine;
+    facts.staticRequests = plan.dependence.staticRequests;
+    facts.notStaticLine = plan.dependence.notStaticLine;
     return facts;
 }
+
+SurfaceFacts surfaceFacts(const Function &whole) { return surfaceFacts(*makePlan(whole)); }
 
 } // namespace candela::ir

@@ -39,11 +39,11 @@ Values gatheredLight(Builder &b) {
     Values cone(N.begin(), N.end());
     cone.push_back(number(b, std::numbers::pi_v<float> / 2));
     return lightLoop(b, addRequest(b, request), input3(b, ShaderInput::P), cone,
-                     Values(colorSamples, number(b, 0)),
+                     Values(b.colors().samples, number(b, 0)),
                      [&](const Triple &L, const Values &Cl, const Values &carried) {
                          ValueId cosine = dot(b, N, normalize(b, L));
                          Values sum;
-                         for (int k = 0; k < colorSamples; ++k)
+                         for (int k = 0; k < b.colors().samples; ++k)
                              sum.push_back(add(b, carried[k], mul(b, Cl[k], cosine)));
                          return sum;
                      });
@@ -57,7 +57,7 @@ void addTo(Op op, const Values &more, Function &function, Region &region) {
             addTo(op, more, function, inner);
         std::vector<Instruction> sums;
         if (i.op == op)
-            for (int k = 0; k < colorSamples; ++k) {
+            for (int k = 0; k < function.colors.samples; ++k) {
                 ValueId own = function.addValue(Type::Float, Rate::Varying);
                 sums.push_back({Op::Add, {own, more[k]}, {i.results[k]}, {}, 0, 0, i.line});
                 i.results[k] = own;
