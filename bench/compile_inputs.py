@@ -46,6 +46,21 @@ def branches(statements, ifs, seed=2):
     return surface("branches", lines + ["f = " + " + ".join(names) + ";"])
 
 
+def many_alive(statements, ifs, alive, seed=6):
+    """Many variables that all live to the end, changed behind conditions."""
+    chance = random.Random(seed)
+    names = [f"x{k}" for k in range(alive)]
+    lines = [f"float {name} = s * {k + 1} + t;" for k, name in enumerate(names)]
+    for k in range(statements):
+        to, a, b = (chance.choice(names) for _ in range(3))
+        line = f"{to} = {a} * {chance.random():.3f} + {b};"
+        if k * ifs // statements != (k + 1) * ifs // statements:
+            line = (f"if ({chance.choice(names)} > {chance.random():.3f}) {{ {line} "
+                    f"{chance.choice(names)} = sin({a}); }} else {{ {b} = {a} * .5; }}")
+        lines.append(line)
+    return surface("alive", lines + ["f = " + " + ".join(names) + ";"])
+
+
 def spline(knots, seed=3):
     chance = random.Random(seed)
     values = ", ".join(f"{chance.random():.3f}" for _ in range(knots))
@@ -100,14 +115,9 @@ INPUTS = {
     "straight2000": straight(2000),
     "straight8000": straight(8000),
     "branches8000": branches(8000, 3200),
+    "alive64": many_alive(8000, 3200, 64),
     "spline5000": spline(5000),
     "noises2000": noises(2000),
     "selects2000": selects(2000),
     "lobes96": lobes(96),
 }
-
-if __name__ == "__main__":
-    import sys
-    for name, text in INPUTS.items():
-        with open(f"{sys.argv[1]}/{name}.sl", "w", encoding="utf-8") as file:
-            file.write(text)

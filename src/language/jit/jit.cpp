@@ -24,17 +24,20 @@ namespace orc = llvm::orc;
 using Functions = std::span<const ir::Function *const>;
 using Codes = std::vector<ShaderFunction>;
 
+static std::string failure(const std::string &of, const std::string &why) {
+    return "no code can be made for " + of + ": " + why;
+}
+
 struct Jit::State {
     State(const JitOptions &, DiagnosticSink &);
 
     void createLinker();
     void defineSymbols();
     std::string keyOf(Functions) const;
-    Codes make(Functions, const std::string &key);
+    Codes make(Functions, const std::string &key, DiagnosticSink &);
     /// No codes, and what is wrong, if the object can't be linked.
     Codes link(const std::string &object, const std::vector<NamedFunction> &, std::string &error);
-    std::string compileObject(const std::vector<NamedFunction> &);
-    void fail(const std::string &what);
+    std::string compileObject(const std::vector<NamedFunction> &, std::string &error);
 
     JitOptions options;
     DiagnosticSink &sink;
@@ -67,14 +70,15 @@ Jit::State::State(const JitOptions &given, DiagnosticSink &diagnostics)
     if (target)
         createLinker();
     else
-        fail("no code can be generated for CPU \"" + cpuOf(given) + "\" at width " +
-             std::to_string(given.width));
+        sink.error({},
+                   failure("CPU \"" + cpuOf(given) + "\" at width " + std::to_string(given.width),
+                           "LLVM knows no such CPU or width"));
 }
 
 void Jit::State::createLinker() {
     auto created = orc::LLJITBuilder().setPlatformSetUp(orc::setUpInactivePlatform).create();
     if (!created)
-        return fail(llvm::toString(created.takeError()));
+        return sink.error({}, failure("this process", llvm::toString(created.takeError())));
     linker = std::move(*created);
     // Errors come back from where they are met as well, and are reported there.
     linker->getExecutionSession().setErrorReporter(
@@ -107,7 +111,7 @@ void Jit::State::defineSymbols() {
     define("memcpy", &std::memcpy);
     define("memmove", &std::memmove);
     if (auto error = linker->getMainJITDylib().define(orc::absoluteSymbols(std::move(symbols)))) {
-        fail(llvm::toString(std::move(error)));
+        sink.error({}, failure("this process", llvm::toString(std::move(error))));
         linker.reset();
     }
 }
@@ -125,19 +129,15 @@ std::string Jit::State::keyOf(Functions functions) const {
     return hash.text();
 }
 
-void Jit::State::fail(const std::string &what) {
-    sink.error({}, "compiling a shader failed: " + what);
-}
-
-std::string Jit::State::compileObject(const std::vector<NamedFunction> &functions) {
+std::string Jit::State::compileObject(const std::vector<NamedFunction> &functions,
+                                      std::string &error) {
     CompilerResult result = compileFunctions(functions, *target, EmitForm::Object);
-    if (!result.error.empty())
-        fail(functions[0].function->name + ": " + result.error);
+    error = result.error;
     std::lock_guard lock(mutex);
     statistics.compiled += int(functions.size());
     statistics.secondsOptimising += result.secondsOptimising;
     statistics.secondsEmitting += result.secondsEmitting;
-    return result.error.empty() ? result.bytes : std::string();
+    return std::move(result.bytes);
 }
 
 Codes Jit::State::link(const std::string &object, const std::vector<NamedFunction> &functions,
@@ -169,7 +169,7 @@ Codes Jit::State::link(const std::string &object, const std::vector<NamedFunctio
     return error.empty() ? codes : Codes();
 }
 
-Codes Jit::State::make(Functions given, const std::string &key) {
+Codes Jit::State::make(Functions given, const std::string &key, DiagnosticSink &told) {
     std::vector<NamedFunction> functions;
     for (const ir::Function *function : given)
         functions.push_back({function, "shader_" + key + "_" + std::to_string(functions.size())});
@@ -187,12 +187,12 @@ Codes Jit::State::make(Functions given, const std::string &key) {
         cache.remove(key);
         error.clear();
     }
-    const std::string object = compileObject(functions);
-    Codes codes = object.empty() ? Codes() : link(object, functions, error);
-    if (!error.empty())
-        fail(given[0]->name + ": " + error);
-    if (codes.empty())
+    const std::string object = compileObject(functions, error);
+    Codes codes = error.empty() ? link(object, functions, error) : Codes();
+    if (codes.empty()) {
+        told.error({}, failure(given[0]->name, error));
         return Codes(functions.size());
+    }
     cache.store(key, object);
     return codes;
 }
@@ -204,10 +204,11 @@ Jit::~Jit() = default;
 
 ShaderFunction Jit::compile(const ir::Function &function) {
     const ir::Function *one[] = {&function};
-    return compile(one)[0];
+    return compile(one, state_->sink)[0];
 }
 
-std::vector<ShaderFunction> Jit::compile(std::span<const ir::Function *const> functions) {
+std::vector<ShaderFunction> Jit::compile(std::span<const ir::Function *const> functions,
+                                         DiagnosticSink &told) {
     State &state = *state_;
     if (!state.linker || functions.empty())
         return Codes(functions.size());
@@ -220,7 +221,7 @@ std::vector<ShaderFunction> Jit::compile(std::span<const ir::Function *const> fu
             return *entry->second;
         }
     }
-    Codes codes = state.make(functions, key);
+    Codes codes = state.make(functions, key, told);
     {
         std::lock_guard lock(state.mutex);
         state.modules[key] = codes;
@@ -235,7 +236,7 @@ std::string Jit::emit(const ir::Function &function, bool assembly) {
     CompilerResult result = compileFunctions({{&function, "shader"}}, *state_->target,
                                              assembly ? EmitForm::Assembly : EmitForm::Ir);
     if (!result.error.empty())
-        state_->fail(function.name + ": " + result.error);
+        state_->sink.error({}, failure(function.name, result.error));
     return result.bytes;
 }
 

@@ -37,8 +37,8 @@ public:
     /// function) if LLVM fails. The code lives as long as the Jit.
     ShaderFunction compile(const ir::Function &);
     /// The same for functions that are compiled together, as one module: null for all of them if
-    /// any fails.
-    std::vector<ShaderFunction> compile(std::span<const ir::Function *const>);
+    /// any fails, which this sink is told.
+    std::vector<ShaderFunction> compile(std::span<const ir::Function *const>, DiagnosticSink &);
 
     /// LLVM IR after optimisation, or assembly, as `candela compile --emit llvm|asm` prints it.
     std::string emit(const ir::Function &, bool assembly);

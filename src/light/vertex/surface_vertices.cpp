@@ -127,7 +127,7 @@ void SurfaceVertices::prepare(const float *const *ambient) {
     args.outputs = outputs;
     args.frame = storage_.frame[0];
     args.ambient = ambient;
-    question.code(&args);
+    question.ask(args);
     const int Oi = question.output("Oi"), Ca = question.output("Ca");
     for (int c = 0; c < colorSamples; ++c) {
         clampOpacities(points.count, outputs[Oi + c]);
@@ -146,7 +146,7 @@ void SurfaceVertices::scatter(const ConstVec3Planes &direction, const std::int32
     args.frame = storage_.frame[0];
     args.answeredRequest = answered;
     args.sampleLight = light;
-    question.code(&args);
+    question.ask(args);
 }
 
 void SurfaceVertices::shade(int sampleCount, float *const *L, float *const *Cl,
@@ -169,7 +169,7 @@ void SurfaceVertices::shade(int sampleCount, float *const *L, float *const *Cl,
     args.sampleStride = capacity_;
     args.sampleLight = light;
     args.ambient = ambient;
-    question.code(&args);
+    question.ask(args);
 }
 
 } // namespace candela

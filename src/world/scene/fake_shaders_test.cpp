@@ -116,9 +116,9 @@ int QuestionCode::output(std::string_view name) const {
     return -1;
 }
 
-ShaderCode::ShaderCode(ir::LoweredShader shader, ir::LightRule, std::shared_ptr<Jit> jit,
+ShaderCode::ShaderCode(ir::LoweredShader shader, ir::LightRule rule, std::shared_ptr<Jit> jit,
                        std::shared_ptr<const ShaderMessages>)
-    : shader_(std::move(shader)), jit_(std::move(jit)) {
+    : shader_(std::move(shader)), rule_(rule), jit_(std::move(jit)) {
     facts_.emits = name() == "glow";
     facts_.opaqueIfOsIs1 = name() != "glass";
     auto set = [&](ir::Question question, std::initializer_list<const char *> outputs,
@@ -162,6 +162,7 @@ struct ShaderLibrary::State {
 ShaderLibrary::ShaderLibrary(ShaderLibrarySettings, DiagnosticSink &)
     : state_(std::make_unique<State>()) {}
 ShaderLibrary::~ShaderLibrary() = default;
+void ShaderLibrary::makeReady() {}
 
 std::optional<std::vector<ShaderLookup::ParameterType>>
 ShaderLibrary::parametersOf(ShaderKind, const std::string &, const Options &,
