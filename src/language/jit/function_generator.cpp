@@ -3,6 +3,7 @@
 #include "language/jit/function_generator.h"
 
 #include "foundation/units/color.h"
+#include "language/ir/core/op_info.h"
 #include "language/jit/arithmetic.h"
 #include "language/jit/array_memory.h"
 #include "language/jit/function_pieces.h"
@@ -20,6 +21,7 @@ namespace {
 
 using ir::Instruction;
 using ir::Op;
+using ir::OpClass;
 using ir::Rate;
 using ir::Region;
 
@@ -47,7 +49,7 @@ private:
     void loadAtHead(const Region &);
     void emit(const Instruction &);
     void emitControl(const Instruction &);
-    /// From Op::Add to Op::IntegerFromFloat.
+    /// Of values alone.
     Value *operation(const Instruction &);
     /// The results of what takes a value from outside; none of other instructions.
     Values source(const Instruction &);
@@ -179,10 +181,16 @@ FunctionGenerator::Standing FunctionGenerator::exchangeStanding(Standing next) {
 void FunctionGenerator::emit(const Instruction &i) {
     if (spills_ && isLoadedAtHead(i.op))
         return;
-    if (i.op >= Op::Add && i.op <= Op::IntegerFromFloat)
-        return values_.set(i.results[0], operation(i));
-    if (i.op >= Op::If && i.op <= Op::LightLoop)
-        return emitControl(i);
+    switch (ir::info(i.op).kind) {
+    case OpClass::Arithmetic:
+    case OpClass::Transcendental:
+    case OpClass::Comparison:
+    case OpClass::Logic:
+    case OpClass::Choice:
+    case OpClass::Conversion: return values_.set(i.results[0], operation(i));
+    case OpClass::Control: return emitControl(i);
+    default: break;
+    }
     const Values given = source(i);
     for (std::size_t k = 0; k < given.size(); ++k)
         values_.set(i.results[k], given[k]);
@@ -193,7 +201,7 @@ void FunctionGenerator::emit(const Instruction &i) {
 Value *FunctionGenerator::operation(const Instruction &i) {
     const Rate rate = values_.rate(i.results[0]);
     const auto operand = [&](int k) { return values_.get(i.operands[k], rate); };
-    if (i.op > Op::Pow)
+    if (!ir::isFloatArithmetic(i.op))
         return logicOperation(code_, i.op, rate, operand);
     auto *a = operand(0), *b = operand(int(i.operands.size()) - 1);
     return floatOperation(code_, i.op, a, b);

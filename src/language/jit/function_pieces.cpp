@@ -34,7 +34,7 @@ int ownWeight(const Instruction &i) {
     case Op::Loop: return 4 + int(i.results.size());
     case Op::Call: return 4 + int(i.operands.size() + i.results.size());
     case Op::Print: return 20 + int(i.operands.size());
-    default: return i.op >= Op::Sin && i.op <= Op::Pow ? 4 : 1;
+    default: return ir::info(i.op).kind == ir::OpClass::Transcendental ? 4 : 1;
     }
 }
 

@@ -2,6 +2,7 @@
 #include "language/ir/interpret/interpreter.h"
 
 #include "foundation/units/color.h"
+#include "language/ir/core/evaluate.h"
 #include "language/ir/core/op_info.h"
 #include "language/ir/core/print_format.h"
 #include "language/runtime/runtime_functions.h"

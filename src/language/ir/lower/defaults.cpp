@@ -3,6 +3,8 @@
 
 #include "language/ir/core/builder_effects.h"
 #include "language/ir/core/builder_sources.h"
+#include "language/ir/core/op_info.h"
+#include "language/ir/core/regions.h"
 #include "language/ir/interpret/interpreter.h"
 #include "language/ir/lower/cleanup.h"
 #include "language/ir/lower/control.h"
@@ -31,21 +33,12 @@ SpacedDefault splitSpace(const sl::Expr &expr) {
 }
 
 bool needsRenderer(const Region &region) {
-    return std::any_of(region.body.begin(), region.body.end(), [](const Instruction &i) {
-        switch (i.op) {
-        case Op::Input:
-        case Op::Parameter:
-        case Op::Variable:
-        case Op::Space:
-        case Op::SpaceInverse:
-        case Op::Object:
-        case Op::ObjectInverse:
-        case Op::Random:
-        case Op::LightLoop:
-        case Op::Answer:
-        case Op::Ambient:
-        case Op::Irradiance: return true;
-        default: return std::any_of(i.regions.begin(), i.regions.end(), needsRenderer);
+    return anyInstruction(region, [](const Instruction &i) {
+        switch (info(i.op).kind) {
+        case OpClass::Source:
+        case OpClass::Random:
+        case OpClass::Light: return true;
+        default: return i.op == Op::LightLoop;
         }
     });
 }

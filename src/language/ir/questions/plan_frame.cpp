@@ -4,6 +4,7 @@
 #include "language/ir/core/builder_arithmetic.h"
 #include "language/ir/core/builder_effects.h"
 #include "language/ir/core/builder_sources.h"
+#include "language/ir/core/regions.h"
 #include "language/ir/questions/plan.h"
 #include "language/ir/transform/dead_code.h"
 
@@ -18,18 +19,12 @@ namespace {
 /// there costs memory in every frame.
 constexpr int scatterRecomputes = 1, viewRecomputes = 24;
 
-void collectLoads(const Region &region, std::set<ValueId> &loads) {
-    for (const Instruction &i : region.body) {
-        if (i.op == Op::FrameLoad)
-            loads.insert(ValueId(i.immediate));
-        for (const Region &inner : i.regions)
-            collectLoads(inner, loads);
-    }
-}
-
 std::set<ValueId> loadsOf(const Function &function) {
     std::set<ValueId> loads;
-    collectLoads(function.body, loads);
+    forEachInstruction(function.body, [&](const Instruction &i) {
+        if (i.op == Op::FrameLoad)
+            loads.insert(ValueId(i.immediate));
+    });
     return loads;
 }
 

@@ -7,6 +7,7 @@
 #include "language/ir/core/builder_light.h"
 #include "language/ir/core/builder_sources.h"
 #include "language/ir/core/builder_vectors.h"
+#include "language/ir/core/regions.h"
 
 #include <iterator>
 #include <numbers>
@@ -19,14 +20,14 @@ struct Asks {
     bool loops = false, ambient = false, irradiance = false;
 };
 
-void note(const Region &region, Asks &asks) {
-    for (const Instruction &i : region.body) {
+Asks asksOf(const Function &function) {
+    Asks asks;
+    forEachInstruction(function.body, [&](const Instruction &i) {
         asks.loops |= i.op == Op::LightLoop;
         asks.ambient |= i.op == Op::Ambient;
         asks.irradiance |= i.op == Op::Irradiance;
-        for (const Region &inner : i.regions)
-            note(inner, asks);
-    }
+    });
+    return asks;
 }
 
 /// The sum over all light of Cl (N.L), on the side that is seen.
@@ -71,8 +72,7 @@ void addTo(Op op, const Values &more, Function &function, Region &region) {
 } // namespace
 
 Function applyLightRule(const Function &whole, LightRule rule) {
-    Asks asks;
-    note(whole.body, asks);
+    const Asks asks = asksOf(whole);
     if (rule == LightRule::Classic || asks.loops || (!asks.ambient && !asks.irradiance))
         return whole;
     Function result = whole;
