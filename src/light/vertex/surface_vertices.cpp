@@ -128,7 +128,7 @@ void SurfaceVertices::prepare(const float *const *ambient) {
     args.outputs = outputs;
     args.frame = storage_.frame[0];
     args.ambient = ambient;
-    question.code(&args);
+    question.ask(args);
     const int Oi = question.output(ir::OutputKind::Oi), Ca = question.output(ir::OutputKind::Ca);
     for (int c = 0; c < colorSamples; ++c) {
         clampOpacities(points.count, outputs[Oi + c]);
@@ -147,7 +147,7 @@ void SurfaceVertices::scatter(const ConstVec3Planes &direction, const std::int32
     args.frame = storage_.frame[0];
     args.answeredRequest = answered;
     args.sampleLight = light;
-    question.code(&args);
+    question.ask(args);
 }
 
 void SurfaceVertices::shade(int sampleCount, float *const *L, float *const *Cl,
@@ -170,7 +170,7 @@ void SurfaceVertices::shade(int sampleCount, float *const *L, float *const *Cl,
     args.sampleStride = capacity_;
     args.sampleLight = light;
     args.ambient = ambient;
-    question.code(&args);
+    question.ask(args);
 }
 
 } // namespace candela

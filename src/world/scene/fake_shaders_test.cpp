@@ -111,9 +111,9 @@ ir::LoweredShader lowered(const std::string &name, const std::set<std::string> &
 
 int QuestionCode::output(ir::OutputKind kind) const { return ir::slotOf(function.outputs, kind); }
 
-ShaderCode::ShaderCode(ir::LoweredShader shader, ir::LightRule, std::shared_ptr<Jit> jit,
+ShaderCode::ShaderCode(ir::LoweredShader shader, ir::LightRule rule, std::shared_ptr<Jit> jit,
                        std::shared_ptr<const ShaderMessages>)
-    : shader_(std::move(shader)), jit_(std::move(jit)) {
+    : shader_(std::move(shader)), rule_(rule), jit_(std::move(jit)) {
     facts_.emits = name() == "glow";
     facts_.opaqueIfOsIs1 = name() != "glass";
     auto set = [&](ir::Question question, std::initializer_list<ir::OutputKind> outputs,
@@ -157,6 +157,7 @@ struct ShaderLibrary::State {
 ShaderLibrary::ShaderLibrary(ShaderLibrarySettings, DiagnosticSink &)
     : state_(std::make_unique<State>()) {}
 ShaderLibrary::~ShaderLibrary() = default;
+void ShaderLibrary::makeReady() {}
 
 std::optional<std::vector<ShaderLookup::ParameterType>>
 ShaderLibrary::parametersOf(ShaderKind, const std::string &, const Options &,

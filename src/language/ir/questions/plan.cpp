@@ -63,8 +63,9 @@ Function specializeUnder(const Plan &plan, const Assumption &assumption, OutputK
     return result;
 }
 
-std::unique_ptr<Plan> makePlan(const Function &whole) {
-    auto plan = std::make_unique<Plan>();
+std::shared_ptr<const Plan> makePlan(const Function &whole) {
+    auto plan = std::make_shared<Plan>();
+    plan->whole = whole;
     plan->text = whole;
     removeDeadCode(plan->text);
     plan->coneTests = addConeTests(plan->text);
@@ -73,6 +74,7 @@ std::unique_ptr<Plan> makePlan(const Function &whole) {
     plan->framed = plan->dependence.staticRequests;
     plan->cones = conesOf(plan->text, plan->dependence, plan->framed);
     readFacts(*plan);
+    plan->frame = planFrame(*plan);
     return plan;
 }
 

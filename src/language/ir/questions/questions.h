@@ -59,8 +59,11 @@ struct SurfaceFacts {
     int notStaticLine = 0;
 };
 
-/// A function's facts; `path` rule as for slice().
-SurfaceFacts surfaceFacts(const Function &whole);
+/// What slicing must know of a surface shader's text before it answers any question.
+struct Plan;
+/// Made once, for all questions to the shader. `whole` is a lowered shader to which folding and the
+/// light rule have been applied.
+std::shared_ptr<const Plan> makePlan(const Function &whole);
 
 /// What is known of a light shader without running it.
 struct LightFacts {
@@ -70,8 +73,13 @@ struct LightFacts {
 };
 LightFacts lightFacts(const Function &whole);
 
+SurfaceFacts surfaceFacts(const Plan &);
+
 /// The function that answers the question, with dead code gone, ready to interpret or compile.
-/// `whole` is a lowered shader to which folding and the light rule have been applied.
+Function slice(const Plan &, Question);
+
+/// The same with a plan of their own; light shaders have none.
+SurfaceFacts surfaceFacts(const Function &whole);
 Function slice(const Function &whole, Question);
 
 } // namespace candela::ir

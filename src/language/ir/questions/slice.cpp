@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/ir/analyse/affine.h"
 #include "language/ir/analyse/opacity.h"
+#include "language/ir/questions/emission.h"
 #include "language/ir/questions/plan.h"
 #include "language/ir/questions/questions.h"
 #include "language/ir/transform/dead_code.h"
@@ -32,7 +33,7 @@ std::vector<Question> questionsOf(sl::ShaderKind kind) {
 namespace {
 
 Function sliceFramed(const Plan &plan, Question question) {
-    FramePlan frame = planFrame(plan);
+    const FramePlan &frame = plan.frame;
     Function result;
     switch (question) {
     case Question::Surface: result = specializeSurface(plan, frame.all); break;
@@ -46,81 +47,30 @@ Function sliceFramed(const Plan &plan, Question question) {
     return result;
 }
 
-void removeAll(Op op, Region &region) {
-    std::erase_if(region.body, [op](const Instruction &i) { return i.op == op; });
-    for (Instruction &i : region.body)
-        for (Region &inner : i.regions)
-            removeAll(op, inner);
-}
-
-/// The planes that one emission's nine numbers go to, in the order of its operands.
-std::vector<OutputSlot> emissionOutputs(int emission, int colorSamples) {
-    std::vector<OutputSlot> slots;
-    for (const OutputKind kind :
-         {OutputKind::ConePosition, OutputKind::ConeAxis, OutputKind::ConeAngle,
-          OutputKind::ConeExponent, OutputKind::ConeImportance})
-        for (int c = 0; c < componentsOf(kind, colorSamples); ++c)
-            slots.push_back({{kind, emission}, c});
-    return slots;
-}
-
-std::vector<OutputSlot> emissionOutputs(const Function &whole) {
-    std::vector<OutputSlot> slots;
-    for (int n = 0; n < int(whole.emissions.size()); ++n)
-        for (const OutputSlot &slot : emissionOutputs(n, whole.colors.samples))
-            slots.push_back(slot);
-    return slots;
-}
-
-/// Puts outputs where the region states emissions.
-void writeEmissions(Region &region, const std::vector<OutputSlot> &slots) {
-    std::vector<Instruction> body;
-    for (Instruction &i : region.body) {
-        for (Region &inner : i.regions)
-            writeEmissions(inner, slots);
-        if (i.op != Op::EmissionCone) {
-            body.push_back(std::move(i));
-            continue;
-        }
-        const int first = slotOf(slots, {OutputKind::ConePosition, i.immediate});
-        for (int k = 0; k < int(i.operands.size()); ++k)
-            body.push_back({.op = Op::Output,
-                            .operands = {i.operands[size_t(k)]},
-                            .results = {},
-                            .regions = {},
-                            .immediate = first + k,
-                            .line = i.line});
-    }
-    region.body = std::move(body);
-}
-
-Function sliceEmission(const Function &whole) {
+/// Shade and the questions to lights, which take the text as it is.
+Function sliceWhole(const Function &whole, Question question) {
+    if (question == Question::Emission)
+        return sliceEmission(whole);
     Function result = whole;
-    removeAll(Op::Print, result.body);
-    removeAll(Op::Output, result.body);
-    result.outputs = emissionOutputs(whole);
-    writeEmissions(result.body, result.outputs);
+    if (question == Question::Shade)
+        removeAll(Op::Print, result.body);
+    removeAll(Op::EmissionCone, result.body);
     removeDeadCode(result);
     return result;
 }
 
-Function sliceQuestion(const Function &whole, Question question) {
+bool takesWhole(Question question) {
+    return question == Question::Shade || question == Question::Light ||
+           question == Question::Emission;
+}
+
+Function sliceQuestion(const Plan &plan, Question question) {
+    if (takesWhole(question))
+        return sliceWhole(plan.whole, question);
     switch (question) {
-    case Question::Shade:
-    case Question::Light: {
-        Function result = whole;
-        if (question == Question::Shade)
-            removeAll(Op::Print, result.body);
-        removeAll(Op::EmissionCone, result.body);
-        removeDeadCode(result);
-        return result;
-    }
-    case Question::Emission: return sliceEmission(whole);
-    case Question::Emit:
-        return specializeUnder(*makePlan(whole), {}, OutputKind::Ci, OutputKind::Ce);
-    case Question::Opacity:
-        return specializeUnder(*makePlan(whole), {}, OutputKind::Oi, OutputKind::Oi);
-    default: return sliceFramed(*makePlan(whole), question);
+    case Question::Emit: return specializeUnder(plan, {}, OutputKind::Ci, OutputKind::Ce);
+    case Question::Opacity: return specializeUnder(plan, {}, OutputKind::Oi, OutputKind::Oi);
+    default: return sliceFramed(plan, question);
     }
 }
 
@@ -139,6 +89,11 @@ std::vector<ConeSlot> coneSlots(const Plan &plan) {
     return slots;
 }
 
+Function named(Function function, const Function &whole, Question question) {
+    function.name = whole.name + "." + nameOf(question);
+    return function;
+}
+
 bool hasLoops(const Plan &plan) {
     for (const Instruction *i : plan.dependence.request)
         if (i && i->op == Op::LightLoop)
@@ -148,44 +103,31 @@ bool hasLoops(const Plan &plan) {
 
 } // namespace
 
-Function slice(const Function &whole, Question question) {
-    Function result = sliceQuestion(whole, question);
-    result.name = whole.name + "." + nameOf(question);
-    return result;
+Function slice(const Plan &plan, Question question) {
+    return named(sliceQuestion(plan, question), plan.whole, question);
 }
 
-SurfaceFacts surfaceFacts(const Function &whole) {
-    auto plan = makePlan(whole);
+Function slice(const Function &whole, Question question) {
+    return takesWhole(question) ? named(sliceWhole(whole, question), whole, question)
+                                : slice(*makePlan(whole), question);
+}
+
+SurfaceFacts surfaceFacts(const Plan &plan) {
     SurfaceFacts facts;
-    facts.cones = coneSlots(*plan);
-    facts.hasLoops = hasLoops(*plan);
-    facts.readsAmbient = plan->readsAmbient;
-    for (bool emits : plan->emits)
+    facts.cones = coneSlots(plan);
+    facts.hasLoops = hasLoops(plan);
+    facts.readsAmbient = plan.readsAmbient;
+    for (bool emits : plan.emits)
         facts.emits |= emits;
-    facts.opaqueIfOsIs1 = opaqueIfOsIs1(slice(whole, Question::Opacity));
-    AffineProof proof = proveAffine(whole);
+    facts.opaqueIfOsIs1 = opaqueIfOsIs1(slice(plan, Question::Opacity));
+    AffineProof proof = proveAffine(plan.whole);
     facts.affine = proof.affine;
     facts.notAffineLine = proof.line;
-    facts.staticRequests = plan->dependence.staticRequests;
-    facts.notStaticLine = plan->dependence.notStaticLine;
+    facts.staticRequests = plan.dependence.staticRequests;
+    facts.notStaticLine = plan.dependence.notStaticLine;
     return facts;
 }
 
-LightFacts lightFacts(const Function &whole) {
-    LightFacts facts;
-    const Function emission = slice(whole, Question::Emission);
-    for (int n = 0; n < int(whole.emissions.size()); ++n) {
-        const auto plane = [&](OutputKind kind) { return slotOf(emission.outputs, {kind, n}); };
-        facts.cones.push_back({.request = n,
-                               .axis = plane(OutputKind::ConeAxis),
-                               .position = plane(OutputKind::ConePosition),
-                               .angle = plane(OutputKind::ConeAngle),
-                               .exponent = plane(OutputKind::ConeExponent),
-                               .importance = plane(OutputKind::ConeImportance)});
-    }
-    for (int c = 0; c < 3; ++c)
-        facts.conesAreTheLights &= !emission.inputsRead[size_t(ShaderInput::Ps) + size_t(c)];
-    return facts;
-}
+SurfaceFacts surfaceFacts(const Function &whole) { return surfaceFacts(*makePlan(whole)); }
 
 } // namespace candela::ir

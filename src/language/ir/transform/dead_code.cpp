@@ -140,4 +140,11 @@ private:
 
 void removeDeadCode(Function &function) { DeadCode(function).run(); }
 
+void removeAll(Op op, Region &region) {
+    std::erase_if(region.body, [op](const Instruction &i) { return i.op == op; });
+    for (Instruction &i : region.body)
+        for (Region &inner : i.regions)
+            removeAll(op, inner);
+}
+
 } // namespace candela::ir
