@@ -167,6 +167,7 @@ private:
         case Op::ArrayLoad:
         case Op::Random:
         case Op::LightLoop:
+        case Op::Slope: // L changes with P.
         case Op::Answer: return {Degree::Unknown, 0};
         default: return steady(i);
         }

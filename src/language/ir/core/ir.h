@@ -17,6 +17,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,10 @@ enum class Op : std::uint8_t {
 #include "language/ir/core/ops.def"
 #undef IR_OP
 };
+
+/// What Slope differentiates by: the surface parameters u and v.
+enum class Direction : std::uint8_t { U, V };
+inline constexpr int directionCount = 2;
 
 struct Instruction;
 
@@ -86,10 +91,12 @@ struct Array {
     int size = 0;
 };
 
-/// A float of the instance's parameter block.
+/// A float of the instance's parameter block, or a plane of a variable that overrides one.
 struct ParameterSlot {
     std::string name; ///< The shader parameter it is a component of; or a hidden one ("shader").
     int component = 0;
+    /// Variables: the plane holds not the component but its derivative.
+    std::optional<Direction> slope = std::nullopt;
 };
 
 /// What an output plane holds: "Ci" 0..2, "cone 0 axis" 0..2, ...
@@ -126,6 +133,8 @@ struct Function {
 /// The function as text, for `--emit ir`, tests and people.
 std::string print(const Function &);
 /// What is wrong with it: types, rates, uses before definitions, arities; empty if nothing is.
-std::string verify(const Function &);
+/// Slopes are wrong in what is to be run: only texts whose derivatives are yet to be written may
+/// have them.
+std::string verify(const Function &, bool mayHaveSlopes = false);
 
 } // namespace candela::ir

@@ -18,7 +18,7 @@ struct OpInfo {
 const OpInfo &info(Op);
 /// What a letter of ops.def stands for: f, b, i or s.
 Type typeOf(char letter);
-inline constexpr int opCount = int(Op::CategoryAccepts) + 1;
+inline constexpr int opCount = int(Op::Slope) + 1;
 
 /// ConstFloat, ConstBool, ConstInteger, ConstString.
 bool isConstant(Op);

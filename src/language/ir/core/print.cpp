@@ -101,6 +101,7 @@ private:
             const ParameterSlot &known = function_.parameters[i.immediate];
             return fmt::format(" {} \"{}\".{}", i.immediate, known.name, known.component);
         }
+        case Op::Slope: return i.immediate == int(Direction::U) ? " by u" : " by v";
         case Op::Variable:
         case Op::ArrayLoad:
         case Op::ArrayStore:

@@ -15,8 +15,9 @@ namespace {
 /// Walks the function with the set of values that are visible; keeps the first fault.
 class Verifier {
 public:
-    explicit Verifier(const Function &function)
-        : function_(function), visible_(function.values.size()), defined_(function.values.size()) {}
+    Verifier(const Function &function, bool mayHaveSlopes)
+        : function_(function), mayHaveSlopes_(mayHaveSlopes), visible_(function.values.size()),
+          defined_(function.values.size()) {}
 
     std::string run() {
         if (!function_.body.arguments.empty() || !function_.body.yields.empty())
@@ -117,6 +118,8 @@ private:
         case Op::AnsweredRequest:
             return i.immediate == finiteRequests || below(function_.requests.size());
         case Op::CategoryAccepts: return below(function_.categories.size());
+        case Op::Slope:
+            return expect(i, mayHaveSlopes_, "is not written out") && below(directionCount);
         default: return true;
         }
     }
@@ -238,6 +241,7 @@ private:
     }
 
     const Function &function_;
+    const bool mayHaveSlopes_;
     std::vector<bool> visible_; ///< May be used here.
     std::vector<bool> defined_; ///< Was defined somewhere.
     std::string fault_;
@@ -245,6 +249,8 @@ private:
 
 } // namespace
 
-std::string verify(const Function &function) { return Verifier(function).run(); }
+std::string verify(const Function &function, bool mayHaveSlopes) {
+    return Verifier(function, mayHaveSlopes).run();
+}
 
 } // namespace candela::ir
