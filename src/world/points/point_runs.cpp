@@ -177,8 +177,9 @@ private:
     void color(int variable, bool derivatives, ShaderInput to, ShaderInput byU, ShaderInput byV) {
         float *value[colorSamples], *du[colorSamples], *dv[colorSamples];
         for (int c = 0; c < colorSamples; ++c)
-            value[c] = plane(c), du[c] = plane(colorSamples + c),
-            dv[c] = plane(2 * colorSamples + c);
+            value[c] = plane(c);
+        for (int c = 0; c < colorSamples; ++c)
+            du[c] = plane(colorSamples + c), dv[c] = plane(2 * colorSamples + c);
         surface_.evaluateVariable(variable, run_.query(), value, derivatives ? du : nullptr,
                                   derivatives ? dv : nullptr);
         for (int c = 0; c < colorSamples; ++c) {

@@ -97,11 +97,12 @@ bool differentiate(const sl::TypedShader &shader, Function &function, Diagnostic
 }
 
 /// Local arrays are written out, element by element. Formals are the arrays of their callers.
-bool arraysFit(const sl::TypedShader &shader, DiagnosticSink &sink) {
+bool arraysFit(const sl::TypedShader &shader, int colorSamples, DiagnosticSink &sink) {
     constexpr int mostNumbers = 1 << 16;
     for (const auto &symbol : shader.symbols)
         if (symbol->kind != sl::Symbol::Kind::Formal &&
-            symbol->type.length > mostNumbers / std::max(1, componentCount(symbol->type.base))) {
+            symbol->type.length >
+                mostNumbers / std::max(1, componentCount(symbol->type.base, colorSamples))) {
             sink.report(sl::diagnosticAt(Severity::Error, symbol->where,
                                          "the array \"" + symbol->name + "\" is too large; " +
                                              std::to_string(mostNumbers) +
@@ -124,13 +125,14 @@ std::optional<LoweredShader> lower(const sl::TypedShader &shader,
                                          "shaders are"));
         return std::nullopt;
     }
-    if (!arraysFit(shader, sink))
+    if (!arraysFit(shader, options.colors.samples, sink))
         return std::nullopt;
     LoweredShader lowered;
     lowered.name = shader.name;
     lowered.kind = sl::nameOf(shader.kind);
     lowered.whole.name = shader.name;
-    auto parameters = parametersOf(shader, strings, sink);
+    lowered.whole.colors = options.colors;
+    auto parameters = parametersOf(shader, strings, options.colors, sink);
     if (!parameters)
         return std::nullopt;
     lowered.parameters = std::move(*parameters);
@@ -143,6 +145,11 @@ std::optional<LoweredShader> lower(const sl::TypedShader &shader,
     if (lowering.messages.failed())
         return std::nullopt;
     lowering.b.finish();
+    const auto tell = [&](const char *pass) {
+        if (options.listener)
+            options.listener(pass, lowered.whole);
+    };
+    tell("lower");
     lowered.lightClass = lowering.light.kind;
     if (const auto power = lowering.light.direction
                                ? powerOfDistance(lowered.whole, *lowering.light.direction)
@@ -152,7 +159,9 @@ std::optional<LoweredShader> lower(const sl::TypedShader &shader,
     }
     if (!differentiate(shader, lowered.whole, sink))
         return std::nullopt;
+    tell("derivatives");
     removeUnused(lowered.whole, lowered.parameters);
+    tell("clean up");
     return lowered;
 }
 

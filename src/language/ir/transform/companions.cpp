@@ -5,6 +5,7 @@
 #include "language/ir/core/builder_effects.h"
 #include "language/ir/core/builder_light.h"
 #include "language/ir/core/builder_sources.h"
+#include "language/ir/core/regions.h"
 
 #include <algorithm>
 
@@ -117,8 +118,8 @@ private:
 
     void walkLightLoop(const Instruction &i) {
         const Region &region = i.regions[0];
-        const size_t carried = i.results.size(), fixed = i.operands.size() - carried;
-        const ValueId *arguments = region.arguments.data() + region.arguments.size() - carried;
+        const size_t carried = i.results.size(), fixed = fixedOperands(i);
+        const ValueId *arguments = region.arguments.data() + givenArguments(i);
         const std::vector<Item> items = itemsOf({arguments, arguments + carried});
         const Values request =
             written_.valuesOf({i.operands.begin(), i.operands.begin() + std::ptrdiff_t(fixed)});

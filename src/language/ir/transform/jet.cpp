@@ -2,6 +2,7 @@
 #include "language/ir/transform/jet.h"
 
 #include "language/ir/core/builder.h"
+#include "language/ir/core/regions.h"
 #include "language/ir/transform/dead_code.h"
 #include "language/ir/transform/jet_demand.h"
 #include "language/ir/transform/jet_rules.h"
@@ -11,12 +12,6 @@
 namespace candela::ir {
 
 namespace {
-
-bool hasSlopes(const Region &region) {
-    return std::ranges::any_of(region.body, [](const Instruction &i) {
-        return i.op == Op::Slope || std::ranges::any_of(i.regions, hasSlopes);
-    });
-}
 
 /// All but the code.
 Function tablesOf(const Function &function) {
@@ -56,7 +51,7 @@ void addSlopes(Function &function, const Instruction &output, Direction d,
 } // namespace
 
 SlopeReport expandSlopes(Function &function, int mostValues) {
-    if (!hasSlopes(function.body))
+    if (!anyInstruction(function.body, [](const Instruction &i) { return i.op == Op::Slope; }))
         return {};
     Function old = function;
     removeDeadCode(old);

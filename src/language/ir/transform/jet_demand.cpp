@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/ir/transform/jet_demand.h"
 
+#include "language/ir/core/dataflow.h"
 #include "language/ir/transform/jet_rules.h"
 
 #include <algorithm>
@@ -17,73 +18,31 @@ constexpr Directions everyDirection = (1 << directionCount) - 1;
 constexpr std::array<Direction, directionCount> directions{Direction::U, Direction::V};
 constexpr Directions bit(Direction d) { return Directions(1 << int(d)); }
 
-/// Forward: what changes at all. Directions are only ever added, so sweeping ends.
-class Activity {
-public:
-    explicit Activity(const Function &function)
-        : ofValue(function.values.size()), ofArray_(function.arrays.size()), function_(function) {
-        do {
-            changed_ = false;
-            sweep(function.body);
-        } while (changed_);
-    }
-    std::vector<Directions> ofValue;
+/// What changes at all.
+struct Activity : ForwardAnalysis<Directions> {
+    using ForwardAnalysis::ForwardAnalysis;
 
-private:
-    void add(Directions &to, Directions more) {
-        changed_ |= (more & ~to) != 0;
-        to |= more;
-    }
-    void add(ValueId v, Directions more) { add(ofValue[v], more); }
-    void flow(ValueId from, ValueId to) { add(to, ofValue[from]); }
-
-    void sweep(const Region &region) {
-        for (const Instruction &i : region.body)
-            sweep(i);
-    }
-    void sweep(const Instruction &i) {
-        switch (i.op) {
-        case Op::If:
-            for (const Region &region : i.regions) {
-                sweep(region);
-                for (size_t k = 0; k < i.results.size(); ++k)
-                    flow(region.yields[k], i.results[k]);
-            }
-            return;
-        case Op::Loop:
-        case Op::LightLoop: return sweepLoop(i);
-        case Op::ArrayStore: return add(ofArray_[size_t(i.immediate)], ofValue[i.operands[1]]);
-        case Op::ArrayLoad: return add(i.results[0], ofArray_[size_t(i.immediate)]);
-        default: sweepPlain(i);
-        }
-    }
-    void sweepPlain(const Instruction &i) {
+    Directions result(const Instruction &i, std::size_t, const Enclosing *) const {
+        if (isArrayAccess(i.op))
+            return arrayOf(i);
         Directions all = 0;
         for (Direction d : directions)
-            if (changesWith(function_, i, d))
+            if (changesWith(function, i, d))
                 all |= bit(d);
         for (ValueId v : differentiableOperands(i))
-            all |= ofValue[v];
-        for (ValueId v : i.results)
-            add(v, all);
+            all |= at(v);
+        return all;
     }
-    void sweepLoop(const Instruction &i) {
-        const Region &region = i.regions[0];
-        const size_t fixed = i.operands.size() - i.results.size();
-        const size_t given = region.arguments.size() - i.results.size();
-        for (size_t k = 0; k < given; ++k) // Light.
-            add(region.arguments[k], everyDirection);
-        for (size_t k = 0; k < i.results.size(); ++k) {
-            flow(i.operands[fixed + k], region.arguments[given + k]);
-            flow(region.yields[k], region.arguments[given + k]);
-            flow(region.arguments[given + k], i.results[k]);
-        }
-        sweep(region);
+    Directions array(const Instruction &i, const Enclosing *) const {
+        return i.op == Op::ArrayStore ? arrayOf(i) | at(i, 1) : arrayOf(i);
     }
-
-    std::vector<Directions> ofArray_;
-    const Function &function_;
-    bool changed_ = false;
+    Directions given(const Instruction &, std::size_t) const { return everyDirection; }
+    Directions flow(const Flow &flow, const Enclosing *) const {
+        Directions all = 0;
+        for (ValueId v : flow.from)
+            all |= at(v);
+        return all;
+    }
 };
 
 /// All orders at or below these in both directions.
@@ -115,8 +74,8 @@ Parts possible(Directions active) {
 /// Backward: what the Slopes need.
 class Demand {
 public:
-    explicit Demand(const Function &function)
-        : function_(function), active_(Activity(function).ofValue) {
+    explicit Demand(const Function &function) : function_(function), active_(function) {
+        solve(active_);
         for (Directions d = 0; d <= everyDirection; ++d)
             possible_[d] = possible(d);
         demand.ofValue.resize(function.values.size());
@@ -135,7 +94,9 @@ private:
         changed_ |= (more & ~to).any();
         to |= more;
     }
-    void add(ValueId v, const Parts &more) { add(demand.ofValue[v], more & possible_[active_[v]]); }
+    void add(ValueId v, const Parts &more) {
+        add(demand.ofValue[v], more & possible_[active_.at(v)]);
+    }
     const Parts &of(ValueId v) const { return demand.ofValue[v]; }
 
     void sweep(const Region &region) {
@@ -169,7 +130,7 @@ private:
     }
     void sweepSlope(const Instruction &i) {
         const auto direction = Direction(i.immediate);
-        if (!(active_[i.operands[0]] & bit(direction)))
+        if (!(active_.at(i, 0) & bit(direction)))
             return;
         Parts raised;
         raised.set(size_t(partOf(Order{}.raised(direction))));
@@ -188,31 +149,25 @@ private:
         add(i.operands[0], raised);
     }
     void sweepLoop(const Instruction &i) {
-        const Region &region = i.regions[0];
-        const size_t fixed = i.operands.size() - i.results.size();
-        const size_t given = region.arguments.size() - i.results.size();
         for (size_t k = 0; k < i.results.size(); ++k) {
-            const ValueId argument = region.arguments[given + k];
+            const ValueId argument = argumentOf(i, k);
             add(argument, of(i.results[k]));
-            add(region.yields[k], of(argument));
-            add(i.operands[fixed + k], of(argument));
+            add(i.regions[0].yields[k], of(argument));
+            add(initialOf(i, k), of(argument));
         }
-        sweep(region);
+        sweep(i.regions[0]);
     }
 
     /// Says what the demanded derivatives rest on.
     void note(const Region &region) {
-        for (const Instruction &i : region.body) {
+        forEachInstruction(region, [&](const Instruction &i) {
             for (size_t k = 0; k < i.results.size(); ++k)
                 if (of(i.results[k]).any())
                     note(i, k);
-            if (i.op == Op::LightLoop)
-                for (size_t k = 0; k < i.regions[0].arguments.size() - i.results.size(); ++k)
-                    if (of(i.regions[0].arguments[k]).any())
-                        hold(i, slopeNote(function_, i));
-            for (const Region &inner : i.regions)
-                note(inner);
-        }
+            for (size_t k = 0; i.op == Op::LightLoop && k < givenArguments(i); ++k)
+                if (of(i.regions[0].arguments[k]).any())
+                    hold(i, slopeNote(function_, i));
+        });
     }
     void note(const Instruction &i, size_t result) {
         const Parts &wanted = of(i.results[result]);
@@ -235,7 +190,7 @@ private:
     }
 
     const Function &function_;
-    const std::vector<Directions> active_;
+    Activity active_;
     std::array<Parts, everyDirection + 1> possible_;
     bool changed_ = false;
 };

@@ -3,6 +3,7 @@
 
 #include "language/ir/core/builder_arithmetic.h"
 #include "language/ir/core/builder_sources.h"
+#include "language/ir/core/op_info.h"
 #include "language/ir/transform/jet_lattice.h"
 #include "language/ir/transform/jet_series.h"
 #include "language/ir/transform/jet_sources.h"
@@ -150,18 +151,9 @@ Jet ofPower(const Operation &o) {
     return o.result;
 }
 
-/// Of floats with one result that follow from their operands alone.
-Rule ruleOf(Op op) {
+/// Of what has the rule Chain.
+Rule chainRuleOf(Op op) {
     switch (op) {
-    case Op::Add: return ofSum;
-    case Op::Sub: return ofDifference;
-    case Op::Mul: return ofProduct;
-    case Op::Div: return ofQuotient;
-    case Op::Neg: return ofNegative;
-    case Op::Abs: return ofAbsolute;
-    case Op::Min: return ofMinimum;
-    case Op::Max: return ofMaximum;
-    case Op::Select: return ofSelect;
     case Op::Sqrt: return ofSquareRoot;
     case Op::Sin: return ofSine;
     case Op::Cos: return ofCosine;
@@ -169,41 +161,60 @@ Rule ruleOf(Op op) {
     case Op::Asin: return ofArcSine;
     case Op::Acos: return ofArcCosine;
     case Op::Atan: return ofArcTangent;
-    case Op::Atan2: return ofAngle;
     case Op::Exp: return ofExponential;
     case Op::Log: return ofLogarithm;
-    case Op::Pow: return ofPower;
+    default: return nullptr;
+    }
+}
+
+/// Of floats with one result that follow from their operands alone.
+Rule ruleOf(Op op) {
+    switch (info(op).slope) {
+    case SlopeRule::Sum: return ofSum;
+    case SlopeRule::Difference: return ofDifference;
+    case SlopeRule::Product: return ofProduct;
+    case SlopeRule::Quotient: return ofQuotient;
+    case SlopeRule::Negation: return ofNegative;
+    case SlopeRule::Magnitude: return ofAbsolute;
+    case SlopeRule::Least: return ofMinimum;
+    case SlopeRule::Greatest: return ofMaximum;
+    case SlopeRule::Choice: return ofSelect;
+    case SlopeRule::Angle: return ofAngle;
+    case SlopeRule::Power: return ofPower;
+    case SlopeRule::Chain: return chainRuleOf(op);
     default: return nullptr;
     }
 }
 
 } // namespace
 
-SlopeKind slopeKind(const Function &function, const Instruction &i) {
-    switch (i.op) {
-    case Op::Input: {
-        const InputSlope::Kind kind = inputSlope(i.immediate).kind;
-        return kind == InputSlope::Still     ? SlopeKind::Zero
-               : kind == InputSlope::Unknown ? SlopeKind::Held
-                                             : SlopeKind::Rule;
-    }
-    case Op::Variable:
+namespace {
+
+SlopeKind kindOfSource(const Function &function, const Instruction &i) {
+    if (i.op == Op::Variable)
         return function.variables[size_t(i.immediate)].slope ? SlopeKind::Held : SlopeKind::Rule;
-    case Op::Answer:
-    case Op::Ambient:
-    case Op::Irradiance: return SlopeKind::Held;
-    case Op::FrameLoad: return SlopeKind::Refused;
-    // Control and memory: what flows through them.
-    case Op::If:
-    case Op::Loop:
-    case Op::LightLoop:
-    case Op::ArrayLoad:
-    case Op::ArrayStore:
-    case Op::Slope: return SlopeKind::Rule;
-    case Op::Call:
+    if (i.op != Op::Input) // Parameters are the same all over a surface.
+        return SlopeKind::Zero;
+    switch (inputSlope(i.immediate).kind) {
+    case InputSlope::Still: return SlopeKind::Zero;
+    case InputSlope::Unknown: return SlopeKind::Held;
+    default: return SlopeKind::Rule;
+    }
+}
+
+} // namespace
+
+SlopeKind slopeKind(const Function &function, const Instruction &i) {
+    switch (info(i.op).slope) {
+    case SlopeRule::None:
+    case SlopeRule::Step: return SlopeKind::Zero;
+    case SlopeRule::Source: return kindOfSource(function, i);
+    case SlopeRule::Held: return SlopeKind::Held;
+    case SlopeRule::Refused: return SlopeKind::Refused;
+    case SlopeRule::Call:
         return runtime::coordinatesOf(RuntimeFunction(i.immediate)) > 0 ? SlopeKind::Rule
                                                                         : SlopeKind::Zero;
-    default: return ruleOf(i.op) ? SlopeKind::Rule : SlopeKind::Zero;
+    default: return SlopeKind::Rule;
     }
 }
 
@@ -262,20 +273,24 @@ int firstRefusedOrder(const Instruction &i, size_t result) {
 }
 
 bool changesWith(const Function &function, const Instruction &i, Direction d) {
+    const SlopeRule rule = info(i.op).slope;
+    if (rule != SlopeRule::Source)
+        return rule == SlopeRule::Held || rule == SlopeRule::Refused;
     if (i.op == Op::Input)
         if (const InputSlope slope = inputSlope(i.immediate); slope.kind == InputSlope::Parameter)
             return slope.by(d) != 0;
-    const bool isSource = i.operands.empty() || i.op == Op::Answer || i.op == Op::Irradiance;
-    return isSource && slopeKind(function, i) != SlopeKind::Zero;
+    return slopeKind(function, i) != SlopeKind::Zero;
 }
 
 std::vector<ValueId> differentiableOperands(const Instruction &i) {
-    if (i.op == Op::Select)
-        return {i.operands[1], i.operands[2]};
-    if (i.op == Op::Call)
+    switch (info(i.op).slope) {
+    case SlopeRule::Choice: return {i.operands[1], i.operands[2]};
+    case SlopeRule::Raised: return i.operands;
+    case SlopeRule::Call:
         return {i.operands.begin(),
                 i.operands.begin() + runtime::coordinatesOf(RuntimeFunction(i.immediate))};
-    return i.op == Op::Slope || ruleOf(i.op) ? i.operands : std::vector<ValueId>{};
+    default: return ruleOf(i.op) ? i.operands : std::vector<ValueId>{};
+    }
 }
 
 namespace {

@@ -29,7 +29,7 @@ int firstHeldOrder(const Instruction &);
 /// Derivatives of this order and beyond of a result are Refused.
 int firstRefusedOrder(const Instruction &, size_t result);
 
-/// Whether a source (an operation without operands) may change with the direction.
+/// Whether a result may change with the direction though no operand does.
 bool changesWith(const Function &, const Instruction &, Direction);
 /// The operands that the derivatives of a plain operation's results depend on.
 std::vector<ValueId> differentiableOperands(const Instruction &);
