@@ -33,7 +33,7 @@ struct SlopeReport {
 };
 
 /// No function grows by more values than this.
-inline constexpr int mostSlopeValues = 20000;
+inline constexpr int mostSlopeValues = 4000;
 
 /// Replaces all Slopes. Faults (then the function stays as it is): derivatives of too high an order
 /// or of noise beyond the second, values from a frame, too many values. Variables that override
