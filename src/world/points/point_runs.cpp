@@ -48,14 +48,17 @@ const std::int32_t *sortByShape(const ShadingPoints &points, std::size_t shapes,
 /// Values of a declared type, or their derivatives, from the surface's own space to current space.
 void placeVariable(const ShapeRun &run, const Declaration &declaration, bool isDerivative,
                    float *const *value) {
+    const bool isPoint = declaration.type == ValueType::Point;
+    const bool isNormal = declaration.type == ValueType::Normal;
+    if (!isPoint && !isNormal && declaration.type != ValueType::Vector)
+        return;
     for (int at = 0; at < declaration.arraySize; ++at) {
-        Vec3Planes planes{value[3 * at], value[3 * at + 1], value[3 * at + 2]};
-        if (declaration.type == ValueType::Vector ||
-            (declaration.type == ValueType::Point && isDerivative))
-            placeVectors(run, planes);
-        else if (declaration.type == ValueType::Point)
+        const Vec3Planes planes{value[3 * at], value[3 * at + 1], value[3 * at + 2]};
+        if (isPoint && !isDerivative)
             placePoints(run, planes);
-        else if (declaration.type == ValueType::Normal) {
+        else if (!isNormal)
+            placeVectors(run, planes);
+        else {
             placeNormals(run, planes);
             for (int k = 0; k < run.count; ++k)
                 planes.set(k, planes.get(k) * run.sign[k]);
