@@ -107,12 +107,14 @@ void PatchSurface::evaluateAs(const SurfaceQuery &query, const SurfaceAnswer &an
                 answer.areaScale[k] = length(normal);
             if (!(length(normal) > leastNormal_[patch])) [[unlikely]]
                 normal = beside<degree, rational>(patch, u, v, at);
-            if (answer.dNdu.x || answer.dNdv.x) {
+            if (answer.dNdu.x || answer.dNdv.x || answer.dNgdu.x || answer.dNgdv.x) {
                 auto derivatives = normalDerivatives<degree, rational>(patch, u, v, at);
-                if (answer.dNdu.x)
-                    answer.dNdu.set(k, derivatives[0]);
-                if (answer.dNdv.x)
-                    answer.dNdv.set(k, derivatives[1]);
+                for (const Vec3Planes &byU : {answer.dNdu, answer.dNgdu})
+                    if (byU.x)
+                        byU.set(k, derivatives[0]);
+                for (const Vec3Planes &byV : {answer.dNdv, answer.dNgdv})
+                    if (byV.x)
+                        byV.set(k, derivatives[1]);
             }
             if (answer.P.x)
                 answer.P.set(k, at.P);

@@ -175,7 +175,7 @@ void PolygonSurface::evaluate(const SurfaceQuery &query, const SurfaceAnswer &an
     if (answer.areaScale)
         for (int k = 0; k < count; ++k)
             answer.areaScale[k] = length(pieces_[query.piece[k]].normal);
-    for (const Vec3Planes &derivative : {answer.dNdu, answer.dNdv})
+    for (const Vec3Planes &derivative : {answer.dNdu, answer.dNdv, answer.dNgdu, answer.dNgdv})
         for (int axis = 0; derivative.x && axis < 3; ++axis)
             std::fill_n((&derivative.x)[axis], count, 0.0f);
     if (normal_ && (answer.N.x || answer.dNdu.x || answer.dNdv.x))

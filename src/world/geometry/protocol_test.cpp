@@ -141,8 +141,13 @@ TEST(Protocol, TrianglesOfCollapsedSidesAreCounted) {
     }
 }
 
+/// A unit normal and how it changes.
+struct Turning {
+    Vec3 N, du, dv;
+};
+
 struct Shading {
-    Vec3 P, N, dNdu, dNdv;
+    Vec3 P, N, dNdu, dNdv, Ng, dNgdu, dNgdv;
     float u = 0, v = 0, areaScale = 0;
 };
 
@@ -152,11 +157,16 @@ Shading shadingAt(const Surface &surface, float u, float v) {
     auto planes = [](Vec3 &to) { return Vec3Planes{&to.x, &to.y, &to.z}; };
     answer.P = planes(s.P), answer.N = planes(s.N);
     answer.dNdu = planes(s.dNdu), answer.dNdv = planes(s.dNdv);
+    answer.Ng = planes(s.Ng);
+    answer.dNgdu = planes(s.dNgdu), answer.dNgdv = planes(s.dNgdv);
     answer.u = &s.u, answer.v = &s.v, answer.areaScale = &s.areaScale;
     std::uint32_t piece = 0;
     surface.evaluate({1, &piece, &u, &v}, answer);
-    s.N = normalize(s.N);
+    s.N = normalize(s.N), s.Ng = normalize(s.Ng);
     return s;
+}
+std::array<Turning, 2> normalsOf(const Shading &s) {
+    return {Turning{s.N, s.dNdu, s.dNdv}, Turning{s.Ng, s.dNgdu, s.dNgdv}};
 }
 
 /// Central differences as for P in quadrics_test; unit normals here have derivatives below 30.
@@ -174,13 +184,17 @@ TEST(Protocol, NormalsTurnAsTheirDerivativesSay) {
                 Shading below = shadingAt(*c.surface, u, v - h),
                         above = shadingAt(*c.surface, u, v + h);
                 // The query's coordinates need not be those of shaders: the chain rule.
-                Vec3 byA = s.dNdu * (right.u - left.u) + s.dNdv * (right.v - left.v);
-                Vec3 byB = s.dNdu * (above.u - below.u) + s.dNdv * (above.v - below.v);
-                double scale = 2 * h * (1 + length(s.dNdu) + length(s.dNdv));
-                EXPECT_LT(length(byA - (right.N - left.N)), 5e-3 * scale) << c.name;
-                EXPECT_LT(length(byB - (above.N - below.N)), 5e-3 * scale) << c.name;
-                EXPECT_NEAR(dot(s.dNdu, s.N), 0, 1e-4 * scale / h) << c.name;
-                EXPECT_NEAR(dot(s.dNdv, s.N), 0, 1e-4 * scale / h) << c.name;
+                for (int which : {0, 1}) {
+                    auto unit = [which](const Shading &at) { return normalsOf(at)[which].N; };
+                    const auto [N, dNdu, dNdv] = normalsOf(s)[which];
+                    Vec3 byA = dNdu * (right.u - left.u) + dNdv * (right.v - left.v);
+                    Vec3 byB = dNdu * (above.u - below.u) + dNdv * (above.v - below.v);
+                    double scale = 2 * h * (1 + length(dNdu) + length(dNdv));
+                    EXPECT_LT(length(byA - (unit(right) - unit(left))), 5e-3 * scale) << c.name;
+                    EXPECT_LT(length(byB - (unit(above) - unit(below))), 5e-3 * scale) << c.name;
+                    EXPECT_NEAR(dot(dNdu, N), 0, 1e-4 * scale / h) << c.name;
+                    EXPECT_NEAR(dot(dNdv, N), 0, 1e-4 * scale / h) << c.name;
+                }
             }
     }
 }

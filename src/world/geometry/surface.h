@@ -81,6 +81,7 @@ struct SurfaceAnswer {
     /// Derivatives of N / |N|, N as it is handed over, by the shaders' u and v. They are at right
     /// angles to N and turn round with it.
     Vec3Planes dNdu, dNdv;
+    Vec3Planes dNgdu, dNgdv;          ///< The same of Ng.
     float *u = nullptr, *v = nullptr; ///< u and v as shaders see them, in [0,1].
     /// |dP/da x dP/db| by the query's own coordinates (a,b): area per unit of them, 0 at poles.
     float *areaScale = nullptr;

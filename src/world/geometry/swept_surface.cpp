@@ -111,7 +111,8 @@ inline void SweptSurface<Profile>::evaluateOne(int k, float u, float t,
         float radial = x * along.x + y * along.y, upright = along.z * std::sqrt(x * x + y * y);
         answer.areaScale[k] = std::abs(sweep) * std::sqrt(radial * radial + upright * upright);
     }
-    if (answer.Ng.x || answer.N.x || answer.dNdu.x || answer.dNdv.x) {
+    if (answer.Ng.x || answer.N.x || answer.dNdu.x || answer.dNdv.x || answer.dNgdu.x ||
+        answer.dNgdv.x) {
         float outX = sweep * p.armX * p.dv.z, outY = sweep * p.armY * p.dv.z;
         float up = -sweep * (p.armX * p.dv.x + p.armY * p.dv.y);
         // A flat profile at its closest to the axis, where the surface turns back over itself.
@@ -124,12 +125,14 @@ inline void SweptSurface<Profile>::evaluateOne(int k, float u, float t,
             answer.N.set(k, normal);
         float largest = std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
         Vec3 unit = normalize(normal * (1 / largest));
-        if (answer.dNdu.x)
-            answer.dNdu.set(k, Vec3{-unit.y, unit.x, 0} * sweep);
-        if (answer.dNdv.x) {
-            Vec3 bend = profile_.normalDv(t) * std::copysign(1.0f, sweep);
-            answer.dNdv.set(k, turn(bend.x, bend.y, bend.z));
-        }
+        for (const Vec3Planes &byU : {answer.dNdu, answer.dNgdu})
+            if (byU.x)
+                byU.set(k, Vec3{-unit.y, unit.x, 0} * sweep);
+        for (const Vec3Planes &byV : {answer.dNdv, answer.dNgdv})
+            if (byV.x) {
+                Vec3 bend = profile_.normalDv(t) * std::copysign(1.0f, sweep);
+                byV.set(k, turn(bend.x, bend.y, bend.z));
+            }
     }
     if (answer.u)
         answer.u[k] = u;

@@ -168,6 +168,18 @@ void askSurfaces(const PointTables &tables, const SurfaceCode &code, const float
     keepSides(elementNg, points);
 }
 
+/// Colours that are the attributes' do not change; those that do are told by their surfaces.
+void clearColorDerivatives(const WantedInputs &wanted, ShadingPoints &points) {
+    const auto clear = [&](ShaderInput first, ShaderInput last) {
+        for (int plane = int(first); plane <= int(last); ++plane)
+            std::fill_n(points.input(plane), points.count, 0.0f);
+    };
+    if (wanted.dCs)
+        clear(ShaderInput::dCsdu, ShaderInput::dCsdvLast_);
+    if (wanted.dOs)
+        clear(ShaderInput::dOsdu, ShaderInput::dOsdvLast_);
+}
+
 } // namespace
 
 void evaluatePoints(const PointTables &tables, const Camera &camera, const SurfaceCode &code,
@@ -186,6 +198,7 @@ void evaluatePoints(const PointTables &tables, const Camera &camera, const Surfa
                     points.input(ShaderInput::N, c));
     if (code.wanted.orientation)
         fillOrientation(tables, normalSign, points);
+    clearColorDerivatives(code.wanted, points);
     if (!code.fromElements)
         askSurfaces(tables, code, normalSign, points);
     limitOffsets(points.count, vec3(points, ShaderInput::P), offsetShare, points.offset);

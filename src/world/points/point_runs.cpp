@@ -45,15 +45,20 @@ const std::int32_t *sortByShape(const ShadingPoints &points, std::size_t shapes,
     return order;
 }
 
-/// Values of a declared type, from the surface's own space to current space.
-void placeVariable(const ShapeRun &run, const Declaration &declaration, float *const *value) {
+/// Values of a declared type, or their derivatives, from the surface's own space to current space.
+void placeVariable(const ShapeRun &run, const Declaration &declaration, bool isDerivative,
+                   float *const *value) {
+    const bool isPoint = declaration.type == ValueType::Point;
+    const bool isNormal = declaration.type == ValueType::Normal;
+    if (!isPoint && !isNormal && declaration.type != ValueType::Vector)
+        return;
     for (int at = 0; at < declaration.arraySize; ++at) {
-        Vec3Planes planes{value[3 * at], value[3 * at + 1], value[3 * at + 2]};
-        if (declaration.type == ValueType::Point)
+        const Vec3Planes planes{value[3 * at], value[3 * at + 1], value[3 * at + 2]};
+        if (isPoint && !isDerivative)
             placePoints(run, planes);
-        else if (declaration.type == ValueType::Vector)
+        else if (!isNormal)
             placeVectors(run, planes);
-        else if (declaration.type == ValueType::Normal) {
+        else {
             placeNormals(run, planes);
             for (int k = 0; k < run.count; ++k)
                 planes.set(k, planes.get(k) * run.sign[k]);
@@ -69,7 +74,7 @@ public:
         : run_(run), surface_(*run.shape.surface), code_(code), points_(points), own_(own) {}
 
     void ask() {
-        planes_ = own_.planes.get((22 + 3 * std::size_t(colorSamples)) * run_.stride);
+        planes_ = own_.planes.get(planeCount * std::size_t(run_.stride));
         geometry();
         const Shape &shape = run_.shape;
         if (code_.wanted.st) {
@@ -77,14 +82,19 @@ public:
             texture(shape.t, ShaderInput::t, ShaderInput::dtdu, ShaderInput::dtdv);
         }
         if (code_.wanted.Cs && shape.Cs >= 0)
-            color(shape.Cs, ShaderInput::Cs);
+            color(shape.Cs, code_.wanted.dCs, ShaderInput::Cs, ShaderInput::dCsdu,
+                  ShaderInput::dCsdv);
         if (code_.wanted.Os && shape.Os >= 0)
-            color(shape.Os, ShaderInput::Os);
+            color(shape.Os, code_.wanted.dOs, ShaderInput::Os, ShaderInput::dOsdu,
+                  ShaderInput::dOsdv);
         if (!code_.variableNames.empty())
             variables();
     }
 
 private:
+    /// As many as geometry() or color() fills at once.
+    static constexpr std::size_t planeCount = std::max(29, 3 * colorSamples);
+
     float *plane(int index) const { return planes_ + std::size_t(index) * run_.stride; }
     Vec3Planes vec3(int index) const { return {plane(index), plane(index + 1), plane(index + 2)}; }
     void tell(Vec3Planes from, ShaderInput to) const { deliver(run_, from, points_, to); }
@@ -98,28 +108,37 @@ private:
         const bool curved = run_.shape.naming == Naming::Corners && run_.shape.pieces.empty();
         const bool ownNormals = surface_.hasOwnNormals();
         const Vec3Planes P = vec3(0), Ng = vec3(3), N = vec3(6), dPdu = vec3(9), dPdv = vec3(12);
-        const Vec3Planes dNdu = vec3(15), dNdv = vec3(18);
+        const Vec3Planes dNdu = vec3(15), dNdv = vec3(18), dNgdu = vec3(21), dNgdv = vec3(24);
         SurfaceAnswer answer;
         if (curved)
-            answer.P = P, answer.Ng = Ng;
+            answer.P = P;
+        if (curved || wanted.dNg)
+            answer.Ng = Ng;
         if (curved || ownNormals || wanted.dNd)
             answer.N = N;
         if (wanted.dPd)
             answer.dPdu = dPdu, answer.dPdv = dPdv;
         if (wanted.dNd)
             answer.dNdu = dNdu, answer.dNdv = dNdv;
+        if (wanted.dNg)
+            answer.dNgdu = dNgdu, answer.dNgdv = dNgdv;
         if (wanted.uv)
-            answer.u = plane(21), answer.v = plane(22);
+            answer.u = plane(27), answer.v = plane(28);
         surface_.evaluate(run_.query(), answer);
         if (answer.P.x)
             placePoints(run_, P), tell(P, ShaderInput::P);
-        if (answer.Ng.x)
-            placeNormals(run_, Ng), makeUnit(run_.count, run_.sign, Ng), tell(Ng, ShaderInput::Ng);
+        if (wanted.dNg)
+            normalDerivatives(Ng, dNgdu, dNgdv, ShaderInput::dNgdu, ShaderInput::dNgdv);
+        else if (curved)
+            placeNormals(run_, Ng);
+        if (curved)
+            makeUnit(run_.count, run_.sign, Ng), tell(Ng, ShaderInput::Ng);
         if (wanted.dNd)
-            normalDerivatives(N, dNdu, dNdv);
-        if (curved || ownNormals) {
-            placeNormals(run_, N), makeUnit(run_.count, run_.sign, N), tell(N, ShaderInput::N);
-        }
+            normalDerivatives(N, dNdu, dNdv, ShaderInput::dNdu, ShaderInput::dNdv);
+        else if (curved || ownNormals)
+            placeNormals(run_, N);
+        if (curved || ownNormals)
+            makeUnit(run_.count, run_.sign, N), tell(N, ShaderInput::N);
         if (wanted.dPd) {
             placeVectors(run_, dPdu), placeVectors(run_, dPdv);
             tell(dPdu, ShaderInput::dPdu), tell(dPdv, ShaderInput::dPdv);
@@ -128,8 +147,10 @@ private:
             tell(answer.u, ShaderInput::u), tell(answer.v, ShaderInput::v);
     }
 
-    /// The unit normal in current space is that of the transformed one, and so are its changes.
-    void normalDerivatives(Vec3Planes N, Vec3Planes dNdu, Vec3Planes dNdv) {
+    /// The unit normal in current space is that of the transformed one, and so are its changes. The
+    /// normals themselves are transformed too.
+    void normalDerivatives(Vec3Planes N, Vec3Planes dNdu, Vec3Planes dNdv, ShaderInput byU,
+                           ShaderInput byV) {
         for (int k = 0; k < run_.count; ++k) { // Of any length now, changes with it.
             const float size = length(N.get(k)), scale = size > 0 ? 1 / size : 1;
             N.set(k, N.get(k) * scale);
@@ -138,7 +159,7 @@ private:
         for (int k = 0; k < run_.count; ++k)
             for (Vec3Planes change : {dNdu, dNdv})
                 change.set(k, unitDerivative(N.get(k), change.get(k)) * run_.sign[k]);
-        tell(dNdu, ShaderInput::dNdu), tell(dNdv, ShaderInput::dNdv);
+        tell(dNdu, byU), tell(dNdv, byV);
     }
 
     /// s or t, and if wanted how it changes with u and v.
@@ -155,13 +176,20 @@ private:
             tell(du, byU), tell(dv, byV);
     }
 
-    void color(int variable, ShaderInput to) {
-        float *value[colorSamples];
+    /// Cs or Os, and if wanted how it changes with u and v.
+    void color(int variable, bool derivatives, ShaderInput to, ShaderInput byU, ShaderInput byV) {
+        float *value[colorSamples], *du[colorSamples], *dv[colorSamples];
         for (int c = 0; c < colorSamples; ++c)
             value[c] = plane(c);
-        surface_.evaluateVariable(variable, run_.query(), value, nullptr, nullptr);
         for (int c = 0; c < colorSamples; ++c)
+            du[c] = plane(colorSamples + c), dv[c] = plane(2 * colorSamples + c);
+        surface_.evaluateVariable(variable, run_.query(), value, derivatives ? du : nullptr,
+                                  derivatives ? dv : nullptr);
+        for (int c = 0; c < colorSamples; ++c) {
             tell(value[c], to, c);
+            if (derivatives)
+                tell(du[c], byU, c), tell(dv[c], byV, c);
+        }
     }
 
     /// Primitive variables that override parameters.
@@ -173,19 +201,32 @@ private:
             const int variable = overriding[name];
             if (variable < 0)
                 continue;
-            const Declaration &declaration = surface_.variables()[variable].declaration;
-            const int components = declaration.components();
-            planes_ = own_.planes.get(std::size_t(components) * run_.stride);
-            float **values = own_.variablePlanes.get(components);
-            for (int c = 0; c < components; ++c)
-                values[c] = plane(c);
-            surface_.evaluateVariable(variable, run_.query(), values, nullptr, nullptr);
-            placeVariable(run_, declaration, values);
-            for (std::size_t slot = 0; slot < code_.variableName.size(); ++slot)
-                if (code_.variableName[slot] == int(name))
-                    deliver(run_, values[std::min(code_.variableComponent[slot], components - 1)],
-                            points_.variableTable[slot]);
+            for (int slope : {0, 1, 2})
+                if (readsVariable(int(name), slope))
+                    tellVariable(variable, int(name), slope);
         }
+    }
+    bool readsVariable(int name, int slope) const {
+        for (std::size_t slot = 0; slot < code_.variableName.size(); ++slot)
+            if (code_.variableName[slot] == name && code_.variableSlope[slot] == slope)
+                return true;
+        return false;
+    }
+    /// `slope` as SurfaceCode::variableSlope.
+    void tellVariable(int variable, int name, int slope) {
+        const Declaration &declaration = surface_.variables()[variable].declaration;
+        const int components = declaration.components();
+        planes_ = own_.planes.get(std::size_t(components) * run_.stride);
+        float **values = own_.variablePlanes.get(components);
+        for (int c = 0; c < components; ++c)
+            values[c] = plane(c);
+        surface_.evaluateVariable(variable, run_.query(), slope == 0 ? values : nullptr,
+                                  slope == 1 ? values : nullptr, slope == 2 ? values : nullptr);
+        placeVariable(run_, declaration, slope != 0, values);
+        for (std::size_t slot = 0; slot < code_.variableName.size(); ++slot)
+            if (code_.variableName[slot] == name && code_.variableSlope[slot] == slope)
+                deliver(run_, values[std::min(code_.variableComponent[slot], components - 1)],
+                        points_.variableTable[slot]);
     }
 
     const ShapeRun &run_;

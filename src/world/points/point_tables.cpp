@@ -22,6 +22,7 @@ SurfaceCode surfaceCode(std::shared_ptr<ShaderCode> code) {
         auto known = std::ranges::find(result.variableNames, slot.name);
         result.variableName.push_back(int(known - result.variableNames.begin()));
         result.variableComponent.push_back(slot.component);
+        result.variableSlope.push_back(slot.slope ? 1 + int(*slot.slope) : 0);
         if (known == result.variableNames.end())
             result.variableNames.push_back(slot.name);
     }
@@ -32,19 +33,26 @@ SurfaceCode surfaceCode(std::shared_ptr<ShaderCode> code) {
 }
 
 void WantedInputs::add(const ShaderCode &code) {
-    auto reads = [&](std::initializer_list<ShaderInput> inputs) {
-        return std::ranges::any_of(inputs, [&](ShaderInput input) { return code.reads(input); });
+    // Any component of consecutive inputs.
+    auto reads = [&](ShaderInput first, ShaderInput last) {
+        bool any = false;
+        for (int plane = int(first); plane <= int(last); ++plane)
+            any |= code.reads(ShaderInput(plane));
+        return any;
     };
-    dPd |= reads({ShaderInput::dPdu, ShaderInput::dPdv});
-    dNd |= reads({ShaderInput::dNdu, ShaderInput::dNdv});
-    uv |= reads({ShaderInput::u, ShaderInput::v});
-    footprint |= reads({ShaderInput::du, ShaderInput::dv});
-    stDerivatives |=
-        reads({ShaderInput::dsdu, ShaderInput::dsdv, ShaderInput::dtdu, ShaderInput::dtdv});
-    st |= stDerivatives || reads({ShaderInput::s, ShaderInput::t});
-    Cs |= code.reads(ShaderInput::Cs), Os |= code.reads(ShaderInput::Os);
-    orientation |= code.reads(ShaderInput::orientation);
-    E |= code.reads(ShaderInput::E);
+    dPd |= reads(ShaderInput::dPdu, ShaderInput::dPdvLast_);
+    dNd |= reads(ShaderInput::dNdu, ShaderInput::dNdvLast_);
+    dNg |= reads(ShaderInput::dNgdu, ShaderInput::dNgdvLast_);
+    dCs |= reads(ShaderInput::dCsdu, ShaderInput::dCsdvLast_);
+    dOs |= reads(ShaderInput::dOsdu, ShaderInput::dOsdvLast_);
+    uv |= reads(ShaderInput::u, ShaderInput::v);
+    footprint |= reads(ShaderInput::du, ShaderInput::dv);
+    stDerivatives |= reads(ShaderInput::dsdu, ShaderInput::dtdv);
+    st |= stDerivatives || reads(ShaderInput::s, ShaderInput::t);
+    Cs |= dCs || reads(ShaderInput::Cs, ShaderInput::CsLast_);
+    Os |= dOs || reads(ShaderInput::Os, ShaderInput::OsLast_);
+    orientation |= reads(ShaderInput::orientation, ShaderInput::orientation);
+    E |= reads(ShaderInput::E, ShaderInput::ELast_);
     dPd |= footprint;
 }
 

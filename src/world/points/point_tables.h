@@ -52,11 +52,12 @@ struct Instance {
 struct WantedInputs {
     bool dPd = false, dNd = false, uv = false, footprint = false, st = false, Cs = false;
     bool Os = false, stDerivatives = false, orientation = false, E = false;
+    bool dNg = false, dCs = false, dOs = false;
 
     /// Adds what a shader reads.
     void add(const ShaderCode &);
     /// Nothing but position, normals and colours: elements that are flat tell all.
-    bool isPlain() const { return !(dPd || dNd || uv || footprint || st); }
+    bool isPlain() const { return !(dPd || dNd || dNg || dCs || dOs || uv || footprint || st); }
 };
 
 /// A surface shader's code and what was worked out about it once.
@@ -65,6 +66,8 @@ struct SurfaceCode {
     /// Distinct names among the code's variables, and for each variable plane its name's number.
     std::vector<std::string> variableNames;
     std::vector<int> variableName, variableComponent;
+    /// What each plane holds: 0 the values, 1 and 2 their derivatives by u and v.
+    std::vector<int> variableSlope;
     /// What this code reads, and the shaders of area lights on its shapes.
     WantedInputs wanted;
     bool readsObjectSpace = false;

@@ -33,6 +33,11 @@ inline ValueId select(Builder &b, ValueId condition, ValueId x, ValueId y) {
     return b.emit(Op::Select, {condition, x, y})[0];
 }
 
+/// The derivative of a value.
+inline ValueId slope(Builder &b, ValueId x, Direction direction) {
+    return b.emit(Op::Slope, {x}, int(direction))[0];
+}
+
 inline Values callRuntime(Builder &b, int runtimeFunction, const Values &inputs) {
     return b.emit(Op::Call, inputs, runtimeFunction);
 }

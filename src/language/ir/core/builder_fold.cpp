@@ -71,6 +71,7 @@ std::optional<ValueId> foldOperation(Builder &b, Op op, const std::vector<ValueI
         const float *known = constantFloat(b, operands[0]);
         return known ? Folded(integer(b, integerFromFloat(*known))) : Folded{};
     }
+    case Op::Slope: return constantFloat(b, operands[0]) ? Folded(number(b, 0)) : Folded{};
     case Op::StringEqual: {
         const std::string *left = constantText(b, operands[0]);
         const std::string *right = constantText(b, operands[1]);

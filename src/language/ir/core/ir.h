@@ -19,6 +19,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,10 @@ enum class Op : std::uint8_t {
 #include "language/ir/core/ops.def"
 #undef IR_OP
 };
+
+/// What Slope differentiates by: the surface parameters u and v.
+enum class Direction : std::uint8_t { U, V };
+inline constexpr int directionCount = 2;
 
 struct Instruction;
 
@@ -96,10 +101,12 @@ struct Array {
     int size = 0;
 };
 
-/// A float of the instance's parameter block.
+/// A float of the instance's parameter block, or a plane of a variable that overrides one.
 struct ParameterSlot {
     std::string name; ///< The shader parameter it is a component of; or a hidden one ("shader").
     int component = 0;
+    /// Variables: the plane holds not the component but its derivative.
+    std::optional<Direction> slope = std::nullopt;
 };
 
 /// One function to interpret or compile: one question to one shader (or, before slicing, the
@@ -132,6 +139,8 @@ struct Function {
 /// The function as text, for `--emit ir`, tests and people.
 std::string print(const Function &);
 /// What is wrong with it: types, rates, uses before definitions, arities; empty if nothing is.
-std::string verify(const Function &);
+/// Slopes are wrong in what is to be run: only texts whose derivatives are yet to be written may
+/// have them.
+std::string verify(const Function &, bool mayHaveSlopes = false);
 
 } // namespace candela::ir

@@ -25,6 +25,7 @@ enum class OpClass : std::uint8_t {
     Light,   ///< Asks for light, or about it.
     Frame,   ///< Takes from the frame of an earlier function.
     Effect,  ///< Leaves something behind.
+    Derivative,
 };
 
 /// What Instruction::immediate is: an index into a table of the function or of the runtime, or a
@@ -46,6 +47,7 @@ enum class Immediate : std::uint8_t {
     Emission,
     Output,
     Frame,
+    Direction,
 };
 
 /// Where results vary from lane to lane.
@@ -91,6 +93,9 @@ enum class SlopeRule : std::uint8_t {
     Memory, ///< An array of slopes beside the array.
     Call,   ///< functions.def names a function that gives slopes.
     Control,
+    Raised,  ///< The operand's of an order higher.
+    Held,    ///< Not known: counts as 0, of which users are told.
+    Refused, ///< Not known: cannot be differentiated.
 };
 
 /// How a range follows from the operands' ranges.

@@ -117,6 +117,7 @@ private:
         case Immediate::Category:
         case Immediate::Emission:
         case Immediate::Frame: return fmt::format(" {}", i.immediate);
+        case Immediate::Direction: return i.immediate == int(Direction::U) ? " by u" : " by v";
         }
         return "";
     }

@@ -15,8 +15,9 @@ namespace {
 /// Walks the function with the set of values that are visible; keeps the first fault.
 class Verifier {
 public:
-    explicit Verifier(const Function &function)
-        : function_(function), visible_(function.values.size()), defined_(function.values.size()) {}
+    Verifier(const Function &function, bool mayHaveSlopes)
+        : function_(function), mayHaveSlopes_(mayHaveSlopes), visible_(function.values.size()),
+          defined_(function.values.size()) {}
 
     std::string run() {
         if (!function_.body.arguments.empty() || !function_.body.yields.empty())
@@ -117,6 +118,8 @@ private:
         case Immediate::Category: return below(function_.categories.size());
         case Immediate::Output: return below(function_.outputs.size());
         case Immediate::Frame: return below(std::size_t(std::max(function_.frameSlots, 0)));
+        case Immediate::Direction:
+            return expect(i, mayHaveSlopes_, "is not written out") && below(directionCount);
         }
         return false;
     }
@@ -233,6 +236,7 @@ private:
     }
 
     const Function &function_;
+    const bool mayHaveSlopes_;
     std::vector<bool> visible_; ///< May be used here.
     std::vector<bool> defined_; ///< Was defined somewhere.
     std::string fault_;
@@ -240,6 +244,8 @@ private:
 
 } // namespace
 
-std::string verify(const Function &function) { return Verifier(function).run(); }
+std::string verify(const Function &function, bool mayHaveSlopes) {
+    return Verifier(function, mayHaveSlopes).run();
+}
 
 } // namespace candela::ir

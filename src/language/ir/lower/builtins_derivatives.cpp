@@ -4,25 +4,33 @@
 #include "language/ir/core/builder_sources.h"
 #include "language/ir/core/builder_vectors.h"
 #include "language/ir/lower/builtins.h"
-#include "language/ir/lower/derivatives.h"
+#include "language/ir/lower/place_scope.h"
 
 namespace candela::ir {
 namespace {
 
-Components Du(BuiltinCall &call) { return derivative(call.b, call.arguments[0], derivativeByU); }
-Components Dv(BuiltinCall &call) { return derivative(call.b, call.arguments[0], derivativeByV); }
+Components derivative(BuiltinCall &call, size_t argument, Direction direction) {
+    const PlaceScope place(call.b, call.expr.where);
+    Components result;
+    for (ValueId value : call.arguments[argument])
+        result.push_back(slope(call.b, value, direction));
+    return result;
+}
+
+Components Du(BuiltinCall &call) { return derivative(call, 0, Direction::U); }
+Components Dv(BuiltinCall &call) { return derivative(call, 0, Direction::V); }
 
 /// Du(x)/Du(by) + Dv(x)/Dv(by); a direction in which `by` does not change adds nothing.
 Components Deriv(BuiltinCall &call) {
     Builder &b = call.b;
     Components result;
-    for (int direction : {derivativeByU, derivativeByV}) {
-        const Components x = derivative(b, call.arguments[0], direction);
-        const ValueId by = derivative(b, call.arguments[1], direction)[0];
+    for (Direction direction : {Direction::U, Direction::V}) {
+        const Components x = derivative(call, 0, direction);
+        const ValueId by = derivative(call, 1, direction)[0];
         const ValueId still = equal(b, by, number(b, 0));
         for (size_t c = 0; c < x.size(); ++c) {
             const ValueId share = select(b, still, number(b, 0), div(b, x[c], by));
-            if (direction == derivativeByU)
+            if (direction == Direction::U)
                 result.push_back(share);
             else
                 result[c] = add(b, result[c], share);
@@ -32,8 +40,8 @@ Components Deriv(BuiltinCall &call) {
 }
 
 Triple sweep(BuiltinCall &call) {
-    return cross(call.b, tripleOf(derivative(call.b, call.arguments[0], derivativeByU)),
-                 tripleOf(derivative(call.b, call.arguments[0], derivativeByV)));
+    return cross(call.b, tripleOf(derivative(call, 0, Direction::U)),
+                 tripleOf(derivative(call, 0, Direction::V)));
 }
 
 /// |Du(p) du ^ Dv(p) dv|. The strategy ("shading" or "dicing") makes no difference here: du and dv

@@ -1,43 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Derivatives against central differences over neighbouring points of a curved patch.
-#include "language/ir/lower/test_support.h"
+#include "language/ir/lower/patch_points.h"
 
 #include <cmath>
 
 namespace candela::ir {
 namespace {
-
-// The patch: P, N, s and t as functions of (u, v), with their derivatives in closed form.
-struct Patch {
-    static Vec3 P(double u, double v) {
-        return {float(u + 0.2 * v * v), float(2 * v - u * v), float(u * u + 0.5 * v)};
-    }
-    static Vec3 dPdu(double u, double v) { return {1, float(-v), float(2 * u)}; }
-    static Vec3 dPdv(double u, double v) { return {float(0.4 * v), float(2 - u), 0.5f}; }
-};
-
-void place(ShaderRun &run, int lane, double u, double v) {
-    const auto set = [&](ShaderInput input, std::initializer_list<double> values) {
-        size_t plane = size_t(input);
-        for (double value : values)
-            run.batch->inputs[plane++][size_t(lane)] = float(value);
-    };
-    const auto set3 = [&](ShaderInput input, Vec3 x) { set(input, {x.x, x.y, x.z}); };
-    set(ShaderInput::u, {u});
-    set(ShaderInput::v, {v});
-    set3(ShaderInput::P, Patch::P(u, v));
-    set3(ShaderInput::dPdu, Patch::dPdu(u, v));
-    set3(ShaderInput::dPdv, Patch::dPdv(u, v));
-    set(ShaderInput::N, {u * v, 1, v * v});
-    set(ShaderInput::dNdu, {v, 0, 0});
-    set(ShaderInput::dNdv, {u, 0, 2 * v});
-    set(ShaderInput::s, {3 * u + v});
-    set(ShaderInput::dsdu, {3});
-    set(ShaderInput::dsdv, {1});
-    set(ShaderInput::t, {v * v});
-    set(ShaderInput::dtdu, {0});
-    set(ShaderInput::dtdv, {2 * v});
-}
 
 const char *const expressions[] = {
     "u * v + 2 * u - v / (2 + u)",
@@ -75,12 +43,12 @@ void compareWithDifferences(const std::string &text, const std::string &before) 
         << plain.diagnostics.text() << slopes.diagnostics.text();
     for (int k = 0; k < 16; ++k) {
         const double u = 0.05 + 0.17 * (k % 4), v = 0.08 + 0.21 * (k / 4);
-        place(slopes, k, u, v);
-        place(plain, 5 * k, u, v);
-        place(plain, 5 * k + 1, u - h, v);
-        place(plain, 5 * k + 2, u + h, v);
-        place(plain, 5 * k + 3, u, v - h);
-        place(plain, 5 * k + 4, u, v + h);
+        placeOnPatch(slopes, k, u, v);
+        placeOnPatch(plain, 5 * k, u, v);
+        placeOnPatch(plain, 5 * k + 1, u - h, v);
+        placeOnPatch(plain, 5 * k + 2, u + h, v);
+        placeOnPatch(plain, 5 * k + 3, u, v - h);
+        placeOnPatch(plain, 5 * k + 4, u, v + h);
     }
     const auto x = plain.run().at("result")[0];
     const auto out = slopes.run().at("result");
@@ -109,7 +77,7 @@ std::vector<float> atPoint(const std::string &type, const std::string &body, dou
     EXPECT_TRUE(run.lowered) << run.diagnostics.text();
     if (!run.lowered)
         return {0, 0, 0};
-    place(run, 0, u, v);
+    placeOnPatch(run, 0, u, v);
     run.setInput(ShaderInput::du, {0.5f});
     run.setInput(ShaderInput::dv, {0.25f});
     run.setInput(ShaderInput::orientation, {-1});
@@ -122,7 +90,7 @@ std::vector<float> atPoint(const std::string &type, const std::string &body, dou
 
 TEST(LowerDerivatives, CalculatenormalAndArea) {
     const double u = 0.3, v = 0.6;
-    const Vec3 natural = cross(Patch::dPdu(u, v), Patch::dPdv(u, v));
+    const Vec3 natural = cross(patchDu(u, v), patchDv(u, v));
     ASSERT_GT(natural.z, 0); // The orientation above is the other one.
     const auto n = atPoint("normal", "result = calculatenormal(P);", u, v);
     EXPECT_NEAR(n[0], -natural.x, 1e-5);
@@ -140,16 +108,75 @@ TEST(LowerDerivatives, Deriv) {
     EXPECT_NEAR(atPoint("float", "result = Deriv(t * t, t);", u, v)[0], 2 * v * v, 1e-6);
 }
 
-TEST(LowerDerivatives, OfDerivatives) {
-    EXPECT_NEAR(
-        atPoint("float", "result = Du(Du(u * u * u)) + 10 * Dv(Du(u * v * v));", 0.5, 0.25)[0],
-        3 + 10 * 0.5, 1e-5);
-}
-
 TEST(LowerDerivatives, OnlyWhatReachesAConsumer) {
-    ShaderRun run(surfaceWith("float", "float a = noise(P); result = a + Du(u * u);"));
+    ShaderRun run(surfaceWith("float", "float a = noise(P); result = a + Du(u * s);"));
     ASSERT_TRUE(run.lowered);
     EXPECT_FALSE(run.lowered->whole.inputsRead[size_t(ShaderInput::dPdu)]);
+    EXPECT_TRUE(run.lowered->whole.inputsRead[size_t(ShaderInput::dsdu)]);
+    EXPECT_FALSE(run.lowered->whole.inputsRead[size_t(ShaderInput::dsdv)]);
+}
+
+int count(const std::string &text, const std::string &part) {
+    int result = 0;
+    for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+        ++result;
+    return result;
+}
+
+TEST(LowerDerivatives, NoiseAndItsSlopesAreOneCall) {
+    ShaderRun run(surfaceWith("float", "float a = noise(P); result = a + Du(a) + Dv(a);"));
+    ASSERT_TRUE(run.lowered);
+    EXPECT_EQ(count(print(run.lowered->whole), "noise3"), 1) << print(run.lowered->whole);
+}
+
+/// A counter that does not change with u and v carries no derivatives.
+TEST(LowerDerivatives, LoopsCarryOnlyWhatChanges) {
+    ShaderRun run(surfaceWith(
+        "float", "float i, x = u; for (i = 0; i < s; i += 1) x = x * v + i; result = x + Du(x);"));
+    ASSERT_TRUE(run.lowered);
+    for (const Instruction &i : run.lowered->whole.body.body)
+        if (i.op == Op::Loop) {
+            EXPECT_EQ(i.operands.size(), 4u) << print(run.lowered->whole); // Condition, i, x, dx.
+        }
+}
+
+/// Of what is not known users are told, once a kind.
+TEST(LowerDerivatives, UnknownOnesAreTold) {
+    const struct {
+        const char *body, *message;
+    } cases[] = {
+        {"result = Du(comp(diffuse(N), 0));", "light is taken not to change"},
+        {"result = Du(comp(trace(P, I), 0));", "light is taken not to change"},
+        {"result = Du(area(P));", "du is taken not to change"},
+        {"result = Du(xcomp(dPdu));", "dPdu is taken not to change"},
+        {"result = Du(Du(comp(Cs, 1)));", "the derivative of Cs is taken not to change"},
+        {"result = Du(u * random() + xcomp(E));", ""},
+        {"result = Du(u + floor(s) + cellnoise(s, t));", ""},
+    };
+    for (const auto &[body, message] : cases) {
+        ShaderRun run(surfaceWith("float", body));
+        ASSERT_TRUE(run.lowered) << body << run.diagnostics.text();
+        const std::string told = run.diagnostics.text();
+        EXPECT_NE(told.find(message), std::string::npos) << body << "\n" << told;
+        EXPECT_EQ(told.empty(), *message == 0) << body << "\n" << told;
+    }
+}
+
+/// Where derivatives are not to be had, an error names the line.
+TEST(LowerDerivatives, ImpossibleOnesAreErrors) {
+    const struct {
+        const char *body, *message;
+    } cases[] = {
+        {"float i, x = u * u;\nfor (i = 0; i < s; i += 1)\nx = sin(x) + Du(x);\nresult = x;",
+         "test.sl:3: error: derivatives of derivatives go beyond order 16 here"},
+        {"result = Du(Du(Du(noise(s))));", "there are no derivatives of noise beyond the second"},
+    };
+    for (const auto &[body, message] : cases) {
+        ShaderRun run(surfaceWith("float", body));
+        EXPECT_FALSE(run.lowered) << body;
+        EXPECT_NE(run.diagnostics.text().find(message), std::string::npos)
+            << run.diagnostics.text();
+    }
 }
 
 } // namespace

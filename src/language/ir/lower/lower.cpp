@@ -8,10 +8,11 @@
 #include "language/ir/lower/cleanup.h"
 #include "language/ir/lower/control.h"
 #include "language/ir/lower/defaults.h"
-#include "language/ir/lower/derivatives.h"
 #include "language/ir/lower/statement.h"
+#include "language/ir/transform/jet.h"
 
 #include <algorithm>
+#include <memory>
 
 namespace candela::ir {
 
@@ -97,6 +98,27 @@ void writeOutputs(Lowering &lowering, const LoweredShader &lowered) {
                   variables.load(variables.storageOf(*shader.parameters[i].symbol)));
 }
 
+/// Writes out all derivatives; false, with a report, if that cannot be.
+bool differentiate(const sl::TypedShader &shader, Function &function, DiagnosticSink &sink) {
+    const SlopeReport report = expandSlopes(function);
+    const auto tell = [&](Severity severity, const SlopeNote &note) {
+        SourceLocation where = shader.where.location();
+        if (note.line > 0)
+            where.line = note.line;
+        if (note.file >= 0)
+            where.file = std::make_shared<const std::string>(function.files[size_t(note.file)]);
+        where.column = note.line > 0 ? 0 : where.column;
+        Diagnostic diagnostic;
+        diagnostic.severity = severity, diagnostic.where = where, diagnostic.message = note.text;
+        sink.report(std::move(diagnostic));
+    };
+    for (const SlopeNote &note : report.held)
+        tell(Severity::Warning, note);
+    if (report.fault)
+        tell(Severity::Error, *report.fault);
+    return !report.fault;
+}
+
 /// Local arrays are written out, element by element. Formals are the arrays of their callers.
 bool arraysFit(const sl::TypedShader &shader, int colorSamples, DiagnosticSink &sink) {
     constexpr int mostNumbers = 1 << 16;
@@ -158,7 +180,8 @@ std::optional<LoweredShader> lower(const sl::TypedShader &shader,
         lowered.inverseSquare = *power == (lowered.lightClass == LightClass::Local ? -2 : 0);
         lowered.directionOnly = *power == 0;
     }
-    expandDerivatives(lowered.whole);
+    if (!differentiate(shader, lowered.whole, sink))
+        return std::nullopt;
     tell("derivatives");
     removeUnused(lowered.whole, lowered.parameters);
     tell("clean up");

@@ -80,10 +80,10 @@ struct LoweringOptions {
 /// parameter block transforms. Hidden parameter slots are appended after the declared ones:
 /// "shader" (32 floats: currentFromShader, shaderFromCurrent) if the text uses that space.
 /// Function::spaces holds names as the text has them, and "depth" for depth(): camera space with z
-/// from 0 at the near to 1 at the far clipping plane. Derivatives of parameters that primitive
-/// variables override count as zero. Things semantics could not refuse (a space name that is not
-/// constant, a default that is none) are reported; nothing is returned then. `variables` names the
-/// parameters that primitive variables override.
+/// from 0 at the near to 1 at the far clipping plane. What transform/jet.h takes not to change is
+/// warned of. What semantics could not refuse (a space name that is not constant, a default that is
+/// none, derivatives that are not to be had) is reported; nothing is returned then. `variables`
+/// names the parameters that primitive variables override.
 std::optional<LoweredShader> lower(const sl::TypedShader &, const std::vector<StringValue> &strings,
                                    const std::vector<std::string> &variables, DiagnosticSink &,
                                    const LoweringOptions & = {});
