@@ -14,6 +14,10 @@ struct CodeTarget {
     std::string features; ///< LLVM's "+a,-b" beyond what the name implies.
     runtime::IsaLevel level = runtime::IsaLevel::V2;
 
+    /// Operations of the IR that a machine function holds at most, or about; a longer one is
+    /// compiled in pieces.
+    int longestFunction = 1000;
+
     /// Bits of the widest vector register.
     int registerBits() const {
         return level == runtime::IsaLevel::V4 ? 512 : level == runtime::IsaLevel::V3 ? 256 : 128;

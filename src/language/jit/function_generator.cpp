@@ -6,11 +6,14 @@
 #include "language/ir/core/op_info.h"
 #include "language/jit/arithmetic.h"
 #include "language/jit/array_memory.h"
+#include "language/jit/function_pieces.h"
 #include "language/jit/gathers.h"
 #include "language/jit/light_loop.h"
 #include "language/runtime/shader_abi.h"
 
 #include <cstddef>
+#include <optional>
+#include <utility>
 
 namespace candela {
 namespace codegen {
@@ -32,6 +35,18 @@ public:
 private:
     void emitBody(Value *mask);
     void emitRegion(const Region &);
+    /// The machine function that is being written, and what it knows of its surroundings.
+    struct Standing {
+        llvm::Function *function;
+        ShaderArguments::Place place;
+        Value *spills;
+        Values arrays;
+    };
+    /// Makes another one the current one; gives that until now.
+    Standing exchangeStanding(Standing);
+    /// Writes a piece of the region as a machine function of its own, and calls it.
+    void emitPiece(const Region &, const Piece &);
+    void loadAtHead(const Region &);
     void emit(const Instruction &);
     void emitControl(const Instruction &);
     /// Of values alone.
@@ -45,6 +60,8 @@ private:
 
     const ir::Function &function_;
     CodeFunction code_;
+    const FunctionPieces pieces_;
+    std::optional<SpillArea> spills_; ///< If there are pieces.
     llvm::IRBuilder<> &builder_;
     ValueTable values_;
     ShaderArguments arguments_;
@@ -56,11 +73,14 @@ private:
 
 FunctionGenerator::FunctionGenerator(const ir::Function &function, const CodeTarget &target,
                                      const std::string &symbol, llvm::Module &module)
-    : function_(function), code_(target, module, symbol), builder_(code_.builder),
+    : function_(function), code_(target, module, symbol),
+      pieces_(cutIntoPieces(function, target.longestFunction)), builder_(code_.builder),
       values_(function, code_.lanes), arguments_(code_), gathers_(code_, arguments_, function.body),
       calls_(code_, arguments_, values_), arrays_(code_, values_, calls_),
       control_(code_, values_, [this](const Region &region) { emitRegion(region); }) {
     code_.colorSamples = function.colors.samples;
+    if (!pieces_.whole())
+        values_.keepIn(spills_.emplace(code_, pieces_.slot, pieces_.slots));
 }
 
 void FunctionGenerator::generate() {
@@ -91,21 +111,76 @@ void FunctionGenerator::generate() {
 
     builder_.SetInsertPoint(done);
     builder_.CreateRetVoid();
+    if (spills_)
+        spills_->finish();
 }
 
 void FunctionGenerator::emitBody(Value *mask) {
     MaskStack::Scope scope(code_.masks, mask);
     arrays_.clear();
     gathers_.load();
+    if (spills_)
+        loadAtHead(function_.body);
     emitRegion(function_.body);
 }
 
+void FunctionGenerator::loadAtHead(const Region &region) {
+    for (const Instruction &i : region.body) {
+        const Values given = isLoadedAtHead(i.op) ? source(i) : Values();
+        for (std::size_t k = 0; k < given.size(); ++k)
+            values_.set(i.results[k], given[k]);
+        for (const Region &inner : i.regions)
+            loadAtHead(inner);
+    }
+}
+
 void FunctionGenerator::emitRegion(const Region &region) {
+    if (const auto cut = pieces_.cut.find(&region); cut != pieces_.cut.end()) {
+        for (const Piece &piece : cut->second)
+            emitPiece(region, piece);
+        return;
+    }
     for (const Instruction &i : region.body)
         emit(i);
 }
 
+void FunctionGenerator::emitPiece(const Region &region, const Piece &piece) {
+    Values given{arguments_.pointer(), arguments_.firstPoint(),
+                 code_.lanes.bits(code_.masks.current()), spills_->base()};
+    given.insert(given.end(), arrays_.memory().begin(), arrays_.memory().end());
+    std::vector<llvm::Type *> types;
+    for (Value *each : given)
+        types.push_back(each->getType());
+    llvm::Function *function = code_.addPiece(types);
+    builder_.CreateCall(function, given);
+
+    llvm::IRBuilder<>::InsertPointGuard guard(builder_);
+    auto *prepare = llvm::BasicBlock::Create(code_.module.getContext(), "prepare", function);
+    auto *start = llvm::BasicBlock::Create(code_.module.getContext(), "piece", function);
+    builder_.SetInsertPoint(prepare);
+    builder_.CreateBr(start);
+    builder_.SetInsertPoint(start);
+    Values taken;
+    for (llvm::Argument &argument : function->args())
+        taken.push_back(&argument);
+    MaskStack::Scope scope(code_.masks, code_.lanes.maskOfBits(taken[2]));
+    Standing caller = exchangeStanding(
+        {function, {taken[0], taken[1], prepare, {}}, taken[3], {taken.begin() + 4, taken.end()}});
+    for (std::size_t at = piece.begin; at < piece.end; ++at)
+        emit(region.body[at]);
+    builder_.CreateRetVoid();
+    exchangeStanding(std::move(caller));
+}
+
+FunctionGenerator::Standing FunctionGenerator::exchangeStanding(Standing next) {
+    return {std::exchange(code_.function, next.function),
+            arguments_.exchangePlace(std::move(next.place)), spills_->exchangeBase(next.spills),
+            arrays_.exchangeMemory(std::move(next.arrays))};
+}
+
 void FunctionGenerator::emit(const Instruction &i) {
+    if (spills_ && isLoadedAtHead(i.op))
+        return;
     switch (ir::info(i.op).kind) {
     case OpClass::Arithmetic:
     case OpClass::Transcendental:
@@ -194,6 +269,7 @@ void FunctionGenerator::emitMemory(const Instruction &i) {
     case Op::ArrayStore: return arrays_.store(i);
     case Op::Call: return calls_.call(i);
     case Op::Print: return calls_.print(i);
+    case Op::EmissionCone: return; // For Question::Emission.
     case Op::Output:
         return code_.lanes.maskedStore(values_.get(i.operands[0], Rate::Varying),
                                        arguments_.plane(offsetof(ShaderArgs, outputs), i.immediate),

@@ -48,6 +48,10 @@ public:
     llvm::Value *bits(llvm::Value *mask) const {
         return width_ == 1 ? mask : builder_.CreateBitCast(mask, builder_.getIntNTy(width_));
     }
+    /// The mask of such an integer.
+    llvm::Value *maskOfBits(llvm::Value *bits) const {
+        return width_ == 1 ? bits : builder_.CreateBitCast(bits, varying(builder_.getInt1Ty()));
+    }
     llvm::Value *any(llvm::Value *mask) const {
         if (width_ == 1)
             return mask;

@@ -3,8 +3,6 @@
 
 #include "language/jit/runtime_symbols.h"
 
-#include <map>
-
 namespace candela::codegen {
 
 using ir::Rate;
@@ -42,22 +40,23 @@ void RuntimeCalls::call(const ir::Instruction &i) {
     const Rate rate = values_.rate(i.results[0]);
     const int width = rate == Rate::Varying ? code_.lanes.width() : 1;
     auto *type = code_.lanes.type(ir::Type::Float, rate);
-    if (!inputs_) {
+    auto &[inputs, outputs] = callMemory_[code_.function];
+    if (!inputs) {
         auto *widest = code_.lanes.varying(code_.floatType);
-        inputs_ = code_.entryMemory(widest, runtime::maxRuntimeInputs, "call_inputs");
-        outputs_ = code_.entryMemory(widest, runtime::maxRuntimeOutputs, "call_outputs");
+        inputs = code_.entryMemory(widest, runtime::maxRuntimeInputs, "call_inputs");
+        outputs = code_.entryMemory(widest, runtime::maxRuntimeOutputs, "call_outputs");
     }
     for (std::size_t k = 0; k < i.operands.size(); ++k)
         builder_.CreateStore(values_.get(i.operands[k], rate),
-                             builder_.CreateConstGEP1_64(type, inputs_, k));
+                             builder_.CreateConstGEP1_64(type, inputs, k));
     auto *pointer = code_.pointerType;
     auto *signature = llvm::FunctionType::get(builder_.getVoidTy(), {pointer, pointer}, false);
     auto callee = code_.external(runtimeSymbol(i.immediate, width), signature, false);
     setRuntimeAttributes(*llvm::cast<llvm::Function>(callee.getCallee()));
-    builder_.CreateCall(callee, {inputs_, outputs_});
+    builder_.CreateCall(callee, {inputs, outputs});
     for (std::size_t k = 0; k < i.results.size(); ++k)
         values_.set(i.results[k],
-                    builder_.CreateLoad(type, builder_.CreateConstGEP1_64(type, outputs_, k)));
+                    builder_.CreateLoad(type, builder_.CreateConstGEP1_64(type, outputs, k)));
 }
 
 /// candela_print(args, strings, types, operand count, cells, width, active lanes): all lanes'

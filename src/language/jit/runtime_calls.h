@@ -5,6 +5,7 @@
 #include "language/jit/shader_arguments.h"
 #include "language/jit/value_table.h"
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -30,7 +31,11 @@ private:
     ValueTable &values_;
     std::vector<int> stringOffset_; ///< Of Function::strings, in strings_.
     std::string strings_;
-    Value *inputs_ = nullptr, *outputs_ = nullptr; ///< Memory for a call's values.
+    struct CallMemory {
+        Value *inputs = nullptr, *outputs = nullptr;
+    };
+    std::map<llvm::Function *, CallMemory>
+        callMemory_; ///< For a call's values, a machine function.
 };
 
 } // namespace candela::codegen

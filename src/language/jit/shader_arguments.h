@@ -17,11 +17,21 @@ public:
     /// From here on code is about the block of points that begins with `firstPoint`. `prepare` runs
     /// once before the first block, if there is one.
     void enterBlock(llvm::BasicBlock *prepare, Value *firstPoint);
-    Value *firstPoint() const { return firstPoint_; }
+    Value *firstPoint() const { return place_.firstPoint; }
     /// The caller's mask for the lanes of the block; all lanes if there is none.
     Value *blockMask();
 
-    Value *pointer() const { return pointer_; }
+    /// Where a machine function finds the arguments.
+    struct Place {
+        Value *pointer = nullptr;    ///< To ShaderArgs.
+        Value *firstPoint = nullptr; ///< Of the block.
+        llvm::BasicBlock *prepare = nullptr;
+        std::map<std::pair<std::size_t, int>, Value *> planes; ///< Looked up in `prepare`.
+    };
+    /// From here on code stands in another machine function; gives the place until now.
+    Place exchangePlace(Place place) { return std::exchange(place_, std::move(place)); }
+
+    Value *pointer() const { return place_.pointer; }
     /// A field of ShaderArgs, by its offset; fields and tables never change during a call.
     Value *field(std::size_t offset, llvm::Type *);
     Value *fieldPointer(std::size_t offset);
@@ -41,10 +51,7 @@ private:
 
     CodeFunction &code_;
     llvm::IRBuilder<> &builder_;
-    Value *pointer_;
-    Value *firstPoint_ = nullptr;
-    llvm::BasicBlock *prepare_ = nullptr;
-    std::map<std::pair<std::size_t, int>, Value *> planes_; ///< Looked up in prepare_.
+    Place place_;
 };
 
 } // namespace candela::codegen

@@ -206,5 +206,16 @@ TEST(Fold, KeepsEveryAnswer) {
     }
 }
 
+TEST(Slice, OnePlanServesAllQuestions) {
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+        const Function whole = RandomText(seed, seed % 3 == 0).make();
+        const auto plan = makePlan(whole);
+        for (int question = 0; question < int(Question::Light); ++question)
+            EXPECT_EQ(print(slice(*plan, Question(question))),
+                      print(slice(whole, Question(question))))
+                << seed;
+    }
+}
+
 } // namespace
 } // namespace candela::ir
