@@ -37,7 +37,7 @@ struct Activity : ForwardAnalysis<Directions> {
         return i.op == Op::ArrayStore ? arrayOf(i) | at(i, 1) : arrayOf(i);
     }
     Directions given(const Instruction &, std::size_t) const { return everyDirection; }
-    Directions flow(const Flow &flow, const Enclosing *) const {
+    Directions flow(const ValueFlow &flow, const Enclosing *) const {
         Directions all = 0;
         for (ValueId v : flow.from)
             all |= at(v);
