@@ -7,8 +7,6 @@
 #include "language/ir/transform/jet_demand.h"
 #include "language/ir/transform/jet_rules.h"
 
-#include <algorithm>
-
 namespace candela::ir {
 
 namespace {
@@ -21,15 +19,12 @@ Function tablesOf(const Function &function) {
     return result;
 }
 
-int outputSlot(Function &function, const OutputSlot &wanted) {
-    auto &slots = function.outputs;
-    const auto found = std::ranges::find_if(slots, [&](const OutputSlot &slot) {
-        return slot.name == wanted.name && slot.component == wanted.component;
-    });
-    const int index = int(found - slots.begin());
-    if (found == slots.end())
-        slots.push_back(wanted);
-    return index;
+int outputSlot(Function &function, const OutputName &name, int component) {
+    const int known = slotOf(function.outputs, name, component);
+    if (known >= 0)
+        return known;
+    function.outputs.push_back({name, component});
+    return int(function.outputs.size()) - 1;
 }
 
 /// Adds the instructions that differentiate what an Output writes.
@@ -41,9 +36,8 @@ void addSlopes(Function &function, const Instruction &output, Direction d,
     slope.immediate = int(d);
     slope.line = output.line;
     Instruction write{.op = Op::Output, .operands = slope.results, .results = {}, .regions = {}};
-    write.immediate =
-        outputSlot(function, {OutputName("d" + of.name.text() + (d == Direction::U ? "du" : "dv")),
-                              of.component});
+    write.immediate = outputSlot(function, "d" + of.name.text() + (d == Direction::U ? "du" : "dv"),
+                                 of.component);
     write.line = output.line;
     body.push_back(std::move(slope));
     body.push_back(std::move(write));
