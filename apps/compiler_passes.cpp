@@ -35,19 +35,17 @@ std::optional<CompiledShader> compileShader(const sl::TypedShader &shader, ir::L
     listener("fold", whole);
 
     CompiledShader compiled;
-    std::vector<ir::Question> questions{ir::Question::Light};
     std::shared_ptr<const ir::Plan> plan;
-    if (lowered->kind == "surface") {
+    if (lowered->kind == sl::ShaderKind::Surface) {
         whole = ir::applyLightRule(whole, rule);
         listener("light rule", whole);
         plan = ir::makePlan(whole);
         listener("plan", plan->text);
         compiled.facts = ir::surfaceFacts(*plan);
-        questions = {ir::Question::Shade,   ir::Question::Surface, ir::Question::View,
-                     ir::Question::Prepare, ir::Question::Scatter, ir::Question::Emit,
-                     ir::Question::Opacity};
+    } else if (lowered->kind == sl::ShaderKind::Light) {
+        compiled.lightFacts = ir::lightFacts(whole);
     }
-    for (const ir::Question question : questions) {
+    for (const ir::Question question : ir::questionsOf(lowered->kind)) {
         compiled.answers.push_back(
             {question, plan ? ir::slice(*plan, question) : ir::slice(whole, question)});
         listener(ir::nameOf(question), compiled.answers.back().function);

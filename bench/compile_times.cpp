@@ -65,7 +65,7 @@ void measureShader(const sl::TypedShader &shader, const JitOptions &options,
     if (!lowered)
         return;
     const double end = now();
-    const bool isSurface = lowered->kind == "surface";
+    const bool isSurface = lowered->kind == sl::ShaderKind::Surface;
     const ir::Function whole =
         isSurface ? ir::applyLightRule(lowered->whole, ir::LightRule::Path) : lowered->whole;
     const double factsStart = now();

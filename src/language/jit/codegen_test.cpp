@@ -334,14 +334,14 @@ TEST_P(Codegen, IndicesOutsideAreClampedAndReportedAtEveryWidth) {
                 };
                 const auto reference = runWith(ir::interpret);
                 for (std::size_t k = 7; k < 11; ++k) // before, after
-                    EXPECT_EQ(reference[k][17], 7) << function.outputs[k].name;
+                    EXPECT_EQ(reference[k][17], 7) << function.outputs[k].name.text();
                 for (ShaderFunction code : codes) {
                     const auto found =
                         runWith([&](const ir::Function &, const ShaderArgs &args) { code(&args); });
                     for (std::size_t k = 0; k < found.size(); ++k)
                         EXPECT_TRUE(std::equal(found[k].begin(), found[k].end(),
                                                reference[k].begin(), sameBits))
-                            << function.outputs[k].name << " " << x << " " << y;
+                            << function.outputs[k].name.text() << " " << x << " " << y;
                 }
             }
 }

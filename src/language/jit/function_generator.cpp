@@ -269,6 +269,7 @@ void FunctionGenerator::emitMemory(const Instruction &i) {
     case Op::ArrayStore: return arrays_.store(i);
     case Op::Call: return calls_.call(i);
     case Op::Print: return calls_.print(i);
+    case Op::EmissionCone: return; // For Question::Emission.
     case Op::Output:
         return code_.lanes.maskedStore(values_.get(i.operands[0], Rate::Varying),
                                        arguments_.plane(offsetof(ShaderArgs, outputs), i.immediate),

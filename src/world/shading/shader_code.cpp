@@ -6,12 +6,7 @@
 
 namespace candela {
 
-int QuestionCode::output(std::string_view name) const {
-    for (std::size_t slot = 0; slot < function.outputs.size(); ++slot)
-        if (function.outputs[slot].name == name && function.outputs[slot].component == 0)
-            return int(slot);
-    return -1;
-}
+int QuestionCode::output(ir::OutputKind kind) const { return ir::slotOf(function.outputs, kind); }
 
 ShaderCode::ShaderCode(ir::LoweredShader shader, ir::LightRule rule, std::shared_ptr<Jit> jit,
                        std::shared_ptr<const ShaderMessages> messages)
@@ -21,7 +16,7 @@ ShaderCode::ShaderCode(ir::LoweredShader shader, ir::LightRule rule, std::shared
 }
 
 void ShaderCode::readText() {
-    if (shader_.kind == "surface") {
+    if (shader_.kind == sl::ShaderKind::Surface) {
         shader_.whole = ir::applyLightRule(shader_.whole, rule_);
         plan_ = ir::makePlan(shader_.whole);
         facts_ = ir::surfaceFacts(*plan_);

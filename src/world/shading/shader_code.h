@@ -31,8 +31,8 @@ struct QuestionCode {
     /// By the code; without it by interpreting the function, which takes long.
     void ask(const ShaderArgs &args) const { code ? code(&args) : ir::interpret(function, args); }
 
-    /// Index of the first output plane of that name; -1 if the question doesn't have it.
-    int output(std::string_view name) const;
+    /// Index of the output's first plane; -1 if the question doesn't have it.
+    int output(ir::OutputKind) const;
     bool reads(ShaderInput input) const { return function.inputsRead[int(input)]; }
 };
 

@@ -197,7 +197,7 @@ std::optional<ir::LoweredShader> ShaderLibrary::State::standIn(ir::LightRule rul
 }
 
 void ShaderLibrary::State::replace(ShaderCode &code) {
-    const bool isSurface = code.shader().kind == "surface";
+    const bool isSurface = code.shader().kind == sl::ShaderKind::Surface;
     diagnostics.error(
         {}, "shader \"" + code.name() + "\" has no code, so " +
                 (isSurface ? "its surfaces get the default surface" : "its lights give no light"));

@@ -88,7 +88,7 @@ struct AffineAnalysis : ForwardAnalysis<Form> {
     Form result(const Instruction &i, std::size_t k, const Enclosing *) const {
         if (at(i.results[k]).broken)
             return at(i.results[k]);
-        if (info(i.op).kind == OpClass::Light && info(i.op).results == "c")
+        if (isAnswer(i.op))
             return anyLit(i.operands) ? brokenAt(i.line) : lightOf(int(k));
         return formOf(i);
     }
@@ -136,7 +136,7 @@ struct AffineAnalysis : ForwardAnalysis<Form> {
         return either(a, b, line);
     }
 
-    Form flow(const Flow &flow, const Enclosing *) const {
+    Form flow(const ValueFlow &flow, const Enclosing *) const {
         const Form &known = at(flow.to);
         const Instruction &i = flow.owner;
         if (known.broken)
@@ -156,7 +156,7 @@ struct AffineAnalysis : ForwardAnalysis<Form> {
     }
 
     /// What a light loop adds to what it starts from.
-    Form gathered(const Flow &flow) const {
+    Form gathered(const ValueFlow &flow) const {
         const Instruction &i = flow.owner;
         const auto carry = int(argumentOf(i, flow.index));
         Form added = at(flow.from[1]);
@@ -193,7 +193,8 @@ AffineProof proveAffine(const Function &whole) {
     for (auto [slot, v] : outputs) {
         const OutputSlot &output = whole.outputs[slot];
         const Form &form = analysis.at(v);
-        if (output.name == "Ci" && (form.broken || (form.channels & ~(1u << output.component))))
+        if (output.name == OutputKind::Ci &&
+            (form.broken || (form.channels & ~(1u << output.component))))
             return {false, form.line};
     }
     return {};

@@ -25,7 +25,7 @@ struct LightTaint : ForwardAnalysis<bool> {
     bool array(const Instruction &i, const Enclosing *) const {
         return arrayOf(i) || (hasEffect(i.op) && any(i.operands));
     }
-    bool flow(const Flow &flow, const Enclosing *) const {
+    bool flow(const ValueFlow &flow, const Enclosing *) const {
         const auto condition = conditionOf(flow.owner);
         return any(flow.from) || (condition && at(*condition));
     }

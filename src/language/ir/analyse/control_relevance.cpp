@@ -35,7 +35,7 @@ struct OriginAnalysis : ForwardAnalysis<Origin> {
         return from;
     }
     Origin array(const Instruction &, const Enclosing *) const { return {}; }
-    Origin flow(const Flow &flow, const Enclosing *) const {
+    Origin flow(const ValueFlow &flow, const Enclosing *) const {
         Origin from;
         for (ValueId v : flow.from)
             from.add(at(v));

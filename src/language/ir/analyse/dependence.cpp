@@ -57,15 +57,14 @@ struct StageAnalysis : ForwardAnalysis<Stage> {
                                                 : Stage::Surface;
         if (isArrayAccess(i.op))
             return arrayOf(i);
-        const bool answers = info(i.op).kind == OpClass::Light && info(i.op).results == "c";
-        return answers ? Stage::Response : latest(i.operands);
+        return isAnswer(i.op) ? Stage::Response : latest(i.operands);
     }
     /// Loads and stores of an array keep their order: all count to the latest.
     Stage array(const Instruction &i, const Enclosing *around) const {
         return std::max(
             {arrayOf(i), latest(i.operands, conditionAround(around)), carriedAround(around)});
     }
-    Stage flow(const Flow &flow, const Enclosing *around) const {
+    Stage flow(const ValueFlow &flow, const Enclosing *around) const {
         const auto condition = conditionOf(flow.owner);
         if (!condition || !canBeSaved(flow.to))
             return Stage::Response;

@@ -56,7 +56,7 @@ struct DegreeAnalysis : ForwardAnalysis<Degree> {
     Degree array(const Instruction &, const Enclosing *) const { return unknown; }
     Degree given(const Instruction &, std::size_t) const { return unknown; }
 
-    Degree flow(const Flow &flow, const Enclosing *) const {
+    Degree flow(const ValueFlow &flow, const Enclosing *) const {
         if (isL(flow.to))
             return {Degree::Power, 1};
         const auto condition = conditionOf(flow.owner);
@@ -81,7 +81,7 @@ struct DegreeAnalysis : ForwardAnalysis<Degree> {
         }
         if (!isPure(i.op) || info(i.op).kind == OpClass::Random)
             return unknown;
-        if (info(i.op).kind == OpClass::Comparison && isFloatComparison(i.op)) // Both grow alike.
+        if (isFloatComparison(i.op)) // Both sides grow alike.
             return merged(at(i, 0), at(i, 1)).kind == Degree::Unknown ? unknown : steady;
         if (i.op == Op::Sqrt)
             return at(i, 0).kind == Degree::Power ? Degree{Degree::Power, at(i, 0).power / 2}
@@ -139,7 +139,7 @@ std::optional<float> powerOfDistance(const Function &function, const Triple &L) 
     solve(degrees);
     std::optional<Degree> all;
     forEachInstruction(function.body, [&](const Instruction &i) {
-        if (i.op == Op::Output && function.outputs[size_t(i.immediate)].name == "Cl")
+        if (i.op == Op::Output && function.outputs[size_t(i.immediate)].name == OutputKind::Cl)
             all = merged(all.value_or(Degree{}), degrees.at(i, 0));
     });
     if (!all || all->kind == Degree::Unknown)

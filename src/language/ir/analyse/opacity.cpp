@@ -38,7 +38,7 @@ struct OpacityAnalysis : ForwardAnalysis<Opaque> {
     }
     Opaque array(const Instruction &, const Enclosing *) const { return {}; }
     /// What loops carry is never sure.
-    Opaque flow(const Flow &flow, const Enclosing *) const {
+    Opaque flow(const ValueFlow &flow, const Enclosing *) const {
         return flow.owner.op == Op::If ? join(at(flow.from[0]), at(flow.from[1])) : Opaque{};
     }
     Opaque given(const Instruction &, std::size_t) const { return {}; }

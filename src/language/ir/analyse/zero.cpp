@@ -38,7 +38,7 @@ struct ZeroAnalysis : ForwardAnalysis<bool> {
     bool array(const Instruction &i, const Enclosing *) const {
         return arrayOf(i) && (!hasEffect(i.op) || at(i, 1));
     }
-    bool flow(const Flow &flow, const Enclosing *) const {
+    bool flow(const ValueFlow &flow, const Enclosing *) const {
         return std::all_of(flow.from.begin(), flow.from.end(), [&](ValueId v) { return at(v); });
     }
     bool given(const Instruction &, std::size_t) const { return false; }

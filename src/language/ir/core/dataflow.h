@@ -7,7 +7,8 @@
 //                                                                       instruction without regions
 //   Fact array(const Instruction &, const Enclosing *)                  an array after a load or
 //                                                                       store of it
-//   Fact flow(const Flow &, const Enclosing *)                          a value that control flow
+//   Fact flow(const ValueFlow &, const Enclosing *)                          a value that control
+//   flow
 //                                                                       chooses or carries
 //   Fact given(const Instruction &, std::size_t k)                      argument k of a light loop,
 //                                                                       L and Cl
@@ -86,7 +87,7 @@ private:
     }
 
     void sweep(const Instruction &owner, const Enclosing *around) {
-        const auto follow = [&](const Flow &flow) {
+        const auto follow = [&](const ValueFlow &flow) {
             update(analysis_.values[flow.to], analysis_.flow(flow, around));
         };
         if (owner.op == Op::LightLoop)

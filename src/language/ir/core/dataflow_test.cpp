@@ -29,7 +29,7 @@ struct Reach : ForwardAnalysis<bool> {
         deepest = std::max(deepest, depth(around));
         return arrayOf(i) || (hasEffect(i.op) && any(i.operands));
     }
-    bool flow(const Flow &flow, const Enclosing *) const { return any(flow.from); }
+    bool flow(const ValueFlow &flow, const Enclosing *) const { return any(flow.from); }
     bool given(const Instruction &, std::size_t) const { return false; }
 
     static int depth(const Enclosing *around) { return around ? 1 + depth(around->outer) : 0; }
@@ -98,13 +98,13 @@ TEST(Regions, FlowsAreThoseOfTheOwner) {
     forEachInstruction(function.body, [&](const Instruction &i) {
         if (i.op != Op::Loop)
             return;
-        forEachFlowIn(i, [&](const Flow &flow) {
+        forEachFlowIn(i, [&](const ValueFlow &flow) {
             EXPECT_EQ(flow.to, i.regions[0].arguments[flow.index]);
             EXPECT_EQ(flow.from[0], i.operands[flow.index]);
             EXPECT_EQ(flow.from[1], i.regions[0].yields[flow.index]);
             ++seen;
         });
-        forEachFlowOut(i, [&](const Flow &flow) {
+        forEachFlowOut(i, [&](const ValueFlow &flow) {
             EXPECT_EQ(flow.to, i.results[flow.index]);
             EXPECT_EQ(flow.from[0], i.regions[0].arguments[flow.index]);
             ++seen;

@@ -43,6 +43,7 @@ enum class Immediate : std::uint8_t {
     Request,
     RequestOrFinite, ///< A request, or finiteRequests.
     Category,
+    Emission,
     Output,
     Frame,
 };
@@ -182,6 +183,11 @@ constexpr bool isFloatComparison(Op op) {
 }
 /// Loads and stores of local arrays.
 constexpr bool isArrayAccess(Op op) { return info(op).kind == OpClass::Memory; }
+
+/// Light that comes from outside of the text: answers, ambient(), irradiance().
+constexpr bool isAnswer(Op op) {
+    return info(op).kind == OpClass::Light && info(op).results == "c";
+}
 
 /// As OpInfo::cost, with that of the runtime function that a Call calls.
 int costOf(const Instruction &);

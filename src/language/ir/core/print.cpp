@@ -42,6 +42,10 @@ public:
             line("colors of {} samples", function_.colors.samples);
         for (std::size_t i = 0; i < function_.requests.size(); ++i)
             printRequest(int(i), function_.requests[i]);
+        for (std::size_t i = 0; i < function_.emissions.size(); ++i)
+            line("emission {} {}{} line {}", i,
+                 function_.emissions[i].distant ? "distant" : "local",
+                 function_.emissions[i].repeated ? " repeated" : "", function_.emissions[i].line);
         for (std::size_t i = 0; i < function_.arrays.size(); ++i)
             line("array {} {} {} [{}]", i, rateName(function_.arrays[i].rate),
                  typeName(function_.arrays[i].type), function_.arrays[i].size);
@@ -84,7 +88,7 @@ private:
         return text;
     }
     static std::string slot(const std::vector<OutputSlot> &slots, int index) {
-        return fmt::format("\"{}\".{}", slots[index].name, slots[index].component);
+        return fmt::format("\"{}\".{}", slots[index].name.text(), slots[index].component);
     }
 
     std::string immediate(const Instruction &i) const {
@@ -111,6 +115,7 @@ private:
         case Immediate::Request:
         case Immediate::RequestOrFinite:
         case Immediate::Category:
+        case Immediate::Emission:
         case Immediate::Frame: return fmt::format(" {}", i.immediate);
         }
         return "";

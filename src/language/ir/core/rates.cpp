@@ -41,7 +41,7 @@ struct RateAnalysis : ForwardAnalysis<Rate> {
             divergent |= diverges(*around->owner);
         return varyingIf(divergent || arrayOf(i) == Rate::Varying || anyVaries(i.operands));
     }
-    Rate flow(const Flow &flow, const Enclosing *) const {
+    Rate flow(const ValueFlow &flow, const Enclosing *) const {
         return varyingIf(diverges(flow.owner) || anyVaries(flow.from));
     }
     Rate given(const Instruction &, std::size_t) const { return Rate::Varying; }

@@ -74,7 +74,7 @@ inline std::optional<ValueId> conditionOf(const Instruction &owner) {
 }
 
 /// A value that is one of several others, by what control flow does.
-struct Flow {
+struct ValueFlow {
     const Instruction &owner;
     std::size_t index; ///< Among the owner's results.
     ValueId to;
@@ -88,7 +88,7 @@ template <typename Visit> void forEachFlowIn(const Instruction &owner, Visit &&v
     const std::vector<ValueId> &yields = owner.regions[0].yields;
     for (std::size_t k = 0; k < owner.results.size(); ++k) {
         const ValueId from[] = {initialOf(owner, k), k < yields.size() ? yields[k] : 0};
-        visit(Flow{owner, k, argumentOf(owner, k), {from, k < yields.size() ? 2u : 1u}});
+        visit(ValueFlow{owner, k, argumentOf(owner, k), {from, k < yields.size() ? 2u : 1u}});
     }
 }
 
@@ -99,12 +99,12 @@ template <typename Visit> void forEachFlowOut(const Instruction &owner, Visit &&
         const ValueId result = owner.results[k];
         if (owner.op == Op::Loop) {
             const ValueId from[] = {argumentOf(owner, k)};
-            visit(Flow{owner, k, result, from});
+            visit(ValueFlow{owner, k, result, from});
         } else {
             const ValueId first =
                 owner.op == Op::If ? owner.regions[0].yields[k] : initialOf(owner, k);
             const ValueId from[] = {first, owner.regions.back().yields[k]};
-            visit(Flow{owner, k, result, from});
+            visit(ValueFlow{owner, k, result, from});
         }
     }
 }

@@ -113,6 +113,7 @@ private:
         case Immediate::Request: return below(function_.requests.size());
         case Immediate::RequestOrFinite:
             return i.immediate == finiteRequests || below(function_.requests.size());
+        case Immediate::Emission: return below(function_.emissions.size());
         case Immediate::Category: return below(function_.categories.size());
         case Immediate::Output: return below(function_.outputs.size());
         case Immediate::Frame: return below(std::size_t(std::max(function_.frameSlots, 0)));

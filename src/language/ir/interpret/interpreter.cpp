@@ -240,6 +240,7 @@ private:
         }
         case Op::Output: args_.output(i.immediate) = number(i, 0); return true;
         case Op::Print: print(i); return true;
+        case Op::EmissionCone: return true; // For Question::Emission.
         default: return false;
         }
     }

@@ -5,6 +5,7 @@
 #include "foundation/base/diagnostics.h"
 #include "language/ir/core/ir.h"
 #include "language/ir/core/pass_listener.h"
+#include "language/syntax/base_type.h"
 
 #include <array>
 #include <optional>
@@ -51,7 +52,7 @@ struct StringValue {
 
 struct LoweredShader {
     std::string name;
-    std::string kind; ///< "surface", "light", ...
+    sl::ShaderKind kind = sl::ShaderKind::Surface;
     std::vector<ShaderParameter> parameters;
     Function whole;
     LightClass lightClass = LightClass::Ambient;

@@ -85,7 +85,7 @@ public:
             });
         std::map<std::string, std::vector<Plane>> result;
         for (size_t i = 0; i < planes.size(); ++i)
-            result[lowered->whole.outputs[i].name].push_back(planes[i]);
+            result[lowered->whole.outputs[i].name.text()].push_back(planes[i]);
         return result;
     }
 

@@ -34,13 +34,14 @@ void eliminateCommonSubexpressions(Function &text, std::vector<ConeTest> &coneTe
 }
 
 void readFacts(Plan &plan) {
-    Function emission = specializeUnder(plan, {}, "Ci", "Ce");
+    Function emission = specializeUnder(plan, {}, OutputKind::Ci, OutputKind::Ce);
     std::vector<bool> zero = provablyZero(emission);
     plan.emits.resize(size_t(plan.text.colors.samples));
     for (const Instruction &i : emission.body.body)
         if (i.op == Op::Output)
             plan.emits[emission.outputs[i.immediate].component] = !zero[i.operands[0]];
-    Function ambient = specializeUnder(plan, {Assumption::Light::None, true, nullptr}, "Ci", "Ca");
+    Function ambient = specializeUnder(plan, {Assumption::Light::None, true, nullptr},
+                                       OutputKind::Ci, OutputKind::Ca);
     plan.readsAmbient = anyInstruction(ambient.body, [](const Instruction &i) {
         return i.op == Op::Ambient || i.op == Op::Irradiance;
     });
@@ -48,15 +49,15 @@ void readFacts(Plan &plan) {
 
 } // namespace
 
-Function specializeUnder(const Plan &plan, const Assumption &assumption, const std::string &from,
-                         const std::string &slot) {
+Function specializeUnder(const Plan &plan, const Assumption &assumption, OutputKind from,
+                         OutputKind to) {
     Function result = emptyLike(plan.text);
     Builder b(result);
     SpecializationOptions options;
     options.coneTests = &plan.coneTests;
     SpecializedText specialized = specialize(plan.text, plan.dependence, b, {assumption}, options);
     for (int k = 0; k < plan.text.colors.samples; ++k)
-        output(b, slot, k, specialized.output(0, from, k).value_or(number(b, 0)));
+        output(b, to, k, specialized.output(0, from, k).value_or(number(b, 0)));
     b.finish();
     removeDeadCode(result);
     return result;

@@ -33,9 +33,8 @@ struct Plan {
     FramePlan frame;           ///< Empty if not framed.
 };
 
-/// Outputs of a surface's Ci under an assumption, in one stage, as output slot `slot`.
-Function specializeUnder(const Plan &, const Assumption &, const std::string &from,
-                         const std::string &slot);
+/// Outputs of a surface's Ci under an assumption, in one stage, as output `to`.
+Function specializeUnder(const Plan &, const Assumption &, OutputKind from, OutputKind to);
 
 FramePlan planFrame(const Plan &);
 

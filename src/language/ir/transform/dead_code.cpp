@@ -51,7 +51,7 @@ private:
     /// with every loop around.
     bool mark(const Instruction &i) {
         bool kept = isKept(i);
-        const auto follow = [&](const Flow &flow) {
+        const auto follow = [&](const ValueFlow &flow) {
             if (live_[flow.to])
                 need(flow.from);
         };
@@ -139,5 +139,12 @@ private:
 } // namespace
 
 void removeDeadCode(Function &function) { DeadCode(function).run(); }
+
+void removeAll(Op op, Region &region) {
+    std::erase_if(region.body, [op](const Instruction &i) { return i.op == op; });
+    for (Instruction &i : region.body)
+        for (Region &inner : i.regions)
+            removeAll(op, inner);
+}
 
 } // namespace candela::ir

@@ -25,13 +25,15 @@ void stateCones(Specialization &s, const Instruction &i) {
         if (cone.request != i.immediate)
             continue;
         StatedCone stated = stateCone(s.mapping, s.b, i, cone);
-        std::string name = "cone " + std::to_string(n);
+        const auto state = [&](OutputKind kind, int component, ValueId v) {
+            output(s.b, {kind, int(n)}, component, v);
+        };
         for (int k = 0; k < 3; ++k)
-            output(s.b, name + " axis", k, stated.axis[k]);
-        output(s.b, name + " angle", 0, stated.angle);
-        output(s.b, name + " exponent", 0, stated.exponent);
+            state(OutputKind::ConeAxis, k, stated.axis[k]);
+        state(OutputKind::ConeAngle, 0, stated.angle);
+        state(OutputKind::ConeExponent, 0, stated.exponent);
         if (stated.importance)
-            output(s.b, name + " importance", 0, *stated.importance);
+            state(OutputKind::ConeImportance, 0, *stated.importance);
     }
 }
 
