@@ -16,7 +16,7 @@ struct CodeTarget {
 
     /// Operations of the IR that a machine function holds at most, or about; a longer one is
     /// compiled in pieces.
-    int longestFunction = 1000;
+    int longestFunction = 2000;
 
     /// Bits of the widest vector register.
     int registerBits() const {
