@@ -90,15 +90,19 @@ std::vector<LargeShader> largeShaders() {
          "derivatives"},
         {"an array of 4,096 numbers", Compiles,
          surface("float a[4096]; a[u * 9] = u; Ci = a[v * 9];\n")},
-        {"an array of 4,096 numbers in a function that is called 20 times", Compiles,
-         surface("Ci = 0;\n" + each(20, [](const std::string &n) { return "Ci += f(u + " + n + ");"; }),
+        {"an array of 4,096 numbers in a function that is called 15 times", Compiles,
+         surface("Ci = 0;\n" +
+                     each(15, [](const std::string &n) { return "Ci += f(u + " + n + ");"; }),
                  "float f(float x;) { float a[4096]; a[x * 9] = u; return a[v * 9]; }\n")},
+        {"derivatives of an array of 60,000 numbers", Refused,
+         surface("float a[60000]; a[u * 9] = u; Ci = Du(a[v * 9]);\n"), "two more for each"},
         {"an array of a million numbers", Refused,
-         surface("float a[1000000]; a[u * 9] = u; Ci = a[v * 9];\n"), "numbers are the most"},
+         surface("float a[1000000]; a[u * 9] = u; Ci = a[v * 9];\n"), "from 1 to 65536"},
         {"60 arrays of 60,000 numbers", Refused,
-         surface(each(60, [](const std::string &n) {
-                     return "float a" + n + "[60000]; a" + n + "[u * 9] = u;";
-                 }) +
+         surface(each(60,
+                      [](const std::string &n) {
+                          return "float a" + n + "[60000]; a" + n + "[u * 9] = u;";
+                      }) +
                  "Ci = a1[v * 9];\n"),
          "numbers"},
         {"12 functions with loop conditions that call the next", Compiles,
@@ -110,26 +114,46 @@ std::vector<LargeShader> largeShaders() {
         {"five functions of ten lines that call each other 6 times", Refused,
          tenLinesEach(5, 6) + calls("g0"), "g0"},
         {"20 functions that call the next twice", Refused, tenLinesEach(20, 2) + calls("g0"), "g0"},
+        {"40 functions that call the next twice with the same argument", Refused,
+         "float g0(float x;) { return x; }\n" +
+             each(40,
+                  [](const std::string &n) {
+                      const std::string next = std::to_string(std::stoi(n) + 1);
+                      return "float g" + next + "(float x;) { return g" + n + "(x) + g" + n +
+                             "(x); }";
+                  }) +
+             calls("g40"),
+         "g40"},
         {"96 diffuse and specular terms", Compiles, lobes(96)},
+        {"a cosine squared 40 times in a light loop", Compiles,
+         surface("color c = 0;\nilluminance(P, N, PI / 2) {\nfloat x = normalize(L) . N;\n" +
+                 repeat(40, "x = x * x;") + "c += Cl * x;\n}\nCi = c;\n")},
+        {"a light's fall-off squared 40 times", Compiles,
+         "light s() {\nilluminate(P) {\nfloat x = 1 / (L . L);\n" + repeat(40, "x = x * x;") +
+             "Cl = x;\n}\n}\n"},
         {"8,000 statements", Compiles,
          surface("float x = u;\n" +
                  each(8000, [](const std::string &n) { return "x = x * v + 0." + n + ";"; }) +
                  "Ci = x;\n")},
         {"3,200 ifs", Compiles,
-         surface("float x = u;\n" + each(3200, [](const std::string &n) {
-                     return "if (x > 0." + n + ") x = x * v + sin(x); else x += 1;";
-                 }) + "Ci = x;\n")},
+         surface("float x = u;\n" +
+                 each(3200,
+                      [](const std::string &n) {
+                          return "if (x > 0." + n + ") x = x * v + sin(x); else x += 1;";
+                      }) +
+                 "Ci = x;\n")},
         {"2,000 selects", Compiles,
-         surface("float x = u;\n" + each(2000, [](const std::string &n) {
-                     return "x = x > 0." + n + " ? x * v : x + 1;";
-                 }) + "Ci = x;\n")},
+         surface("float x = u;\n" +
+                 each(2000,
+                      [](const std::string &n) { return "x = x > 0." + n + " ? x * v : x + 1;"; }) +
+                 "Ci = x;\n")},
         {"a spline of 5,000 knots", Compiles,
          surface("Ci = spline(u" + each(5000, [](const std::string &n) { return ", 0." + n; }) +
                  ");\n")},
         {"2,000 calls of noise", Compiles,
-         surface("float x = 0;\n" + each(2000, [](const std::string &n) {
-                     return "x += noise(P * " + n + ");";
-                 }) + "Ci = x;\n")},
+         surface("float x = 0;\n" +
+                 each(2000, [](const std::string &n) { return "x += noise(P * " + n + ");"; }) +
+                 "Ci = x;\n")},
         {"10 loops of known count, nested", Compiles, nestedLoops(10, 2, "x += sin(x + u);\n")},
         {"10 loops around a light loop, nested", Compiles,
          nestedLoops(10, 2, "illuminance(P, N, PI / 2) { c += Cl; }\n")},
@@ -140,16 +164,19 @@ std::vector<LargeShader> largeShaders() {
          surface("Ci = 0;\n" +
                  each(3000, [](const std::string &n) { return "Ci += Cs * 0." + n + ";"; }))},
         {"300 traces", Compiles,
-         surface("Ci = 0;\n" + each(300, [](const std::string &n) {
-                     return "Ci += trace(P, N + " + n + " * I);";
-                 }))},
-        {"400 nested ifs", Compiles,
-         surface("float x = u;\n" + repeat(400, "if (x > 0.5) { x += sin(x);") +
-                 std::string(400, '}') + "\nCi = x;\n")},
+         surface(
+             "Ci = 0;\n" +
+             each(300, [](const std::string &n) { return "Ci += trace(P, N + " + n + " * I);"; }))},
+        {"190 nested ifs", Compiles,
+         surface("float x = u;\n" + repeat(190, "if (x > 0.5) { x += sin(x);") +
+                 std::string(190, '}') + "\nCi = x;\n")},
         {"1,000 returns", Compiles,
-         calls("f").insert(0, "float f(float x;) {\n" + each(1000, [](const std::string &n) {
-                               return "if (x == " + n + ") return sin(x + " + n + ");";
-                           }) + "return 0;\n}\n")},
+         calls("f").insert(0, "float f(float x;) {\n" +
+                                  each(1000,
+                                       [](const std::string &n) {
+                                           return "if (x == " + n + ") return sin(x + " + n + ");";
+                                       }) +
+                                  "return 0;\n}\n")},
     };
 }
 

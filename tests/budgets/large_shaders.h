@@ -2,6 +2,7 @@
 // Shaders whose compilation grows faster than their text, or has a long text.
 #pragma once
 
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,10 @@ struct LargeShader {
     std::string text;
     /// Refused: part of the message.
     std::string says = {};
+
+    friend std::ostream &operator<<(std::ostream &out, const LargeShader &shader) {
+        return out << shader.name;
+    }
 };
 
 /// In the order of the table that docs/compiler-limits.md explains.

@@ -2,7 +2,7 @@
 // The function's arrays. An index outside is clamped and reported.
 #pragma once
 
-#include "language/jit/runtime_calls.h"
+#include "language/jit/turn_limit.h"
 
 #include <vector>
 
@@ -11,7 +11,7 @@ namespace candela::codegen {
 class ArrayMemory {
 public:
     /// Takes memory for all arrays at the function's entry.
-    ArrayMemory(CodeFunction &, ValueTable &, RuntimeCalls &);
+    ArrayMemory(CodeFunction &, ValueTable &, RuntimeCalls &, const TurnLimit &);
 
     /// All elements are zero at the head of a block.
     void clear();
@@ -28,6 +28,7 @@ private:
     llvm::IRBuilder<> &builder_;
     ValueTable &values_;
     RuntimeCalls &calls_;
+    const TurnLimit &limit_;
     std::vector<llvm::AllocaInst *> memory_; ///< Of Function::arrays: rows of scalars or of lanes.
 };
 

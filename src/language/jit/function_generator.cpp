@@ -48,6 +48,7 @@ private:
     ShaderArguments arguments_;
     Gathers gathers_;
     RuntimeCalls calls_;
+    TurnLimit limit_;
     ArrayMemory arrays_;
     ControlFlow control_;
 };
@@ -56,8 +57,9 @@ FunctionGenerator::FunctionGenerator(const ir::Function &function, const CodeTar
                                      const std::string &symbol, llvm::Module &module)
     : function_(function), code_(target, module, symbol), builder_(code_.builder),
       values_(function, code_.lanes), arguments_(code_), gathers_(code_, arguments_, function.body),
-      calls_(code_, arguments_, values_), arrays_(code_, values_, calls_),
-      control_(code_, values_, [this](const Region &region) { emitRegion(region); }) {}
+      calls_(code_, arguments_, values_), limit_(code_, values_, calls_),
+      arrays_(code_, values_, calls_, limit_),
+      control_(code_, values_, limit_, [this](const Region &region) { emitRegion(region); }) {}
 
 void FunctionGenerator::generate() {
     auto *count = arguments_.field(offsetof(ShaderArgs, count), code_.integerType);
@@ -92,6 +94,7 @@ void FunctionGenerator::generate() {
 void FunctionGenerator::emitBody(Value *mask) {
     MaskStack::Scope scope(code_.masks, mask);
     arrays_.clear();
+    limit_.begin();
     gathers_.load();
     emitRegion(function_.body);
 }
@@ -183,17 +186,22 @@ void FunctionGenerator::emitMemory(const Instruction &i) {
     case Op::ArrayLoad: return values_.set(i.results[0], arrays_.load(i));
     case Op::ArrayStore: return arrays_.store(i);
     case Op::Call: return calls_.call(i);
-    case Op::Print: return calls_.print(i);
+    case Op::Print: {
+        MaskStack::Scope scope(code_.masks, limit_.running(code_.masks.current()));
+        return calls_.print(i);
+    }
     case Op::Output:
-        return code_.lanes.maskedStore(values_.get(i.operands[0], Rate::Varying),
-                                       arguments_.plane(offsetof(ShaderArgs, outputs), i.immediate),
-                                       code_.masks.current());
+        return code_.lanes.maskedStore(
+            limit_.whereRunning(values_.get(i.operands[0], Rate::Varying),
+                                function_.outputs[i.immediate].whenEnded),
+            arguments_.plane(offsetof(ShaderArgs, outputs), i.immediate), code_.masks.current());
     case Op::FrameStore: {
         auto *value = values_.get(i.operands[0], Rate::Varying);
         if (value->getType()->isIntOrIntVectorTy())
             value = builder_.CreateUIToFP(value, code_.lanes.varying(code_.floatType));
-        return code_.lanes.maskedStore(
-            value, arguments_.frameSlot(i.immediate, function_.frameSlots), code_.masks.current());
+        return code_.lanes.maskedStore(limit_.whereRunning(value, 0),
+                                       arguments_.frameSlot(i.immediate, function_.frameSlots),
+                                       code_.masks.current());
     }
     default: return;
     }

@@ -9,6 +9,10 @@ namespace candela::ir {
 
 namespace {
 
+/// A value of more parameters is as good as one of something else: sets would grow with the square
+/// of their number.
+constexpr std::size_t mostSlots = 64;
+
 /// Which parameters a value is a function of, if it is one of parameters and constants alone.
 struct Origin {
     bool reached = false;
@@ -30,13 +34,16 @@ public:
 private:
     void add(ValueId v, const Origin &from) {
         Origin &known = origins_[v];
-        std::size_t before = known.slots.size();
-        known.slots.insert(from.slots.begin(), from.slots.end());
-        if (known.slots.size() != before || (from.other && !known.other) ||
-            (from.reached && !known.reached))
-            changed_ = true;
-        known.other |= from.other;
+        const std::size_t before = known.slots.size();
+        const bool wasOther = known.other, wasReached = known.reached;
+        if (!wasOther)
+            known.slots.insert(from.slots.begin(), from.slots.end());
+        known.other |= from.other || known.slots.size() > mostSlots;
+        if (known.other)
+            known.slots.clear();
         known.reached |= from.reached;
+        if (known.slots.size() != before || known.other != wasOther || known.reached != wasReached)
+            changed_ = true;
     }
 
     void decide(ValueId v) {

@@ -17,6 +17,10 @@ void arrayStore(Builder &b, int array, ValueId index, ValueId value) {
     b.emit(Op::ArrayStore, {index, value}, array);
 }
 
+OutputSlot outputSlot(const std::string &name, int component) {
+    return {name, component, name == "Oi" ? 1.0f : 0.0f};
+}
+
 void output(Builder &b, const std::string &slot, int component, ValueId value) {
     auto &slots = b.function().outputs;
     std::size_t index = 0;
@@ -24,7 +28,7 @@ void output(Builder &b, const std::string &slot, int component, ValueId value) {
            (slots[index].name != slot || slots[index].component != component))
         ++index;
     if (index == slots.size())
-        slots.push_back({slot, component});
+        slots.push_back(outputSlot(slot, component));
     b.emit(Op::Output, {value}, int(index));
 }
 

@@ -13,6 +13,7 @@
 #pragma once
 
 #include "foundation/base/diagnostics.h"
+#include "language/ir/core/budget.h"
 #include "language/runtime/shader_abi.h"
 
 #include <cstdint>
@@ -52,11 +53,12 @@ struct Instruction {
     std::vector<ValueId> operands;
     std::vector<ValueId> results;
     std::vector<Region> regions;
-    /// What the operation needs beside operands; its meaning stands in ops.def.
+    /// What the operation needs beside operands; its meaning stands in ops.def. Of a Loop: 1 if it
+    /// ends soon, which markShortLoops() proves: its turns are not counted.
     std::int32_t immediate = 0;
     float number = 0;
     int line = 0; ///< Of the shader's source, for messages; 0 = made by the compiler.
-    int file = 0; ///< Into Function::files, for messages at run time; only array accesses have it.
+    int file = 0; ///< Into Function::files, for messages at run time: of array accesses and loops.
 };
 
 /// How a light loop chooses its samples and states its importance.
@@ -96,6 +98,8 @@ struct ParameterSlot {
 struct OutputSlot {
     std::string name;
     int component = 0;
+    /// What it holds at points where a loop had to be ended (budget.h): black, opaque.
+    float whenEnded = 0;
 };
 
 /// One function to interpret or compile: one question to one shader (or, before slicing, the
@@ -116,6 +120,9 @@ struct Function {
     std::vector<OutputSlot> outputs;
     std::vector<bool> inputsRead; ///< By ShaderInput.
     int frameSlots = 0;
+    /// Turns of a loop, those of the loops in it included, for a point: then the point's loop ends,
+    /// and its outputs are as OutputSlot::whenEnded says.
+    int mostTurns = mostLoopTurns;
 
     ValueId addValue(Type type, Rate rate) {
         values.push_back({type, rate});

@@ -125,7 +125,7 @@ private:
 class Expansion {
 public:
     Expansion(Function &function, const Flow &flow)
-        : old_(std::exchange(function.body, {})), b_(function) {
+        : old_(std::exchange(function.body, {})), b_(function, Budget(mostInstructions)) {
         std::vector<ValueId> arguments;
         for (ValueId placeholder : flow.innermost()) {
             expanded_.insert(placeholder);
@@ -142,9 +142,11 @@ public:
             }
     }
 
-    void run() {
+    /// The budget that is left.
+    Budget run() {
         rebuild(old_.body);
         b_.finish();
+        return b_.budget();
     }
 
 private:
@@ -158,6 +160,8 @@ private:
 
     void rebuild(std::vector<Instruction> &body) {
         for (Instruction &i : body) {
+            if (b_.budget().exceeded())
+                return;
             b_.setLine(i.line);
             b_.setFile(i.file);
             if (isPlaceholder(i) && expanded_.contains(i.results[0])) {
@@ -266,12 +270,14 @@ private:
 
 } // namespace
 
-void expandDerivatives(Function &function) {
+std::optional<int> expandDerivatives(Function &function) {
     for (;;) {
         const Flow flow(function);
         if (!flow.any())
-            return;
-        Expansion(function, flow).run();
+            return {};
+        const Budget budget = Expansion(function, flow).run();
+        if (budget.exceeded())
+            return budget.line();
     }
 }
 

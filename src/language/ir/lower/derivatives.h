@@ -6,11 +6,15 @@
 
 #include "language/ir/lower/components.h"
 
+#include <optional>
+
 namespace candela::ir {
 
 inline constexpr int derivativeByU = -1, derivativeByV = -2;
 /// Placeholders for the derivatives of the values.
 Components derivative(Builder &, const Components &, int direction);
-void expandDerivatives(Function &);
+/// Gives the line of a derivative that makes the function larger than it may be, which is of no use
+/// then.
+std::optional<int> expandDerivatives(Function &);
 
 } // namespace candela::ir

@@ -10,8 +10,10 @@
 #include "language/ir/lower/defaults.h"
 #include "language/ir/lower/derivatives.h"
 #include "language/ir/lower/statement.h"
+#include "language/ir/transform/short_loops.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 
 namespace candela::ir {
 
@@ -76,7 +78,7 @@ void writeOutputs(Lowering &lowering, const LoweredShader &lowered) {
 
 /// Local arrays are written out, element by element. Formals are the arrays of their callers.
 bool arraysFit(const sl::TypedShader &shader, DiagnosticSink &sink) {
-    constexpr int mostNumbers = 1 << 16;
+    constexpr int mostNumbers = int(mostArrayNumbers);
     for (const auto &symbol : shader.symbols)
         if (symbol->kind != sl::Symbol::Kind::Formal &&
             symbol->type.length > mostNumbers / std::max(1, componentCount(symbol->type.base))) {
@@ -87,6 +89,40 @@ bool arraysFit(const sl::TypedShader &shader, DiagnosticSink &sink) {
             return false;
         }
     return true;
+}
+
+/// All arrays in memory together.
+bool memoryFits(const Lowering &lowering, const Function &function, DiagnosticSink &sink) {
+    size_t numbers = 0;
+    for (const Array &array : function.arrays)
+        numbers += size_t(array.size);
+    if (numbers <= mostArrayNumbers)
+        return true;
+    const sl::Symbol *largest = nullptr;
+    for (const auto &symbol : lowering.shader.symbols)
+        if (symbol->type.isArray() && (!largest || symbol->type.length > largest->type.length))
+            largest = symbol.get();
+    sink.report(sl::diagnosticAt(
+        Severity::Error, largest ? largest->where : lowering.shader.where,
+        fmt::format("the shader's arrays are too large together: {} numbers, with those of each "
+                    "call of a function and two more for each derivative; {} are the most",
+                    numbers, mostArrayNumbers)));
+    return false;
+}
+
+/// Replaces derivatives by what they are.
+bool expandDerivatives(const Lowering &lowering, Function &function, DiagnosticSink &sink) {
+    const auto line = expandDerivatives(function);
+    if (!line)
+        return true;
+    const auto place = lowering.derivatives.find(*line);
+    sink.report(sl::diagnosticAt(
+        Severity::Error,
+        place == lowering.derivatives.end() ? lowering.shader.where : place->second,
+        fmt::format("the derivatives here make the shader too large to compile: more than {} "
+                    "operations; take fewer derivatives of derivatives",
+                    mostInstructions)));
+    return false;
 }
 
 } // namespace
@@ -108,6 +144,7 @@ std::optional<LoweredShader> lower(const sl::TypedShader &shader,
     lowered.name = shader.name;
     lowered.kind = sl::nameOf(shader.kind);
     lowered.whole.name = shader.name;
+    lowered.whole.mostTurns = options.mostTurns;
     auto parameters = parametersOf(shader, strings, sink);
     if (!parameters)
         return std::nullopt;
@@ -128,8 +165,12 @@ std::optional<LoweredShader> lower(const sl::TypedShader &shader,
         lowered.inverseSquare = *power == (lowered.lightClass == LightClass::Local ? -2 : 0);
         lowered.directionOnly = *power == 0;
     }
-    expandDerivatives(lowered.whole);
+    if (!expandDerivatives(lowering, lowered.whole, sink))
+        return std::nullopt;
     removeUnused(lowered.whole, lowered.parameters);
+    if (!memoryFits(lowering, lowered.whole, sink))
+        return std::nullopt;
+    markShortLoops(lowered.whole);
     return lowered;
 }
 

@@ -66,6 +66,7 @@ struct LoweringOptions {
     /// specular() and specularbrdf() have this over the roughness as their exponent. RI 3.1 says 1
     /// (section 15.6); production renderers, and the pictures that files were made by, have 8.
     float highlightScale = 8;
+    int mostTurns = mostLoopTurns; ///< As Function has it; > 0.
 };
 
 /// Lowers a checked surface or light shader. Output slots: surface "Ci", "Oi"; light "L", "Cl";

@@ -5,6 +5,7 @@
 #include "language/ir/core/builder_effects.h"
 #include "language/ir/core/builder_sources.h"
 #include "language/ir/lower/expression.h"
+#include "language/ir/lower/place_scope.h"
 
 namespace candela::ir {
 
@@ -39,26 +40,6 @@ int elementIndex(Lowering &lowering, const Storage &storage, ValueId index,
 ValueId computedIndex(Builder &b, ValueId index) {
     return select(b, equal(b, index, index), unary(b, Op::IntegerFromFloat, index), integer(b, -1));
 }
-
-/// While it lives, what is emitted stands at the place: messages at run time name it.
-class PlaceScope {
-public:
-    PlaceScope(Builder &b, const sl::Place &where) : b_(b), line_(b.line()) {
-        b_.setLine(where.line);
-        if (where.file)
-            b_.setFile(intern(b_.function().files, where.file->name()));
-    }
-    ~PlaceScope() {
-        b_.setLine(line_);
-        b_.setFile(0);
-    }
-    PlaceScope(const PlaceScope &) = delete;
-    PlaceScope &operator=(const PlaceScope &) = delete;
-
-private:
-    Builder &b_;
-    int line_;
-};
 
 } // namespace
 

@@ -4,6 +4,7 @@
 #include "language/ir/questions/plan.h"
 #include "language/ir/questions/questions.h"
 #include "language/ir/transform/dead_code.h"
+#include "language/ir/transform/short_loops.h"
 
 namespace candela::ir {
 
@@ -65,6 +66,7 @@ bool hasLoops(const Plan &plan) {
 Function slice(const Function &whole, Question question) {
     Function result = sliceQuestion(whole, question);
     result.name = whole.name + "." + nameOf(question);
+    markShortLoops(result);
     return result;
 }
 
