@@ -28,6 +28,7 @@ struct CodeFunction {
     Lanes lanes;
     MaskStack masks;
     llvm::Function *function = nullptr;
+    int colorSamples = 0; ///< Of every colour in it.
     llvm::Type *const floatType, *const integerType, *const pointerType;
 
     llvm::BasicBlock *block(const char *name);

@@ -3,6 +3,7 @@
 #include "language/jit/function_generator.h"
 
 #include "foundation/units/color.h"
+#include "language/ir/core/op_info.h"
 #include "language/jit/arithmetic.h"
 #include "language/jit/array_memory.h"
 #include "language/jit/gathers.h"
@@ -17,6 +18,7 @@ namespace {
 
 using ir::Instruction;
 using ir::Op;
+using ir::OpClass;
 using ir::Rate;
 using ir::Region;
 
@@ -32,7 +34,7 @@ private:
     void emitRegion(const Region &);
     void emit(const Instruction &);
     void emitControl(const Instruction &);
-    /// From Op::Add to Op::IntegerFromFloat.
+    /// Of values alone.
     Value *operation(const Instruction &);
     /// The results of what takes a value from outside; none of other instructions.
     Values source(const Instruction &);
@@ -59,7 +61,9 @@ FunctionGenerator::FunctionGenerator(const ir::Function &function, const CodeTar
       values_(function, code_.lanes), arguments_(code_), gathers_(code_, arguments_, function.body),
       calls_(code_, arguments_, values_), limit_(code_, values_, calls_),
       arrays_(code_, values_, calls_, limit_),
-      control_(code_, values_, limit_, [this](const Region &region) { emitRegion(region); }) {}
+      control_(code_, values_, limit_, [this](const Region &region) { emitRegion(region); }) {
+    code_.colorSamples = function.colors.samples;
+}
 
 void FunctionGenerator::generate() {
     auto *count = arguments_.field(offsetof(ShaderArgs, count), code_.integerType);
@@ -105,10 +109,16 @@ void FunctionGenerator::emitRegion(const Region &region) {
 }
 
 void FunctionGenerator::emit(const Instruction &i) {
-    if (i.op >= Op::Add && i.op <= Op::IntegerFromFloat)
-        return values_.set(i.results[0], operation(i));
-    if (i.op >= Op::If && i.op <= Op::LightLoop)
-        return emitControl(i);
+    switch (ir::info(i.op).kind) {
+    case OpClass::Arithmetic:
+    case OpClass::Transcendental:
+    case OpClass::Comparison:
+    case OpClass::Logic:
+    case OpClass::Choice:
+    case OpClass::Conversion: return values_.set(i.results[0], operation(i));
+    case OpClass::Control: return emitControl(i);
+    default: break;
+    }
     const Values given = source(i);
     for (std::size_t k = 0; k < given.size(); ++k)
         values_.set(i.results[k], given[k]);
@@ -119,7 +129,7 @@ void FunctionGenerator::emit(const Instruction &i) {
 Value *FunctionGenerator::operation(const Instruction &i) {
     const Rate rate = values_.rate(i.results[0]);
     const auto operand = [&](int k) { return values_.get(i.operands[k], rate); };
-    if (i.op > Op::Pow)
+    if (!ir::isFloatArithmetic(i.op))
         return logicOperation(code_, i.op, rate, operand);
     auto *a = operand(0), *b = operand(int(i.operands.size()) - 1);
     return floatOperation(code_, i.op, a, b);
@@ -174,7 +184,7 @@ Values FunctionGenerator::source(const Instruction &i) {
     case Op::CategoryAccepts:
         return {acceptedByCategory(code_, arguments_, i.immediate, arguments_.firstPoint())};
     case Op::Answer:
-        return arguments_.color(offsetof(ShaderArgs, answers), i.immediate * colorSamples);
+        return arguments_.color(offsetof(ShaderArgs, answers), i.immediate * code_.colorSamples);
     case Op::Ambient: return arguments_.color(offsetof(ShaderArgs, ambient), 0);
     case Op::Irradiance: return arguments_.color(offsetof(ShaderArgs, irradiance), 0);
     default: return {};

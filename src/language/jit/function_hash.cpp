@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/jit/function_hash.h"
 
+#include "language/ir/core/regions.h"
+
 #include <bit>
 
 namespace candela {
@@ -24,17 +26,6 @@ static bool namesPlace(const ir::Instruction &i) {
     return i.op == ir::Op::ArrayLoad || i.op == ir::Op::ArrayStore || i.op == ir::Op::Loop;
 }
 
-static bool namesPlace(const ir::Region &region) {
-    for (const ir::Instruction &i : region.body) {
-        if (namesPlace(i))
-            return true;
-        for (const ir::Region &inner : i.regions)
-            if (namesPlace(inner))
-                return true;
-    }
-    return false;
-}
-
 static void addRegion(ContentHash &hash, const ir::Region &region) {
     addIds(hash, region.arguments);
     addIds(hash, region.yields);
@@ -56,6 +47,7 @@ static void addRegion(ContentHash &hash, const ir::Region &region) {
 }
 
 void addFunction(ContentHash &hash, const ir::Function &function) {
+    hash.add(std::uint64_t(function.colors.samples));
     hash.add(function.values.size());
     for (const ir::Value &value : function.values)
         hash.add(std::uint64_t(value.type) << 8 | std::uint64_t(value.rate));
@@ -71,7 +63,8 @@ void addFunction(ContentHash &hash, const ir::Function &function) {
         hash.add(std::uint64_t(std::uint32_t(request.category)));
     }
     addTexts(hash, function.strings);
-    addTexts(hash, namesPlace(function.body) ? function.files : std::vector<std::string>());
+    addTexts(hash, ir::anyInstruction(function.body, namesPlace) ? function.files
+                                                                 : std::vector<std::string>());
     hash.add(std::uint64_t(function.frameSlots));
     hash.add(std::uint64_t(std::uint32_t(function.mostTurns)));
     for (const ir::OutputSlot &slot : function.outputs)

@@ -67,7 +67,7 @@ Value *ShaderArguments::planeHere(std::size_t tableField, int index) {
 Values ShaderArguments::color(std::size_t tableField, int first) {
     return code_.valuesIf(builder_.CreateIsNotNull(fieldPointer(tableField)), "load_color", [&] {
         Values loaded;
-        for (int k = 0; k < colorSamples; ++k)
+        for (int k = 0; k < code_.colorSamples; ++k)
             loaded.push_back(code_.lanes.load(code_.floatType, planeHere(tableField, first + k)));
         return loaded;
     });

@@ -28,7 +28,7 @@ public:
     /// Where the block's lanes stand in plane `index` of a table. The plane is looked up before the
     /// loop over blocks, where the table can't be null.
     Value *plane(std::size_t tableField, int index);
-    /// colorSamples planes from `first` on of a table that may be null: black then.
+    /// A colour's planes, from `first` on of a table that may be null: black then.
     Values color(std::size_t tableField, int first);
     /// A slot of the frame, which has `slots` for each group of 16 points.
     Value *frameSlot(int slot, int slots);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/jit/turn_limit.h"
 
+#include "language/ir/core/regions.h"
+
 #include <llvm/IR/MDBuilder.h>
 
 namespace candela::codegen {
@@ -9,16 +11,7 @@ namespace {
 
 bool isCounted(const ir::Instruction &i) { return i.op == ir::Op::Loop && i.immediate == 0; }
 
-bool holdsCounted(const ir::Region &region) {
-    for (const ir::Instruction &i : region.body) {
-        if (isCounted(i))
-            return true;
-        for (const ir::Region &inner : i.regions)
-            if (holdsCounted(inner))
-                return true;
-    }
-    return false;
-}
+bool holdsCounted(const ir::Region &region) { return ir::anyInstruction(region, isCounted); }
 
 } // namespace
 

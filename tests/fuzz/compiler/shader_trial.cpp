@@ -20,10 +20,6 @@ namespace {
 
 using ir::Question;
 
-constexpr const char *questionNames[] = {"Shade",   "Surface", "View",    "Prepare",
-                                         "Scatter", "Emit",    "Opacity", "Light"};
-const char *nameOf(Question question) { return questionNames[int(question)]; }
-
 constexpr std::array surfaceQuestions{Question::Shade,   Question::Surface, Question::View,
                                       Question::Prepare, Question::Scatter, Question::Emit,
                                       Question::Opacity};

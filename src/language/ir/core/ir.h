@@ -13,6 +13,7 @@
 #pragma once
 
 #include "foundation/base/diagnostics.h"
+#include "foundation/units/color_basis.h"
 #include "language/ir/core/budget.h"
 #include "language/runtime/shader_abi.h"
 
@@ -106,6 +107,7 @@ struct OutputSlot {
 /// whole text).
 struct Function {
     std::string name;
+    ColorBasis colors;         ///< Every colour in it has these samples.
     std::vector<Value> values; ///< By ValueId.
     Region body;               ///< No arguments, no yields: results leave through Output.
     std::vector<Array> arrays;

@@ -88,7 +88,7 @@ Components spline(BuiltinCall &call) {
     Builder &b = call.b;
     const int first = call.isText(0) ? 1 : 0;
     const std::string name = first ? call.text(0, "the basis of a spline") : "catmull-rom";
-    const size_t width = size_t(componentCount(call.result()));
+    const size_t width = size_t(componentCount(b, call.result()));
     const Components none(width, number(b, 0));
     const Basis *basis = findBasis(name);
     if (!basis) {

@@ -3,6 +3,8 @@
 
 #include "language/ir/core/builder_effects.h"
 #include "language/ir/core/builder_sources.h"
+#include "language/ir/core/op_info.h"
+#include "language/ir/core/regions.h"
 #include "language/ir/interpret/interpreter.h"
 #include "language/ir/lower/cleanup.h"
 #include "language/ir/lower/control.h"
@@ -24,7 +26,7 @@ struct SpacedDefault {
 SpacedDefault splitSpace(const sl::Expr &expr) {
     const sl::Expr *inner = &expr;
     while (inner->kind == sl::ExprKind::Convert &&
-           componentCount(inner->type.base) == componentCount(inner->operands[0]->type.base))
+           inner->operands[0]->type.base != sl::BaseType::Float)
         inner = inner->operands[0].get();
     if (inner->kind == sl::ExprKind::FromSpace && inner->type.base != sl::BaseType::Color)
         return {inner->operands[0].get(), inner->operands[1].get()};
@@ -32,21 +34,12 @@ SpacedDefault splitSpace(const sl::Expr &expr) {
 }
 
 bool needsRenderer(const Region &region) {
-    return std::any_of(region.body.begin(), region.body.end(), [](const Instruction &i) {
-        switch (i.op) {
-        case Op::Input:
-        case Op::Parameter:
-        case Op::Variable:
-        case Op::Space:
-        case Op::SpaceInverse:
-        case Op::Object:
-        case Op::ObjectInverse:
-        case Op::Random:
-        case Op::LightLoop:
-        case Op::Answer:
-        case Op::Ambient:
-        case Op::Irradiance: return true;
-        default: return std::any_of(i.regions.begin(), i.regions.end(), needsRenderer);
+    return anyInstruction(region, [](const Instruction &i) {
+        switch (info(i.op).kind) {
+        case OpClass::Source:
+        case OpClass::Random:
+        case OpClass::Light: return true;
+        default: return i.op == Op::LightLoop;
         }
     });
 }
@@ -68,7 +61,7 @@ std::vector<float> runConstant(const Function &function) {
 }
 
 /// The components of a value that is written in numbers alone.
-std::optional<std::vector<float>> literal(const sl::Expr &expr) {
+std::optional<std::vector<float>> literal(const sl::Expr &expr, int samples) {
     std::vector<float> result;
     if (expr.kind == sl::ExprKind::Number)
         return std::vector{float(expr.number)};
@@ -76,12 +69,12 @@ std::optional<std::vector<float>> literal(const sl::Expr &expr) {
         expr.kind != sl::ExprKind::Convert)
         return {};
     for (const sl::ExprPtr &operand : expr.operands) {
-        const auto part = literal(*operand);
+        const auto part = literal(*operand, samples);
         if (!part)
             return {};
         result.insert(result.end(), part->begin(), part->end());
     }
-    const size_t count = size_t(componentCount(expr.type.base));
+    const size_t count = size_t(componentCount(expr.type.base, samples));
     if (expr.kind == sl::ExprKind::Negate)
         std::transform(result.begin(), result.end(), result.begin(), std::negate<>());
     else if (result.size() == 1 && count == 3)
@@ -92,8 +85,8 @@ std::optional<std::vector<float>> literal(const sl::Expr &expr) {
 class Defaults {
 public:
     Defaults(const sl::TypedShader &shader, const std::vector<StringValue> &strings,
-             DiagnosticSink &sink)
-        : shader_(shader), strings_(strings), sink_(sink) {}
+             const ColorBasis &colors, DiagnosticSink &sink)
+        : shader_(shader), strings_(strings), colors_(colors), sink_(sink) {}
 
     bool add(const sl::Parameter &parameter) {
         const sl::Symbol &symbol = *parameter.symbol;
@@ -152,19 +145,21 @@ private:
     }
 
     /// What nearly all shaders have, and some have thousands of: numbers. (What a matrix leads to
-    /// depends on the space that is named with it.)
-    static bool takeLiterals(const sl::Parameter &parameter, ShaderParameter &result) {
+    /// depends on the space that is named with it, and other samples of colours on their uplift.)
+    bool takeLiterals(const sl::Parameter &parameter, ShaderParameter &result) const {
         const sl::Type &type = parameter.symbol->type;
-        if (type.base == sl::BaseType::String || type.base == sl::BaseType::Matrix)
+        if (type.base == sl::BaseType::String || type.base == sl::BaseType::Matrix ||
+            (type.base == sl::BaseType::Color && colors_.samples != 3))
             return false;
         std::vector<float> values;
         for (const sl::ExprPtr &element : parameter.defaults) {
-            const auto value = literal(*element);
+            const auto value = literal(*element, colors_.samples);
             if (!value)
                 return false;
             values.insert(values.end(), value->begin(), value->end());
         }
-        values.resize(size_t(componentCount(type.base) * std::max(1, type.length)));
+        values.resize(
+            size_t(componentCount(type.base, colors_.samples) * std::max(1, type.length)));
         result.defaults = std::move(values);
         return true;
     }
@@ -175,6 +170,7 @@ private:
         const sl::Symbol &symbol = *parameter.symbol;
         Function function;
         function.name = shader_.name;
+        function.colors = colors_;
         Lowering lowering(shader_, {}, function, sink_);
         lowering.spaces.allowShaderOnly();
         declareEarlier(lowering);
@@ -212,6 +208,7 @@ private:
 
     const sl::TypedShader &shader_;
     const std::vector<StringValue> &strings_;
+    const ColorBasis &colors_;
     DiagnosticSink &sink_;
 };
 
@@ -219,8 +216,9 @@ private:
 
 std::optional<std::vector<ShaderParameter>> parametersOf(const sl::TypedShader &shader,
                                                          const std::vector<StringValue> &strings,
+                                                         const ColorBasis &colors,
                                                          DiagnosticSink &sink) {
-    Defaults defaults(shader, strings, sink);
+    Defaults defaults(shader, strings, colors, sink);
     bool good = true;
     for (const sl::Parameter &parameter : shader.parameters)
         good = defaults.add(parameter) && good;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/ir/lower/light.h"
 
-#include "foundation/units/color.h"
 #include "language/ir/core/builder_arithmetic.h"
 #include "language/ir/core/builder_light.h"
 #include "language/ir/core/builder_sources.h"
 #include "language/ir/core/builder_vectors.h"
+#include "language/ir/lower/color.h"
 #include "language/ir/lower/control.h"
 #include "language/ir/lower/expression.h"
 #include "language/ir/lower/statement.h"
@@ -16,16 +16,6 @@
 
 namespace candela::ir {
 namespace {
-
-/// Of a float or a color, as the importance of a cone.
-ValueId luminanceOf(Builder &b, const Components &value) {
-    if (value.size() == 1)
-        return value[0];
-    ValueId sum = mul(b, value[0], number(b, luminanceWeights[0]));
-    for (int c = 1; c < colorSamples; ++c)
-        sum = add(b, sum, mul(b, value[c], number(b, luminanceWeights[c])));
-    return sum;
-}
 
 struct ConeValues {
     Triple axis;
@@ -129,7 +119,7 @@ void lowerIlluminance(Lowering &lowering, const sl::Stmt &statement) {
         variables.setCells(carried, arguments);
         variables.store(sl::PredefinedId::L, componentsOf(L));
         variables.store(sl::PredefinedId::Cl, Cl);
-        variables.store(sl::PredefinedId::Ol, Components(colorSamples, number(b, 1)));
+        variables.store(sl::PredefinedId::Ol, Components(b.colors().samples, number(b, 1)));
         lowering.frames.back().loops.push_back({&statement, broken, continued});
         ++variables.openLoops;
         whereLive(lowering, [&] { lower(lowering, statement.body); });

@@ -77,11 +77,12 @@ void writeOutputs(Lowering &lowering, const LoweredShader &lowered) {
 }
 
 /// Local arrays are written out, element by element. Formals are the arrays of their callers.
-bool arraysFit(const sl::TypedShader &shader, DiagnosticSink &sink) {
+bool arraysFit(const sl::TypedShader &shader, int colorSamples, DiagnosticSink &sink) {
     constexpr int mostNumbers = int(mostArrayNumbers);
     for (const auto &symbol : shader.symbols)
         if (symbol->kind != sl::Symbol::Kind::Formal &&
-            symbol->type.length > mostNumbers / std::max(1, componentCount(symbol->type.base))) {
+            symbol->type.length >
+                mostNumbers / std::max(1, componentCount(symbol->type.base, colorSamples))) {
             sink.report(sl::diagnosticAt(Severity::Error, symbol->where,
                                          "the array \"" + symbol->name + "\" is too large; " +
                                              std::to_string(mostNumbers) +
@@ -138,14 +139,15 @@ std::optional<LoweredShader> lower(const sl::TypedShader &shader,
                                          "shaders are"));
         return std::nullopt;
     }
-    if (!arraysFit(shader, sink))
+    if (!arraysFit(shader, options.colors.samples, sink))
         return std::nullopt;
     LoweredShader lowered;
     lowered.name = shader.name;
     lowered.kind = sl::nameOf(shader.kind);
     lowered.whole.name = shader.name;
     lowered.whole.mostTurns = options.mostTurns;
-    auto parameters = parametersOf(shader, strings, sink);
+    lowered.whole.colors = options.colors;
+    auto parameters = parametersOf(shader, strings, options.colors, sink);
     if (!parameters)
         return std::nullopt;
     lowered.parameters = std::move(*parameters);
@@ -158,6 +160,11 @@ std::optional<LoweredShader> lower(const sl::TypedShader &shader,
     if (lowering.messages.failed())
         return std::nullopt;
     lowering.b.finish();
+    const auto tell = [&](const char *pass) {
+        if (options.listener)
+            options.listener(pass, lowered.whole);
+    };
+    tell("lower");
     lowered.lightClass = lowering.light.kind;
     if (const auto power = lowering.light.direction
                                ? powerOfDistance(lowered.whole, *lowering.light.direction)
@@ -167,10 +174,12 @@ std::optional<LoweredShader> lower(const sl::TypedShader &shader,
     }
     if (!expandDerivatives(lowering, lowered.whole, sink))
         return std::nullopt;
+    tell("derivatives");
     removeUnused(lowered.whole, lowered.parameters);
     if (!memoryFits(lowering, lowered.whole, sink))
         return std::nullopt;
     markShortLoops(lowered.whole);
+    tell("clean up");
     return lowered;
 }
 

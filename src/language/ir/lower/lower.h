@@ -4,6 +4,7 @@
 
 #include "foundation/base/diagnostics.h"
 #include "language/ir/core/ir.h"
+#include "language/ir/core/pass_listener.h"
 
 #include <array>
 #include <optional>
@@ -67,6 +68,10 @@ struct LoweringOptions {
     /// (section 15.6); production renderers, and the pictures that files were made by, have 8.
     float highlightScale = 8;
     int mostTurns = mostLoopTurns; ///< As Function has it; > 0.
+    /// What the samples of colours stand for.
+    ColorBasis colors{};
+    /// Is told of "lower", "derivatives" and "clean up"; may be empty.
+    PassListener listener{};
 };
 
 /// Lowers a checked surface or light shader. Output slots: surface "Ci", "Oi"; light "L", "Cl";

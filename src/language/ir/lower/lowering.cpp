@@ -29,12 +29,12 @@ std::optional<ShaderInput> inputOf(sl::PredefinedId id) {
 /// Values at the start. Oi is what Opacity says unless the shader sets it; Ci is black, so that an
 /// empty shader does not glow; Ol outside of light statements is 0, in light shaders 1.
 Components startOf(Builder &b, sl::ShaderKind kind, const sl::PredefinedVariable &variable) {
-    const int count = componentCount(variable.type.base);
+    const int count = componentCount(b, variable.type.base);
     const bool isOi = variable.id == sl::PredefinedId::Oi;
     const auto input = isOi ? std::optional(ShaderInput::Os) : inputOf(variable.id);
     if (!input) {
         const bool isOne = variable.id == sl::PredefinedId::Ol && kind == sl::ShaderKind::Light;
-        const float start = variable.id == sl::PredefinedId::ncomps ? float(colorSamples)
+        const float start = variable.id == sl::PredefinedId::ncomps ? float(b.colors().samples)
                             : isOne                                 ? 1.0f
                                                                     : 0.0f;
         return Components(size_t(count), number(b, start));

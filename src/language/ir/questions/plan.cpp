@@ -5,9 +5,8 @@
 #include "language/ir/analyse/zero.h"
 #include "language/ir/core/builder_effects.h"
 #include "language/ir/core/builder_sources.h"
+#include "language/ir/core/regions.h"
 #include "language/ir/transform/dead_code.h"
-
-#include <functional>
 
 namespace candela::ir {
 
@@ -34,25 +33,15 @@ void eliminateCommonSubexpressions(Function &text, std::vector<ConeTest> &coneTe
     text = std::move(shared);
 }
 
-bool holds(const Region &region, const std::function<bool(const Instruction &)> &test) {
-    for (const Instruction &i : region.body) {
-        if (test(i))
-            return true;
-        for (const Region &inner : i.regions)
-            if (holds(inner, test))
-                return true;
-    }
-    return false;
-}
-
 void readFacts(Plan &plan) {
     Function emission = specializeUnder(plan, {}, "Ci", "Ce");
     std::vector<bool> zero = provablyZero(emission);
+    plan.emits.resize(size_t(plan.text.colors.samples));
     for (const Instruction &i : emission.body.body)
         if (i.op == Op::Output)
             plan.emits[emission.outputs[i.immediate].component] = !zero[i.operands[0]];
     Function ambient = specializeUnder(plan, {Assumption::Light::None, true, nullptr}, "Ci", "Ca");
-    plan.readsAmbient = holds(ambient.body, [](const Instruction &i) {
+    plan.readsAmbient = anyInstruction(ambient.body, [](const Instruction &i) {
         return i.op == Op::Ambient || i.op == Op::Irradiance;
     });
 }
@@ -66,7 +55,7 @@ Function specializeUnder(const Plan &plan, const Assumption &assumption, const s
     SpecializationOptions options;
     options.coneTests = &plan.coneTests;
     SpecializedText specialized = specialize(plan.text, plan.dependence, b, {assumption}, options);
-    for (int k = 0; k < colorSamples; ++k)
+    for (int k = 0; k < plan.text.colors.samples; ++k)
         output(b, slot, k, specialized.output(0, from, k).value_or(number(b, 0)));
     b.finish();
     removeDeadCode(result);

@@ -17,9 +17,9 @@ struct Plan {
     Dependence dependence;
     std::vector<ConeTest> coneTests;
     std::vector<Cone> cones;
-    std::array<bool, 3> emits{}; ///< By channel: Ce is not provably zero.
-    bool readsAmbient = false;   ///< Ci does.
-    bool framed = false;         ///< Requests are static; the stages are told apart.
+    std::vector<bool> emits;   ///< By channel: Ce is not provably zero.
+    bool readsAmbient = false; ///< Ci does.
+    bool framed = false;       ///< Requests are static; the stages are told apart.
 };
 
 /// The plan holds pointers into its own text and stays where it is.

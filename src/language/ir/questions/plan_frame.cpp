@@ -4,6 +4,7 @@
 #include "language/ir/core/builder_arithmetic.h"
 #include "language/ir/core/builder_effects.h"
 #include "language/ir/core/builder_sources.h"
+#include "language/ir/core/regions.h"
 #include "language/ir/questions/plan.h"
 #include "language/ir/transform/dead_code.h"
 
@@ -30,18 +31,12 @@ std::size_t arrayNumbers(const Function &function) {
     return numbers;
 }
 
-void collectLoads(const Region &region, std::set<ValueId> &loads) {
-    for (const Instruction &i : region.body) {
-        if (i.op == Op::FrameLoad)
-            loads.insert(ValueId(i.immediate));
-        for (const Region &inner : i.regions)
-            collectLoads(inner, loads);
-    }
-}
-
 std::set<ValueId> loadsOf(const Function &function) {
     std::set<ValueId> loads;
-    collectLoads(function.body, loads);
+    forEachInstruction(function.body, [&](const Instruction &i) {
+        if (i.op == Op::FrameLoad)
+            loads.insert(ValueId(i.immediate));
+    });
     return loads;
 }
 
@@ -52,7 +47,7 @@ ValueId emissionKey(const Plan &plan, int channel) {
 /// Ce of all channels under assumption 0; constant zero where that is proved.
 std::vector<ValueId> emission(const Plan &plan, SpecializedText &specialized, Builder &b) {
     std::vector<ValueId> Ce;
-    for (int k = 0; k < colorSamples; ++k)
+    for (int k = 0; k < plan.text.colors.samples; ++k)
         Ce.push_back(plan.emits[k] ? specialized.output(0, "Ci", k).value_or(number(b, 0))
                                    : number(b, 0));
     return Ce;
@@ -60,10 +55,11 @@ std::vector<ValueId> emission(const Plan &plan, SpecializedText &specialized, Bu
 
 ValueId importanceOf(SpecializedText &specialized, Builder &b, int assumption,
                      const std::vector<ValueId> &Ce) {
+    const std::vector<float> weights = b.colors().luminance();
     ValueId sum = number(b, 0);
-    for (int k = 0; k < colorSamples; ++k) {
+    for (int k = 0; k < b.colors().samples; ++k) {
         ValueId Ci = specialized.output(assumption, "Ci", k).value_or(number(b, 0));
-        sum = add(b, sum, mul(b, number(b, luminanceWeights[k]), sub(b, Ci, Ce[k])));
+        sum = add(b, sum, mul(b, number(b, weights[k]), sub(b, Ci, Ce[k])));
     }
     return max(b, sum, number(b, 0));
 }
@@ -92,7 +88,7 @@ std::vector<OutputSlot> prepareOutputs(const Plan &plan) {
     }
     for (const char *name : {"Ce", "Ca", "Oi"})
         if (name != std::string("Ca") || plan.readsAmbient)
-            for (int k = 0; k < colorSamples; ++k)
+            for (int k = 0; k < plan.text.colors.samples; ++k)
                 slots.push_back(outputSlot(name, k));
     return slots;
 }
@@ -125,7 +121,7 @@ static std::optional<Function> prepareWith(const Plan &plan, Stage first,
             assumptions.push_back({Assumption::Light::Probed, false, &cone});
     SpecializedText specialized = specialize(plan.text, plan.dependence, b, assumptions, options);
     std::vector<ValueId> Ce = emission(plan, specialized, b);
-    for (int k = 0; k < colorSamples; ++k) {
+    for (int k = 0; k < plan.text.colors.samples; ++k) {
         output(b, "Ce", k, Ce[k]);
         if (plan.readsAmbient)
             output(b, "Ca", k,
@@ -181,7 +177,7 @@ Function specializeScatter(const Plan &plan, const std::map<ValueId, int> &slots
     if (!plan.framed)
         assumptions.push_back({});
     SpecializedText specialized = specialize(plan.text, plan.dependence, b, assumptions, options);
-    for (int k = 0; k < colorSamples; ++k) {
+    for (int k = 0; k < plan.text.colors.samples; ++k) {
         auto answered = specialized.responseOutput("Ci", k);
         ValueId g = answered.value_or(number(b, 0));
         if (answered && plan.emits[k]) {

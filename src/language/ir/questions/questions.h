@@ -32,6 +32,8 @@ enum class Question : std::uint8_t {
     Light,   ///< Light shaders: outputs "L" (from the light to Ps) and "Cl".
 };
 inline constexpr int questionCount = int(Question::Light) + 1;
+/// "shade", "surface", ...
+const char *nameOf(Question);
 
 /// One importance cone that Prepare states. Its six outputs (axis x y z in current space and of
 /// any length, full angle in degrees, exponent, importance >= 0) start at output slot `output`.

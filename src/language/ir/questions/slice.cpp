@@ -8,13 +8,13 @@
 
 namespace candela::ir {
 
-namespace {
-
 const char *nameOf(Question question) {
     constexpr const char *names[] = {"shade",   "surface", "view",    "prepare",
                                      "scatter", "emit",    "opacity", "light"};
     return names[int(question)];
 }
+
+namespace {
 
 Function sliceFramed(const Plan &plan, Question question) {
     FramePlan frame = planFrame(plan);

@@ -11,6 +11,7 @@ namespace candela::ir {
 Function emptyLike(const Function &whole) {
     Function result;
     result.name = whole.name;
+    result.colors = whole.colors;
     result.requests = whole.requests;
     result.strings = whole.strings;
     result.files = whole.files;

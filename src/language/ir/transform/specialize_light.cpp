@@ -82,10 +82,10 @@ Values sampledLoop(Specialization &s, int h, const Instruction &i) {
     Triple L = input3(s.b, ShaderInput::sampleL);
     for (int k = 0; k < 3; ++k)
         s.mapping.assign(h, region.arguments[k], L[k]);
-    for (int k = 0; k < colorSamples; ++k)
+    for (int k = 0; k < s.text.colors.samples; ++k)
         s.mapping.assign(h, region.arguments[3 + k], number(s.b, 1));
     for (std::size_t k = 0; k < initial.size(); ++k)
-        s.mapping.assign(h, region.arguments[3 + colorSamples + k], initial[k]);
+        s.mapping.assign(h, region.arguments[3 + s.text.colors.samples + k], initial[k]);
     auto body = [&] {
         Stage first = s.options.framed ? Stage::Response : s.options.first;
         s.under({h}, [&] { walk(s, region, {first, Stage::Response}); });
