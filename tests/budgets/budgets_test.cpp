@@ -6,6 +6,7 @@
 #include "workers.h"
 
 #include "language/ir/analyse/control_relevance.h"
+#include "language/ir/core/regions.h"
 #include "language/ir/lower/lower.h"
 #include "language/ir/questions/questions.h"
 #include "language/ir/transform/fold.h"
@@ -13,16 +14,15 @@
 #include "language/jit/jit.h"
 #include "language/semantics/front.h"
 
-#include <chrono>
 #include <cstdlib>
+#include <ctime>
 #include <gtest/gtest.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
+#include <utility>
 
 namespace candela::budgets {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// What the process that tries a shader tells of it.
 struct Figures {
@@ -40,20 +40,19 @@ Figures *sharedFigures() {
 
 class Watch {
 public:
+    /// Seconds of the processor since the last one.
     double lap() {
-        const auto start = std::exchange(start_, Clock::now());
-        return std::chrono::duration<double>(start_ - start).count();
+        const std::clock_t start = std::exchange(start_, std::clock());
+        return double(start_ - start) / CLOCKS_PER_SEC;
     }
 
 private:
-    Clock::time_point start_ = Clock::now();
+    std::clock_t start_ = std::clock();
 };
 
 std::size_t sizeOf(const ir::Region &region) {
-    std::size_t size = region.body.size();
-    for (const ir::Instruction &i : region.body)
-        for (const ir::Region &inner : i.regions)
-            size += sizeOf(inner);
+    std::size_t size = 0;
+    ir::forEachInstruction(region, [&](const ir::Instruction &) { ++size; });
     return size;
 }
 

@@ -75,8 +75,9 @@ void Variables::fill(const Storage &storage, const Components &initial) {
     const auto last = initial.begin() + (length - 1) * width;
     while (rest > 0 && std::equal(last, last + width, initial.begin() + (rest - 1) * width))
         --rest;
-    const bool loops = length - rest > mostStores && !std::all_of(last, last + width, isZero);
-    for (int element = 0; element < (loops ? rest : length); ++element)
+    const bool clear = std::all_of(last, last + width, isZero);
+    const bool loops = !clear && length - rest > mostStores;
+    for (int element = 0; element < (loops || clear ? rest : length); ++element)
         store(element, integer(b_, element));
     if (!loops)
         return;
