@@ -105,6 +105,7 @@ std::string compile(const LargeShader &shader, fuzz::Monitor &monitor) {
     figures.facts = watch.lap();
     using enum ir::Question;
     for (const ir::Question question : {Shade, Surface, View, Prepare, Scatter, Emit, Opacity}) {
+        monitor.show(shader.text); // Each question may be asked on its own, by another thread.
         monitor.enter(fuzz::Stage::Slice, std::to_string(int(question)));
         const ir::Function slice = ir::slice(whole, question);
         figures.largest = std::max(figures.largest, sizeOf(slice.body));

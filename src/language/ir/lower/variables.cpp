@@ -60,7 +60,7 @@ const Storage &Variables::declare(const sl::Symbol &symbol, const Components &in
 /// Memory is zero at first. In a loop it has to be made so, which is a loop where it is long.
 void Variables::fill(const Storage &storage, const Components &initial) {
     constexpr int mostStores = 16; // Of what is equal at the array's end.
-    const int width = storage.width(), length = storage.length;
+    const int width = storage.width, length = storage.length;
     const auto at = [&](int element, int c) { return initial[size_t(element * width + c)]; };
     const auto isZero = [&](ValueId v) {
         const float *known = constantFloat(b_, v);
