@@ -216,6 +216,7 @@ std::optional<Declaration> Dictionary::standard(const std::string &name) {
             {"render:integrator", "string"},
             {"radiometry:units", "string"},
             {"shading:highlights", "string"},
+            {"shading:loopturns", "integer"},
             {"radiosity:finalpass", "string"},
             {"trace:maxdepth", "integer"},
             {"light:units", "string"},

@@ -40,6 +40,13 @@ bool highlights(const GivenOption &given) {
                        "(1/roughness)");
 }
 
+bool loopTurns(const GivenOption &given) {
+    const float turns = given.parameter.floats.empty() ? 0 : given.parameter.floats.front();
+    return (turns >= 1 && turns <= 1 << 30) ||
+           given.wrong("\"shading\" \"loopturns\" is how many turns a shader's loop may take at a "
+                       "point, a number from 1 to 1073741824");
+}
+
 bool maxDepth(const GivenOption &given) {
     const float depth = given.parameter.floats.empty() ? 0 : given.parameter.floats.front();
     return (depth >= 0 && depth <= 1 << 20) ||
@@ -54,6 +61,7 @@ bool checkOption(RequestDiagnostics &diagnostics, const SourceLocation &where,
     static const std::map<std::string, bool (*)(const GivenOption &), std::less<>> checks = {
         {"render:integrator", integrator},
         {"shading:highlights", highlights},
+        {"shading:loopturns", loopTurns},
         {"trace:maxdepth", maxDepth},
     };
     const auto check = checks.find(category + ":" + parameter.name);

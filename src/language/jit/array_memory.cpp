@@ -16,8 +16,9 @@ llvm::Type *ArrayMemory::rowOf(const ir::Array &array) const {
     return array.rate == ir::Rate::Varying ? code_.lanes.varying(scalar) : scalar;
 }
 
-ArrayMemory::ArrayMemory(CodeFunction &code, ValueTable &values, RuntimeCalls &calls)
-    : code_(code), builder_(code.builder), values_(values), calls_(calls) {
+ArrayMemory::ArrayMemory(CodeFunction &code, ValueTable &values, RuntimeCalls &calls,
+                         const TurnLimit &limit)
+    : code_(code), builder_(code.builder), values_(values), calls_(calls), limit_(limit) {
     for (const ir::Array &array : values.function().arrays) {
         auto *memory = builder_.CreateAlloca(llvm::ArrayType::get(rowOf(array), array.size));
         memory->setAlignment(llvm::Align(64));
@@ -38,7 +39,7 @@ void ArrayMemory::checkIndex(const ir::Instruction &i, Value *raw, Value *clampe
     auto *outside = builder_.CreateICmpNE(raw, clamped);
     if (auto *known = llvm::dyn_cast<llvm::Constant>(outside); known && known->isZeroValue())
         return;
-    auto *lanes = code_.masks.currentAnd(code_.lanes.splat(outside));
+    auto *lanes = limit_.running(code_.masks.currentAnd(code_.lanes.splat(outside)));
     auto *report = code_.block("index_outside"), *go = code_.block("index_clamped");
     builder_.CreateCondBr(code_.lanes.any(lanes), report, go,
                           llvm::MDBuilder(code_.module.getContext()).createUnlikelyBranchWeights());

@@ -2,7 +2,7 @@
 // The function's arrays. An index outside is clamped and reported.
 #pragma once
 
-#include "language/jit/runtime_calls.h"
+#include "language/jit/turn_limit.h"
 
 #include <utility>
 #include <vector>
@@ -12,7 +12,7 @@ namespace candela::codegen {
 class ArrayMemory {
 public:
     /// Takes memory for all arrays at the function's entry.
-    ArrayMemory(CodeFunction &, ValueTable &, RuntimeCalls &);
+    ArrayMemory(CodeFunction &, ValueTable &, RuntimeCalls &, const TurnLimit &);
 
     /// Where the arrays are, as the machine function knows it that is being written.
     const Values &memory() const { return memory_; }
@@ -36,6 +36,7 @@ private:
     llvm::IRBuilder<> &builder_;
     ValueTable &values_;
     RuntimeCalls &calls_;
+    const TurnLimit &limit_;
     Values memory_; ///< Of Function::arrays.
 };
 

@@ -12,8 +12,10 @@ using ir::Op;
 using ir::Rate;
 using ir::Region;
 
-ControlFlow::ControlFlow(CodeFunction &code, ValueTable &values, EmitRegion emitRegion)
-    : code_(code), builder_(code.builder), values_(values), emitRegion_(std::move(emitRegion)) {}
+ControlFlow::ControlFlow(CodeFunction &code, ValueTable &values, TurnLimit &limit,
+                         EmitRegion emitRegion)
+    : code_(code), builder_(code.builder), values_(values), limit_(limit),
+      emitRegion_(std::move(emitRegion)) {}
 
 void ControlFlow::emitIf(const Instruction &i) {
     if (values_.rate(i.operands[0]) == Rate::Uniform)
@@ -84,6 +86,7 @@ void ControlFlow::emitLoop(const Instruction &i) {
     Values initial;
     for (std::size_t k = 0; k < i.operands.size(); ++k)
         initial.push_back(values_.get(i.operands[k], values_.rate(region.arguments[k])));
+    TurnLimit::Scope turns(limit_, i);
     auto *from = builder_.GetInsertBlock();
     auto *head = code_.block("loop"), *body = code_.block("loop_body"),
          *done = code_.block("loop_end");
@@ -96,11 +99,15 @@ void ControlFlow::emitLoop(const Instruction &i) {
         carried[k]->addIncoming(initial[k], from);
         values_.set(region.arguments[k], carried[k]);
     }
-    auto *mask = varying ? code_.masks.currentAnd(carried[0]) : code_.masks.current();
-    auto *goesOn = varying ? code_.lanes.any(mask) : carried[0];
+    auto *mask =
+        turns.running(varying ? code_.masks.currentAnd(carried[0]) : code_.masks.current());
+    Value *goesOn = varying ? code_.lanes.any(mask) : carried[0];
+    if (!varying && mask != code_.masks.current())
+        goesOn = builder_.CreateAnd(goesOn, code_.lanes.any(mask));
     builder_.CreateCondBr(goesOn, body, done);
 
     builder_.SetInsertPoint(body);
+    mask = turns.take(mask, done);
     MaskStack::Scope scope(code_.masks, mask);
     emitRegion_(region);
     for (std::size_t k = 0; k < carried.size(); ++k) {

@@ -3,7 +3,7 @@
 // take them.
 #pragma once
 
-#include "language/jit/value_table.h"
+#include "language/jit/turn_limit.h"
 
 #include <functional>
 
@@ -14,7 +14,7 @@ using EmitRegion = std::function<void(const ir::Region &)>;
 
 class ControlFlow {
 public:
-    ControlFlow(CodeFunction &, ValueTable &, EmitRegion);
+    ControlFlow(CodeFunction &, ValueTable &, TurnLimit &, EmitRegion);
 
     void emitIf(const ir::Instruction &);
     /// A varying loop goes on until no lane is active; a lane that has finished keeps its values.
@@ -32,6 +32,7 @@ private:
     CodeFunction &code_;
     llvm::IRBuilder<> &builder_;
     ValueTable &values_;
+    TurnLimit &limit_;
     EmitRegion emitRegion_;
 };
 

@@ -40,7 +40,7 @@ private:
         llvm::Function *function;
         ShaderArguments::Place place;
         Value *spills;
-        Values arrays;
+        Values turns, arrays;
     };
     /// Makes another one the current one; gives that until now.
     Standing exchangeStanding(Standing);
@@ -67,6 +67,7 @@ private:
     ShaderArguments arguments_;
     Gathers gathers_;
     RuntimeCalls calls_;
+    TurnLimit limit_;
     ArrayMemory arrays_;
     ControlFlow control_;
 };
@@ -76,8 +77,9 @@ FunctionGenerator::FunctionGenerator(const ir::Function &function, const CodeTar
     : function_(function), code_(target, module, symbol),
       pieces_(cutIntoPieces(function, target.longestFunction)), builder_(code_.builder),
       values_(function, code_.lanes), arguments_(code_), gathers_(code_, arguments_, function.body),
-      calls_(code_, arguments_, values_), arrays_(code_, values_, calls_),
-      control_(code_, values_, [this](const Region &region) { emitRegion(region); }) {
+      calls_(code_, arguments_, values_), limit_(code_, values_, calls_),
+      arrays_(code_, values_, calls_, limit_),
+      control_(code_, values_, limit_, [this](const Region &region) { emitRegion(region); }) {
     code_.colorSamples = function.colors.samples;
     if (!pieces_.whole())
         values_.keepIn(spills_.emplace(code_, pieces_.slot, pieces_.slots));
@@ -118,6 +120,7 @@ void FunctionGenerator::generate() {
 void FunctionGenerator::emitBody(Value *mask) {
     MaskStack::Scope scope(code_.masks, mask);
     arrays_.clear();
+    limit_.begin();
     gathers_.load();
     if (spills_)
         loadAtHead(function_.body);
@@ -147,6 +150,8 @@ void FunctionGenerator::emitRegion(const Region &region) {
 void FunctionGenerator::emitPiece(const Region &region, const Piece &piece) {
     Values given{arguments_.pointer(), arguments_.firstPoint(),
                  code_.lanes.bits(code_.masks.current()), spills_->base()};
+    const Values turns = limit_.memory();
+    given.insert(given.end(), turns.begin(), turns.end());
     given.insert(given.end(), arrays_.memory().begin(), arrays_.memory().end());
     std::vector<llvm::Type *> types;
     for (Value *each : given)
@@ -164,8 +169,12 @@ void FunctionGenerator::emitPiece(const Region &region, const Piece &piece) {
     for (llvm::Argument &argument : function->args())
         taken.push_back(&argument);
     MaskStack::Scope scope(code_.masks, code_.lanes.maskOfBits(taken[2]));
-    Standing caller = exchangeStanding(
-        {function, {taken[0], taken[1], prepare, {}}, taken[3], {taken.begin() + 4, taken.end()}});
+    const auto turnsEnd = taken.begin() + 4 + std::ptrdiff_t(turns.size());
+    Standing caller = exchangeStanding({function,
+                                        {taken[0], taken[1], prepare, {}},
+                                        taken[3],
+                                        {taken.begin() + 4, turnsEnd},
+                                        {turnsEnd, taken.end()}});
     for (std::size_t at = piece.begin; at < piece.end; ++at)
         emit(region.body[at]);
     builder_.CreateRetVoid();
@@ -175,7 +184,7 @@ void FunctionGenerator::emitPiece(const Region &region, const Piece &piece) {
 FunctionGenerator::Standing FunctionGenerator::exchangeStanding(Standing next) {
     return {std::exchange(code_.function, next.function),
             arguments_.exchangePlace(std::move(next.place)), spills_->exchangeBase(next.spills),
-            arrays_.exchangeMemory(std::move(next.arrays))};
+            limit_.exchangeMemory(next.turns), arrays_.exchangeMemory(std::move(next.arrays))};
 }
 
 void FunctionGenerator::emit(const Instruction &i) {
@@ -268,18 +277,23 @@ void FunctionGenerator::emitMemory(const Instruction &i) {
     case Op::ArrayLoad: return values_.set(i.results[0], arrays_.load(i));
     case Op::ArrayStore: return arrays_.store(i);
     case Op::Call: return calls_.call(i);
-    case Op::Print: return calls_.print(i);
+    case Op::Print: {
+        MaskStack::Scope scope(code_.masks, limit_.running(code_.masks.current()));
+        return calls_.print(i);
+    }
     case Op::EmissionCone: return; // For Question::Emission.
     case Op::Output:
-        return code_.lanes.maskedStore(values_.get(i.operands[0], Rate::Varying),
-                                       arguments_.plane(offsetof(ShaderArgs, outputs), i.immediate),
-                                       code_.masks.current());
+        return code_.lanes.maskedStore(
+            limit_.whereRunning(values_.get(i.operands[0], Rate::Varying),
+                                function_.outputs[i.immediate].whenEnded),
+            arguments_.plane(offsetof(ShaderArgs, outputs), i.immediate), code_.masks.current());
     case Op::FrameStore: {
         auto *value = values_.get(i.operands[0], Rate::Varying);
         if (value->getType()->isIntOrIntVectorTy())
             value = builder_.CreateUIToFP(value, code_.lanes.varying(code_.floatType));
-        return code_.lanes.maskedStore(
-            value, arguments_.frameSlot(i.immediate, function_.frameSlots), code_.masks.current());
+        return code_.lanes.maskedStore(limit_.whereRunning(value, 0),
+                                       arguments_.frameSlot(i.immediate, function_.frameSlots),
+                                       code_.masks.current());
     }
     default: return;
     }

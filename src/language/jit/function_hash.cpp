@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/jit/function_hash.h"
 
+#include "language/ir/core/regions.h"
+
 #include <bit>
 
 namespace candela {
@@ -19,6 +21,11 @@ static void addTexts(ContentHash &hash, const std::vector<std::string> &texts) {
     }
 }
 
+/// What speaks of its place in the source at run time.
+static bool namesPlace(const ir::Instruction &i) {
+    return i.op == ir::Op::ArrayLoad || i.op == ir::Op::ArrayStore || i.op == ir::Op::Loop;
+}
+
 static void addRegion(ContentHash &hash, const ir::Region &region) {
     addIds(hash, region.arguments);
     addIds(hash, region.yields);
@@ -27,7 +34,7 @@ static void addRegion(ContentHash &hash, const ir::Region &region) {
         hash.add(std::uint64_t(i.op));
         hash.add(std::uint64_t(std::uint32_t(i.immediate)));
         hash.add(std::uint64_t(std::bit_cast<std::uint32_t>(i.number)));
-        if (i.op == ir::Op::ArrayLoad || i.op == ir::Op::ArrayStore) {
+        if (namesPlace(i)) {
             hash.add(std::uint64_t(std::uint32_t(i.line)));
             hash.add(std::uint64_t(std::uint32_t(i.file)));
         }
@@ -56,8 +63,12 @@ void addFunction(ContentHash &hash, const ir::Function &function) {
         hash.add(std::uint64_t(std::uint32_t(request.category)));
     }
     addTexts(hash, function.strings);
-    addTexts(hash, function.arrays.empty() ? std::vector<std::string>() : function.files);
+    addTexts(hash, ir::anyInstruction(function.body, namesPlace) ? function.files
+                                                                 : std::vector<std::string>());
     hash.add(std::uint64_t(function.frameSlots));
+    hash.add(std::uint64_t(std::uint32_t(function.mostTurns)));
+    for (const ir::OutputSlot &slot : function.outputs)
+        hash.add(std::uint64_t(std::bit_cast<std::uint32_t>(slot.whenEnded)));
     addRegion(hash, function.body);
 }
 

@@ -107,6 +107,7 @@ void Jit::State::defineSymbols() {
                    runtime::code(runtime::RuntimeFunction(k), width, target->level));
     define(printSymbol, &printLanes);
     define(indexOutsideSymbol, &reportIndexOutside);
+    define(loopEndedSymbol, &reportLoopEnded);
     define("memset", &std::memset);
     define("memcpy", &std::memcpy);
     define("memmove", &std::memmove);

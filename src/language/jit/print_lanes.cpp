@@ -39,4 +39,9 @@ void reportIndexOutside(const ShaderArgs *args, const char *file, std::int32_t l
         args->callbacks->indexOutside(args->callbacks->context, file, line);
 }
 
+void reportLoopEnded(const ShaderArgs *args, const char *file, std::int32_t line) {
+    if (args->callbacks && args->callbacks->loopEnded)
+        args->callbacks->loopEnded(args->callbacks->context, file, line);
+}
+
 } // namespace candela

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What compiled code calls to speak: printf(), and indices outside arrays.
+// What compiled code calls to speak: printf(), indices outside arrays, loops that do not end.
 #pragma once
 
 #include "language/runtime/shader_abi.h"
@@ -15,5 +15,7 @@ void printLanes(const ShaderArgs *, const char *strings, const char *types,
 
 /// Passes the place of an index outside its array on to ShaderCallbacks::indexOutside, if any.
 void reportIndexOutside(const ShaderArgs *, const char *file, std::int32_t line);
+/// The same of a loop that has been ended: ShaderCallbacks::loopEnded.
+void reportLoopEnded(const ShaderArgs *, const char *file, std::int32_t line);
 
 } // namespace candela

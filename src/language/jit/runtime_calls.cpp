@@ -85,15 +85,19 @@ void RuntimeCalls::print(const ir::Instruction &i) {
                          builder_.getInt32(std::uint32_t(code_.lanes.width())), active});
 }
 
-/// candela_index_outside(args, file, line).
-void RuntimeCalls::reportIndexOutside(const ir::Instruction &i) {
+void RuntimeCalls::reportIndexOutside(const ir::Instruction &i) { report(indexOutsideSymbol, i); }
+
+void RuntimeCalls::reportLoopEnded(const ir::Instruction &i) { report(loopEndedSymbol, i); }
+
+/// symbol(args, file, line).
+void RuntimeCalls::report(const char *symbol, const ir::Instruction &i) {
     auto *pointer = code_.pointerType;
     auto *signature =
         llvm::FunctionType::get(builder_.getVoidTy(), {pointer, pointer, code_.integerType}, false);
     const std::vector<std::string> &files = values_.function().files;
     const std::string file = files.empty() ? "" : files[i.file];
     auto *call = builder_.CreateCall(
-        code_.external(indexOutsideSymbol, signature, false),
+        code_.external(symbol, signature, false),
         {arguments_.pointer(), text(file), builder_.getInt32(std::uint32_t(i.line))});
     call->addFnAttr(llvm::Attribute::Cold);
 }

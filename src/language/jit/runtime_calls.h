@@ -21,9 +21,12 @@ public:
     void print(const ir::Instruction &);
     /// That the instruction's index is outside its array.
     void reportIndexOutside(const ir::Instruction &);
+    /// That the loop has been ended.
+    void reportLoopEnded(const ir::Instruction &);
 
 private:
     Value *text(const std::string &bytes);
+    void report(const char *symbol, const ir::Instruction &);
 
     CodeFunction &code_;
     llvm::IRBuilder<> &builder_;

@@ -30,6 +30,9 @@ struct ShaderCallbacks {
     /// An array is indexed outside its elements there: called from any thread, as often as it
     /// happens.
     void (*indexOutside)(void *context, const char *file, std::int32_t line) = nullptr;
+    /// The loop there has run for as long as it may at some points, and has been ended: called from
+    /// any thread, as often as it happens.
+    void (*loopEnded)(void *context, const char *file, std::int32_t line) = nullptr;
 };
 
 /// No question but finite light samples: see ShaderArgs::answeredRequest.

@@ -142,6 +142,9 @@ const ir::LoweredShader *ShaderLibrary::State::lowerOnce(const sl::TypedShader &
         lowering.highlightScale = 1;
         addToKey(key, "RI's highlights");
     }
+    lowering.mostTurns = int(options.named.number("shading:loopturns", ir::mostLoopTurns));
+    if (lowering.mostTurns != ir::mostLoopTurns)
+        addToKey(key, "turns " + std::to_string(lowering.mostTurns));
     auto [entry, isNew] = lowered.try_emplace(key);
     if (isNew)
         entry->second = ir::lower(shader, strings, overriding, diagnostics, lowering);

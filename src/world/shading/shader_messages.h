@@ -23,13 +23,15 @@ public:
     const ShaderCallbacks &callbacks() const { return callbacks_; }
 
 private:
-    /// A warning the first time that a place is named.
+    /// True the first time that the place is named for the kind of mistake.
+    bool isNew(std::string_view mistake, std::string_view file, int line);
     void indexOutside(std::string_view file, int line);
+    void loopEnded(std::string_view file, int line);
 
     DiagnosticSink &diagnostics_;
     ShaderCallbacks callbacks_;
     std::shared_mutex mutex_; ///< A shader that is wrong everywhere only reads what was said.
-    std::map<std::string, std::set<int>, std::less<>> said_; ///< Lines, by file.
+    std::map<std::string, std::set<int>, std::less<>> said_; ///< Lines, by mistake and file.
 };
 
 } // namespace candela

@@ -11,7 +11,8 @@ namespace candela::ir {
 namespace {
 
 using Product = std::vector<ValueId>;
-constexpr std::size_t mostProducts = 16, mostLobes = 4;
+constexpr std::size_t mostProducts = 16, mostLobes = 4, mostFactors = 64;
+constexpr int mostVisits = 1 << 12; ///< Of values, which may be part of many products.
 
 /// A lobe's shape: all of Cone but what belongs to its request.
 struct Cosine {
@@ -51,17 +52,22 @@ private:
         std::vector<Product> result;
         for (const Product &x : a)
             for (const Product &y : b) {
+                if (x.size() + y.size() > mostFactors)
+                    return std::vector<Product>(mostProducts + 1);
                 result.push_back(x);
                 result.back().insert(result.back().end(), y.begin(), y.end());
             }
         return result;
     }
 
-    /// The value as a sum of products of factors that are no sums or products themselves.
+    /// The value as a sum of products of factors that are no sums or products themselves; more than
+    /// mostProducts, of whatever, if there are too many.
     std::vector<Product> expand(ValueId v) const {
         const Instruction *i = definition(v);
         if (early(v) || !i || cosine(v))
             return {{v}};
+        if (++visits_ > mostVisits)
+            return std::vector<Product>(mostProducts + 1);
         std::vector<Product> sum;
         auto collect = [&](ValueId part) {
             if (sum.size() > mostProducts)
@@ -267,6 +273,7 @@ private:
     const Dependence &dependence_;
     const Instruction &loop_;
     const Region &body_;
+    mutable int visits_ = 0;
     mutable bool divides_ = false; ///< Something is divided by what depends on the direction.
 };
 

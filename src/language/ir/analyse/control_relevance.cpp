@@ -9,14 +9,21 @@ namespace candela::ir {
 
 namespace {
 
+/// A value of more parameters is as good as one of something else: sets would grow with the square
+/// of their number.
+constexpr std::size_t mostSlots = 64;
+
 /// Which parameters a value is a function of, if it is one of parameters and constants alone.
 struct Origin {
     bool other = false; ///< Something else goes into it.
     std::set<int> slots;
 
     void add(const Origin &from) {
-        other |= from.other;
-        slots.insert(from.slots.begin(), from.slots.end());
+        if (!other && !from.other)
+            slots.insert(from.slots.begin(), from.slots.end());
+        other |= from.other || slots.size() > mostSlots;
+        if (other)
+            slots.clear();
     }
     friend bool operator==(const Origin &, const Origin &) = default;
 };

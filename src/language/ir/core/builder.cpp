@@ -19,7 +19,7 @@ int intern(std::vector<std::string> &table, const std::string &s) {
     return index;
 }
 
-Builder::Builder(Function &function) : function_(function) {
+Builder::Builder(Function &function, Budget budget) : function_(function), budget_(budget) {
     scopes_.push_back({&function.body, {}});
 }
 
@@ -29,11 +29,16 @@ void Builder::finish() {
     markInputsRead(function_);
 }
 
-const Values *Builder::find(const Key &key) const {
-    for (auto scope = scopes_.rbegin(); scope != scopes_.rend(); ++scope)
-        if (auto it = scope->known.find(key); it != scope->known.end())
-            return &it->second;
-    return nullptr;
+std::size_t Builder::KeyHash::operator()(const Key &key) const {
+    std::uint64_t hash = std::uint64_t(key.op) << 32 ^ std::uint32_t(key.immediate);
+    const auto add = [&](std::uint64_t word) { // Fowler, Noll and Vo's, word by word.
+        hash = (hash ^ word) * 0x100000001b3u;
+        hash ^= hash >> 29;
+    };
+    add(key.number);
+    for (ValueId v : key.operands)
+        add(v);
+    return std::size_t(hash);
 }
 
 namespace {
@@ -71,19 +76,22 @@ Values Builder::emit(Op op, const Values &operands, int immediate, float number)
         return {constants_.intern(function_, op, immediate, number)};
     if (auto folded = foldOperation(*this, op, operands))
         return {*folded};
-    Key key{op, operands, immediate, std::bit_cast<std::uint32_t>(number)};
+    Key key{op, immediate, std::bit_cast<std::uint32_t>(number), operands};
     if (isPure(op))
-        if (const Values *known = find(key))
-            return *known;
+        if (auto known = known_.find(key); known != known_.end())
+            return known->second;
     Values results = makeResults(function_, op, operands, immediate);
     append({op, operands, results, {}, immediate, number, line_, file_});
-    if (isPure(op))
-        scopes_.back().known[key] = results;
+    if (isPure(op)) {
+        known_.emplace(key, results);
+        scopes_.back().known.push_back(std::move(key));
+    }
     return results;
 }
 
 void Builder::append(Instruction instruction) {
-    scopes_.back().region->body.push_back(std::move(instruction));
+    if (budget_.spend(instruction.line))
+        scopes_.back().region->body.push_back(std::move(instruction));
 }
 
 Region Builder::region(const Values &arguments, const std::function<Values()> &body) {
@@ -91,6 +99,8 @@ Region Builder::region(const Values &arguments, const std::function<Values()> &b
     result.arguments = arguments;
     scopes_.push_back({&result, {}});
     result.yields = body();
+    for (const Key &key : scopes_.back().known)
+        known_.erase(key);
     scopes_.pop_back();
     return result;
 }

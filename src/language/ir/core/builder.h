@@ -15,14 +15,14 @@
 //     b.finish();
 #pragma once
 
+#include "language/ir/core/budget.h"
 #include "language/ir/core/constant_pool.h"
 #include "language/ir/core/ir.h"
 
 #include <array>
 #include <functional>
-#include <map>
 #include <string>
-#include <tuple>
+#include <unordered_map>
 #include <vector>
 
 namespace candela::ir {
@@ -39,7 +39,7 @@ int intern(std::vector<std::string> &table, const std::string &);
 class Builder {
 public:
     /// Appends to the function's body. finish() must be called before the function is used.
-    explicit Builder(Function &);
+    explicit Builder(Function &, Budget = Budget());
     Builder(const Builder &) = delete;
     Builder &operator=(const Builder &) = delete;
 
@@ -56,11 +56,16 @@ public:
     /// compile time. Valid until the next constant is made.
     const Instruction *constant(ValueId v) const { return constants_.find(v); }
 
+    /// What may still be written. Once it is exceeded nothing is: the function is of no use.
+    const Budget &budget() const { return budget_; }
+
     /// The source line that following instructions belong to.
     void setLine(int line) { line_ = line; }
     int line() const { return line_; }
-    /// The source file (into Function::files) of array accesses, for messages at run time.
+    /// The source file (into Function::files) of array accesses and loops, for messages at run
+    /// time.
     void setFile(int file) { file_ = file; }
+    int file() const { return file_; }
 
     /// The results of any operation but those with regions: folds, reuses, infers.
     Values emit(Op, const Values &operands, int immediate = 0, float number = 0);
@@ -73,16 +78,27 @@ public:
     int nextRandom() { return randoms_++; }
 
 private:
-    using Key = std::tuple<Op, Values, int, std::uint32_t>;
+    /// A pure operation.
+    struct Key {
+        Op op;
+        int immediate;
+        std::uint32_t number; ///< Its bits.
+        Values operands;
+        bool operator==(const Key &) const = default;
+    };
+    struct KeyHash {
+        std::size_t operator()(const Key &) const;
+    };
     struct Scope {
         Region *region;
-        std::map<Key, Values> known; ///< Pure operations in it and what they gave.
+        std::vector<Key> known; ///< What was first computed in it.
     };
-    const Values *find(const Key &) const;
 
     Function &function_;
-    std::vector<Scope> scopes_; ///< The open regions, outermost first.
+    std::vector<Scope> scopes_;                      ///< The open regions, outermost first.
+    std::unordered_map<Key, Values, KeyHash> known_; ///< Visible results, by what they are.
     ConstantPool constants_;
+    Budget budget_;
     int line_ = 0, file_ = 0;
     int randoms_ = 0;
 };

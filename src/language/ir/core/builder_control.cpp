@@ -53,7 +53,7 @@ void ifThen(Builder &b, ValueId condition, const std::function<void()> &then) {
 Values loop(Builder &b, const Values &initial, const std::function<Values(const Values &)> &body) {
     if (constantBool(b, initial[0]) == false)
         return initial;
-    Instruction instruction{Op::Loop, initial, {}, {}, 0, 0, b.line()};
+    Instruction instruction{Op::Loop, initial, {}, {}, 0, 0, b.line(), b.file()};
     Values arguments;
     for (ValueId v : initial)
         arguments.push_back(b.newValue(b.type(v), b.rate(v)));

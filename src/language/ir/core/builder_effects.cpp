@@ -17,12 +17,16 @@ void arrayStore(Builder &b, int array, ValueId index, ValueId value) {
     b.emit(Op::ArrayStore, {index, value}, array);
 }
 
+OutputSlot outputSlot(const OutputName &name, int component) {
+    return {name, component, name == OutputKind::Oi ? 1.0f : 0.0f};
+}
+
 void output(Builder &b, const OutputName &name, int component, ValueId value) {
     auto &slots = b.function().outputs;
     int slot = slotOf(slots, name, component);
     if (slot < 0) {
         slot = int(slots.size());
-        slots.push_back({name, component});
+        slots.push_back(outputSlot(name, component));
     }
     b.emit(Op::Output, {value}, slot);
 }

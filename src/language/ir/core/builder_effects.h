@@ -12,6 +12,8 @@ int addArray(Builder &, Type, int size);
 ValueId arrayLoad(Builder &, int array, ValueId index);
 void arrayStore(Builder &, int array, ValueId index, ValueId value);
 
+/// An output as code knows it.
+OutputSlot outputSlot(const OutputName &, int component);
 /// The function gets the slot if it has none of that name and component yet.
 void output(Builder &, const OutputName &, int component, ValueId);
 void printValues(Builder &, const std::string &format, const Values &);

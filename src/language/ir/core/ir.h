@@ -14,6 +14,7 @@
 
 #include "foundation/base/diagnostics.h"
 #include "foundation/units/color_basis.h"
+#include "language/ir/core/budget.h"
 #include "language/ir/core/outputs.h"
 #include "language/runtime/shader_abi.h"
 
@@ -59,11 +60,12 @@ struct Instruction {
     std::vector<ValueId> operands;
     std::vector<ValueId> results;
     std::vector<Region> regions;
-    /// What the operation needs beside operands; its meaning stands in ops.def.
+    /// What the operation needs beside operands; its meaning stands in ops.def. Of a Loop: 1 if it
+    /// ends soon, which markShortLoops() proves: its turns are not counted.
     std::int32_t immediate = 0;
     float number = 0;
     int line = 0; ///< Of the shader's source, for messages; 0 = made by the compiler.
-    int file = 0; ///< Into Function::files, for messages at run time; only array accesses have it.
+    int file = 0; ///< Into Function::files, for messages at run time: of array accesses and loops.
 };
 
 /// How a light loop chooses its samples and states its importance.
@@ -129,6 +131,9 @@ struct Function {
     std::vector<OutputSlot> outputs;
     std::vector<bool> inputsRead; ///< By ShaderInput.
     int frameSlots = 0;
+    /// Turns of a loop, those of the loops in it included, for a point: then the point's loop ends,
+    /// and its outputs are as OutputSlot::whenEnded says.
+    int mostTurns = mostLoopTurns;
 
     ValueId addValue(Type type, Rate rate) {
         values.push_back({type, rate});

@@ -44,6 +44,8 @@ struct OutputName {
 struct OutputSlot {
     OutputName name;
     int component = 0;
+    /// What it holds at points where a loop had to be ended (budget.h): black, opaque.
+    float whenEnded = 0;
 };
 
 /// Index of the plane that holds it; -1 if none does.

@@ -143,11 +143,35 @@ private:
     int colorSamples_, frameSlots_, lane_;
 };
 
+/// How long the loops of a lane may still run: each outermost one begins anew.
+class Turns {
+public:
+    explicit Turns(int most) : most_(most) {}
+
+    void enter(bool counts) {
+        if (counts && open_++ == 0)
+            taken_ = 0;
+    }
+    void leave(bool counts) { open_ -= counts ? 1 : 0; }
+    /// False if there is none left: then all loops of the lane have ended.
+    bool take() {
+        ended_ = taken_ == most_;
+        ++taken_;
+        return !ended_;
+    }
+    bool ended() const { return ended_; }
+
+private:
+    int most_, taken_ = 0, open_ = 0;
+    bool ended_ = false;
+};
+
 /// Runs the function in one lane.
 class Lane {
 public:
     Lane(const Function &function, const ShaderArgs &args, int lane)
-        : function_(function), args_(args, function, lane), cells_(function.values.size()) {
+        : function_(function), args_(args, function, lane), cells_(function.values.size()),
+          turns_(function.mostTurns) {
         for (const Array &array : function.arrays)
             arrays_.emplace_back(array.size, Cell{0});
     }
@@ -235,10 +259,14 @@ private:
         case Op::FrameLoad: cells_.set(i, args_.frame(i.immediate)); return true;
         case Op::FrameStore: {
             bool isBool = function_.values[i.operands[0]].type == Type::Bool;
-            args_.frame(i.immediate) = isBool ? float(truth(i, 0)) : number(i, 0);
+            float value = isBool ? float(truth(i, 0)) : number(i, 0);
+            args_.frame(i.immediate) = turns_.ended() ? 0 : value;
             return true;
         }
-        case Op::Output: args_.output(i.immediate) = number(i, 0); return true;
+        case Op::Output:
+            args_.output(i.immediate) =
+                turns_.ended() ? function_.outputs[i.immediate].whenEnded : number(i, 0);
+            return true;
         case Op::Print: print(i); return true;
         case Op::EmissionCone: return true; // For Question::Emission.
         default: return false;
@@ -250,16 +278,18 @@ private:
         int index = cells_.integer(i.operands[0]);
         const int inside = std::clamp(index, 0, int(array.size()) - 1);
         const ShaderCallbacks *callbacks = args_.callbacks();
-        if (inside != index && callbacks && callbacks->indexOutside) {
-            const char *file = function_.files.empty() ? "" : function_.files[i.file].c_str();
-            callbacks->indexOutside(callbacks->context, file, i.line);
-        }
+        if (inside != index && callbacks && callbacks->indexOutside && !turns_.ended())
+            callbacks->indexOutside(callbacks->context, fileOf(i), i.line);
         return array[inside];
+    }
+
+    const char *fileOf(const Instruction &i) const {
+        return function_.files.empty() ? "" : function_.files[i.file].c_str();
     }
 
     void print(const Instruction &i) const {
         const ShaderCallbacks *callbacks = args_.callbacks();
-        if (!callbacks || !callbacks->print)
+        if (!callbacks || !callbacks->print || turns_.ended())
             return;
         std::vector<PrintArgument> values;
         for (std::size_t k = 1; k < i.operands.size(); ++k) {
@@ -326,19 +356,31 @@ private:
             run(region);
             return cells_.copy(region.yields, i.results);
         }
-        const Region &region = i.regions[0];
+        const bool counts = i.immediate == 0;
         cells_.copy(i.operands, i.results);
-        while (cells_.truth(i.results[0])) {
+        turns_.enter(counts);
+        while (cells_.truth(i.results[0]) && (!counts || takeTurn(i))) {
+            const Region &region = i.regions[0];
             cells_.copy(i.results, region.arguments);
             run(region);
             cells_.copy(region.yields, i.results);
         }
+        turns_.leave(counts);
+    }
+
+    bool takeTurn(const Instruction &loop) {
+        if (turns_.ended() || turns_.take())
+            return !turns_.ended();
+        if (const ShaderCallbacks *callbacks = args_.callbacks(); callbacks && callbacks->loopEnded)
+            callbacks->loopEnded(callbacks->context, fileOf(loop), loop.line);
+        return false;
     }
 
     const Function &function_;
     LaneArguments args_;
     Cells cells_;
     std::vector<std::vector<Cell>> arrays_;
+    Turns turns_;
 };
 
 } // namespace

@@ -19,6 +19,8 @@ Components builtin(Lowering &lowering, const sl::Expr &expr) {
     BuiltinCall call{lowering, lowering.b, expr, {}};
     for (const sl::ExprPtr &operand : expr.operands)
         call.arguments.push_back(evaluate(lowering, *operand));
+    if (derivativeBuiltin(call.id()))
+        lowering.derivatives.try_emplace(lowering.b.line(), expr.where);
     for (const auto subject :
          {mathsBuiltin, geometryBuiltin, spaceBuiltin, colorBuiltin, matrixBuiltin, noiseBuiltin,
           splineBuiltin, lightBuiltin, derivativeBuiltin, textBuiltin})

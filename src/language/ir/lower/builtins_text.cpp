@@ -9,6 +9,8 @@
 #include "language/ir/lower/regular_expression.h"
 #include "language/semantics/print_pattern.h"
 
+#include <fmt/format.h>
+
 namespace candela::ir {
 namespace {
 
@@ -17,6 +19,22 @@ std::string escaped(const std::string &text) {
     for (char c : text)
         result += c == '%' ? std::string("%%") : std::string(1, c);
     return result;
+}
+
+/// A string that is made while the shader is compiled, unless there are too many characters in it
+/// or in all strings together.
+Components madeText(BuiltinCall &call, const std::string &made) {
+    size_t together = made.size();
+    for (const std::string &known : call.b.function().strings)
+        together += known.size();
+    if (made.size() <= mostCharacters && together <= mostCharactersTogether)
+        return {text(call.b, made)};
+    call.lowering.messages.error(
+        call.expr.where,
+        fmt::format("the string that {}() makes here is too long: {} characters in a string and "
+                    "{} in all strings of a shader are the most",
+                    call.expr.overload->function->name, mostCharacters, mostCharactersTogether));
+    return {text(call.b, "")};
 }
 
 /// A pattern with known strings filled in, and the values of its other conversions.
@@ -83,14 +101,14 @@ Components format(BuiltinCall &call) {
         }
         arguments.push_back({*known, nullptr});
     }
-    return {text(call.b, formatPrint(expansion->pattern, arguments))};
+    return madeText(call, formatPrint(expansion->pattern, arguments));
 }
 
 Components concat(BuiltinCall &call) {
     std::string result;
     for (size_t i = 0; i < call.count(); ++i)
         result += call.text(i, "a string that concat() joins");
-    return {text(call.b, result)};
+    return madeText(call, result);
 }
 
 Components match(BuiltinCall &call) {

@@ -11,9 +11,9 @@ namespace {
 
 /// Formals that are written see the argument itself (a variable) or a copy that is handed back (a
 /// part of one); others get values.
-class Inlining {
+class InlinedCall {
 public:
-    Inlining(Lowering &lowering, const sl::Expr &call) : lowering_(lowering), call_(call) {
+    InlinedCall(Lowering &lowering, const sl::Expr &call) : lowering_(lowering), call_(call) {
         for (size_t i = 0; i < call.operands.size(); ++i)
             prepare(*call.operands[i], *call.function->formals[i]);
     }
@@ -23,12 +23,13 @@ public:
         for (size_t i = 0; i < arguments_.size(); ++i)
             bind(*function.formals[i], arguments_[i]);
         enter(lowering_, &function);
+        const BodyScope scope(lowering_, function);
         const int line = lowering_.b.line();
         lower(lowering_, function.body);
         lowering_.b.setLine(line);
         const int result = lowering_.frames.back().result;
         lowering_.frames.pop_back();
-        for (size_t i = 0; i < arguments_.size(); ++i)
+        for (size_t i = 0; i < arguments_.size() && !lowering_.inlining.refused; ++i)
             if (arguments_[i].target)
                 store(lowering_, *arguments_[i].target,
                       lowering_.variables.load(lowering_.variables.storageOf(*function.formals[i])),
@@ -72,14 +73,7 @@ private:
 } // namespace
 
 Components call(Lowering &lowering, const sl::Expr &expr) {
-    // A chain of functions that each call the next twice would never end.
-    constexpr size_t mostValues = 1 << 18;
-    if (lowering.b.function().values.size() + lowering.variables.cells.size() > mostValues) {
-        lowering.messages.error(expr.where,
-                                "with all functions inlined, the shader is too large to compile");
-        return zero(lowering.b, expr.type.base);
-    }
-    return Inlining(lowering, expr).run();
+    return InlinedCall(lowering, expr).run();
 }
 
 } // namespace candela::ir

@@ -73,6 +73,7 @@ struct Tables {
 /// A parameter of which any component is read keeps all of its slots.
 void compactParameters(Function &function, std::vector<ShaderParameter> &parameters) {
     std::set<std::string> read;
+    std::map<std::string, int> first;
     forEachInstruction(function.body, [&](Instruction &i) {
         if (i.op == Op::Parameter)
             read.insert(function.parameters[size_t(i.immediate)].name);
@@ -82,6 +83,7 @@ void compactParameters(Function &function, std::vector<ShaderParameter> &paramet
     for (size_t k = 0; k < function.parameters.size(); ++k)
         if (read.contains(function.parameters[k].name)) {
             slot[k] = int(kept.size());
+            first.try_emplace(function.parameters[k].name, slot[k]);
             kept.push_back(function.parameters[k]);
         }
     forEachInstruction(function.body, [&](Instruction &i) {
@@ -90,10 +92,8 @@ void compactParameters(Function &function, std::vector<ShaderParameter> &paramet
     });
     function.parameters = std::move(kept);
     for (ShaderParameter &parameter : parameters) {
-        parameter.firstSlot = -1;
-        for (size_t k = function.parameters.size(); k-- > 0;)
-            if (function.parameters[k].name == parameter.name)
-                parameter.firstSlot = int(k);
+        const auto found = first.find(parameter.name);
+        parameter.firstSlot = found == first.end() ? -1 : found->second;
     }
 }
 

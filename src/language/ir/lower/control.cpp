@@ -5,6 +5,7 @@
 #include "language/ir/core/builder_control.h"
 #include "language/ir/core/builder_sources.h"
 #include "language/ir/lower/expression.h"
+#include "language/ir/lower/place_scope.h"
 #include "language/ir/lower/scan.h"
 #include "language/ir/lower/statement.h"
 
@@ -148,8 +149,52 @@ CarriedCells carriedCells(const Lowering &lowering, const sl::Stmt &loop) {
     return carried;
 }
 
-/// while (condition) body: the condition is evaluated before the loop and at the end of each
-/// round, there only if the round was neither broken nor returned from.
+namespace {
+
+/// A round of a loop in whose cells stands what the round begins with. Gives whether there is
+/// another one.
+class Round {
+public:
+    Round(Lowering &lowering, const sl::Stmt &statement)
+        : lowering_(lowering), statement_(statement) {
+        const ValueId none = boolean(lowering.b, false);
+        broken_ = lowering.variables.newCells({none, none, none});
+    }
+
+    /// Body and steps; then `next`, unless the round was broken or returned from.
+    ValueId run(const std::function<ValueId()> &next) {
+        std::vector<ValueId> &cells = lowering_.variables.cells;
+        const int continued = broken_ + 1, goesOn = broken_ + 2;
+        lowering_.frames.back().loops.push_back({&statement_, broken_, continued});
+        lower(lowering_, statement_.body);
+        cells[continued] = boolean(lowering_.b, false);
+        whereLive(lowering_, [&] {
+            for (const sl::ExprPtr &step : statement_.steps)
+                evaluate(lowering_, *step);
+            cells[goesOn] = next();
+        });
+        lowering_.frames.back().loops.pop_back();
+        return cells[goesOn];
+    }
+    /// The condition, and only where it holds the rest.
+    ValueId runWhere(ValueId condition) {
+        const int goesOn = broken_ + 2;
+        branch(
+            lowering_, condition, [&] { run([&] { return boolean(lowering_.b, true); }); }, [] {});
+        return lowering_.variables.cells[goesOn];
+    }
+
+private:
+    Lowering &lowering_;
+    const sl::Stmt &statement_;
+    int broken_; ///< The first of three cells.
+};
+
+} // namespace
+
+/// while (condition) body. A cheap condition is written twice: before the loop, and at the end of
+/// each round. Others stand once, at the head of the rounds: they may call functions whose loops
+/// have such conditions, and so on.
 void lowerLoop(Lowering &lowering, const sl::Stmt &statement) {
     Builder &b = lowering.b;
     Variables &variables = lowering.variables;
@@ -157,7 +202,8 @@ void lowerLoop(Lowering &lowering, const sl::Stmt &statement) {
     const auto holds = [&] {
         return statement.value ? condition(lowering, *statement.value) : boolean(b, true);
     };
-    const ValueId first = holds();
+    const bool isCheap = !statement.value || isCheapAndPure(*statement.value);
+    const ValueId first = isCheap ? holds() : boolean(b, true);
     if (isKnownFalse(b, first))
         return;
 
@@ -175,22 +221,15 @@ void lowerLoop(Lowering &lowering, const sl::Stmt &statement) {
             cells[flag] = boolean(b, false); // Or there would be no round.
         if (parts.drawsAnew)
             cells[lowering.turn] = add(b, cells[lowering.turn], number(b, 1));
-        const ValueId none = boolean(b, false);
-        const int broken = variables.newCells({none, none, none});
-        const int continued = broken + 1, next = broken + 2;
-        lowering.frames.back().loops.push_back({&statement, broken, continued});
-        lower(lowering, statement.body);
-        cells[continued] = boolean(b, false);
-        whereLive(lowering, [&] {
-            for (const sl::ExprPtr &step : statement.steps)
-                evaluate(lowering, *step);
-            cells[next] = holds();
-        });
-        lowering.frames.back().loops.pop_back();
+        ++variables.openLoops;
+        Round turn(lowering, statement);
+        const ValueId goesOn = isCheap ? turn.run(holds) : turn.runWhere(holds());
+        --variables.openLoops;
         Components yields = variables.inCells(carried);
-        yields.insert(yields.begin(), cells[next]);
+        yields.insert(yields.begin(), goesOn);
         return yields;
     };
+    const PlaceScope place(b, statement.where);
     const Components results = loop(b, initial, round);
     cells = before;
     variables.setCells(carried, {results.begin() + 1, results.end()});

@@ -12,6 +12,7 @@
 #include "language/semantics/typed_ast.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace candela::ir {
 namespace {
@@ -57,6 +58,28 @@ std::vector<float> runConstant(const Function &function) {
     for (const auto &plane : planes)
         result.push_back(plane[0]);
     return result;
+}
+
+/// The components of a value that is written in numbers alone.
+std::optional<std::vector<float>> literal(const sl::Expr &expr, int samples) {
+    std::vector<float> result;
+    if (expr.kind == sl::ExprKind::Number)
+        return std::vector{float(expr.number)};
+    if (expr.kind != sl::ExprKind::Negate && expr.kind != sl::ExprKind::Tuple &&
+        expr.kind != sl::ExprKind::Convert)
+        return {};
+    for (const sl::ExprPtr &operand : expr.operands) {
+        const auto part = literal(*operand, samples);
+        if (!part)
+            return {};
+        result.insert(result.end(), part->begin(), part->end());
+    }
+    const size_t count = size_t(componentCount(expr.type.base, samples));
+    if (expr.kind == sl::ExprKind::Negate)
+        std::transform(result.begin(), result.end(), result.begin(), std::negate<>());
+    else if (result.size() == 1 && count == 3)
+        result.assign(count, result[0]);
+    return result.size() == count ? std::optional(result) : std::nullopt;
 }
 
 class Defaults {
@@ -121,7 +144,29 @@ private:
         }
     }
 
+    /// What nearly all shaders have, and some have thousands of: numbers. (What a matrix leads to
+    /// depends on the space that is named with it, and other samples of colours on their uplift.)
+    bool takeLiterals(const sl::Parameter &parameter, ShaderParameter &result) const {
+        const sl::Type &type = parameter.symbol->type;
+        if (type.base == sl::BaseType::String || type.base == sl::BaseType::Matrix ||
+            (type.base == sl::BaseType::Color && colors_.samples != 3))
+            return false;
+        std::vector<float> values;
+        for (const sl::ExprPtr &element : parameter.defaults) {
+            const auto value = literal(*element, colors_.samples);
+            if (!value)
+                return false;
+            values.insert(values.end(), value->begin(), value->end());
+        }
+        values.resize(
+            size_t(componentCount(type.base, colors_.samples) * std::max(1, type.length)));
+        result.defaults = std::move(values);
+        return true;
+    }
+
     bool evaluateDefault(const sl::Parameter &parameter, ShaderParameter &result) {
+        if (takeLiterals(parameter, result))
+            return true;
         const sl::Symbol &symbol = *parameter.symbol;
         Function function;
         function.name = shader_.name;

@@ -168,7 +168,7 @@ TEST(LowerDerivatives, ImpossibleOnesAreErrors) {
         const char *body, *message;
     } cases[] = {
         {"float i, x = u * u;\nfor (i = 0; i < s; i += 1)\nx = sin(x) + Du(x);\nresult = x;",
-         "test.sl:3: error: derivatives of derivatives go beyond order 16 here"},
+         "test.sl:3:14: error: derivatives of derivatives go beyond order 16 here"},
         {"result = Du(Du(Du(noise(s))));", "there are no derivatives of noise beyond the second"},
     };
     for (const auto &[body, message] : cases) {

@@ -169,6 +169,8 @@ Components spaced(Lowering &lowering, const sl::Expr &expr) {
 
 ValueId condition(Lowering &lowering, const sl::Expr &expr) {
     Builder &b = lowering.b;
+    if (isTooLarge(lowering, expr.where))
+        return boolean(b, false);
     if (expr.kind == sl::ExprKind::Not)
         return negate(b, condition(lowering, *expr.operands[0]));
     if (isTruth(expr)) {
@@ -185,6 +187,8 @@ ValueId evaluateFloat(Lowering &lowering, const sl::Expr &expr) {
 
 Components evaluate(Lowering &lowering, const sl::Expr &expr) {
     Builder &b = lowering.b;
+    if (isTooLarge(lowering, expr.where))
+        return zero(b, expr.type.base, expr.type.length);
     if (isTruth(expr))
         return {unary(b, Op::FloatFromBool, condition(lowering, expr))};
     switch (expr.kind) {

@@ -122,7 +122,9 @@ void lowerIlluminance(Lowering &lowering, const sl::Stmt &statement) {
         variables.store(sl::PredefinedId::Cl, Cl);
         variables.store(sl::PredefinedId::Ol, Components(b.colors().samples, number(b, 1)));
         lowering.frames.back().loops.push_back({&statement, broken, continued});
+        ++variables.openLoops;
         whereLive(lowering, [&] { lower(lowering, statement.body); });
+        --variables.openLoops;
         lowering.frames.back().loops.pop_back();
         return variables.inCells(carried);
     };

@@ -10,8 +10,10 @@
 #include "language/ir/lower/defaults.h"
 #include "language/ir/lower/statement.h"
 #include "language/ir/transform/jet.h"
+#include "language/ir/transform/short_loops.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <memory>
 
 namespace candela::ir {
@@ -98,30 +100,36 @@ void writeOutputs(Lowering &lowering, const LoweredShader &lowered) {
                   variables.load(variables.storageOf(*shader.parameters[i].symbol)));
 }
 
+/// Where a derivative stands in the text, else its line, else the shader.
+Diagnostic diagnosticAt(const Lowering &lowering, const Function &function, Severity severity,
+                        const SlopeNote &note) {
+    const auto place = lowering.derivatives.find(note.line);
+    if (place != lowering.derivatives.end())
+        return sl::diagnosticAt(severity, place->second, note.text);
+    Diagnostic diagnostic = sl::diagnosticAt(severity, lowering.shader.where, note.text);
+    if (note.line > 0)
+        diagnostic.where.line = note.line, diagnostic.where.column = 0;
+    if (note.file >= 0)
+        diagnostic.where.file =
+            std::make_shared<const std::string>(function.files[size_t(note.file)]);
+    if (note.line > 0 || note.file >= 0)
+        diagnostic.sourceLine.clear();
+    return diagnostic;
+}
+
 /// Writes out all derivatives; false, with a report, if that cannot be.
-bool differentiate(const sl::TypedShader &shader, Function &function, DiagnosticSink &sink) {
+bool differentiate(const Lowering &lowering, Function &function, DiagnosticSink &sink) {
     const SlopeReport report = expandSlopes(function);
-    const auto tell = [&](Severity severity, const SlopeNote &note) {
-        SourceLocation where = shader.where.location();
-        if (note.line > 0)
-            where.line = note.line;
-        if (note.file >= 0)
-            where.file = std::make_shared<const std::string>(function.files[size_t(note.file)]);
-        where.column = note.line > 0 ? 0 : where.column;
-        Diagnostic diagnostic;
-        diagnostic.severity = severity, diagnostic.where = where, diagnostic.message = note.text;
-        sink.report(std::move(diagnostic));
-    };
     for (const SlopeNote &note : report.held)
-        tell(Severity::Warning, note);
+        sink.report(diagnosticAt(lowering, function, Severity::Warning, note));
     if (report.fault)
-        tell(Severity::Error, *report.fault);
+        sink.report(diagnosticAt(lowering, function, Severity::Error, *report.fault));
     return !report.fault;
 }
 
 /// Local arrays are written out, element by element. Formals are the arrays of their callers.
 bool arraysFit(const sl::TypedShader &shader, int colorSamples, DiagnosticSink &sink) {
-    constexpr int mostNumbers = 1 << 16;
+    constexpr int mostNumbers = int(mostArrayNumbers);
     for (const auto &symbol : shader.symbols)
         if (symbol->kind != sl::Symbol::Kind::Formal &&
             symbol->type.length >
@@ -133,6 +141,25 @@ bool arraysFit(const sl::TypedShader &shader, int colorSamples, DiagnosticSink &
             return false;
         }
     return true;
+}
+
+/// All arrays in memory together.
+bool memoryFits(const Lowering &lowering, const Function &function, DiagnosticSink &sink) {
+    size_t numbers = 0;
+    for (const Array &array : function.arrays)
+        numbers += size_t(array.size);
+    if (numbers <= mostArrayNumbers)
+        return true;
+    const sl::Symbol *largest = nullptr;
+    for (const auto &symbol : lowering.shader.symbols)
+        if (symbol->type.isArray() && (!largest || symbol->type.length > largest->type.length))
+            largest = symbol.get();
+    sink.report(sl::diagnosticAt(
+        Severity::Error, largest ? largest->where : lowering.shader.where,
+        fmt::format("the shader's arrays are too large together: {} numbers, with those of each "
+                    "call of a function and two more for each derivative; {} are the most",
+                    numbers, mostArrayNumbers)));
+    return false;
 }
 
 } // namespace
@@ -154,6 +181,7 @@ std::optional<LoweredShader> lower(const sl::TypedShader &shader,
     lowered.name = shader.name;
     lowered.kind = shader.kind;
     lowered.whole.name = shader.name;
+    lowered.whole.mostTurns = options.mostTurns;
     lowered.whole.colors = options.colors;
     auto parameters = parametersOf(shader, strings, options.colors, sink);
     if (!parameters)
@@ -180,10 +208,13 @@ std::optional<LoweredShader> lower(const sl::TypedShader &shader,
         lowered.inverseSquare = *power == (lowered.lightClass == LightClass::Local ? -2 : 0);
         lowered.directionOnly = *power == 0;
     }
-    if (!differentiate(shader, lowered.whole, sink))
+    if (!differentiate(lowering, lowered.whole, sink))
         return std::nullopt;
     tell("derivatives");
     removeUnused(lowered.whole, lowered.parameters);
+    if (!memoryFits(lowering, lowered.whole, sink))
+        return std::nullopt;
+    markShortLoops(lowered.whole);
     tell("clean up");
     return lowered;
 }

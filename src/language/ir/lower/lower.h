@@ -68,6 +68,7 @@ struct LoweringOptions {
     /// specular() and specularbrdf() have this over the roughness as their exponent. RI 3.1 says 1
     /// (section 15.6); production renderers, and the pictures that files were made by, have 8.
     float highlightScale = 8;
+    int mostTurns = mostLoopTurns; ///< As Function has it; > 0.
     /// What the samples of colours stand for.
     ColorBasis colors{};
     /// Is told of "lower", "derivatives" and "clean up"; may be empty.

@@ -61,7 +61,7 @@ Components startOf(Builder &b, sl::ShaderKind kind, const sl::PredefinedVariable
 
 Lowering::Lowering(const sl::TypedShader &shader, const LoweringOptions &options,
                    Function &function, DiagnosticSink &sink)
-    : shader(shader), options(options), b(function), messages(sink),
+    : shader(shader), options(options), b(function, Budget(mostInstructions)), messages(sink),
       variables(b, computedArrays(shader)), spaces(b, messages),
       turn(variables.newCells({number(b, 0)})) {
     for (const sl::PredefinedVariable &variable : sl::predefinedVariables())

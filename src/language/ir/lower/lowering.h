@@ -6,12 +6,14 @@
 #pragma once
 
 #include "language/ir/core/builder.h"
+#include "language/ir/lower/inlining.h"
 #include "language/ir/lower/lower.h"
 #include "language/ir/lower/messages.h"
 #include "language/ir/lower/spaces.h"
 #include "language/ir/lower/variables.h"
 #include "language/semantics/typed_ast.h"
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -53,6 +55,8 @@ struct Lowering {
     const int turn;
     std::vector<Frame> frames; ///< The shader, and the functions that are being inlined in it.
     std::vector<Components> targetValues; ///< Of the assignments that are being evaluated.
+    Inlining inlining;
+    std::map<int, sl::Place> derivatives; ///< The first on each line.
     EmittedLight light;
 };
 

@@ -4,7 +4,7 @@
 namespace candela::ir {
 
 void Messages::error(const sl::Place &where, const std::string &message) {
-    if (reported_.insert(where.location().text() + message).second)
+    if (!closed_ && reported_.insert(where.location().text() + message).second)
         sink_.report(sl::diagnosticAt(Severity::Error, where, message));
 }
 

@@ -16,12 +16,15 @@ public:
     explicit Messages(DiagnosticSink &sink) : sink_(sink) {}
 
     void error(const sl::Place &, const std::string &message);
+    /// No more are reported: they would follow from the last.
+    void close() { closed_ = true; }
     /// Whether there was an error.
     bool failed() const { return !reported_.empty(); }
 
 private:
     DiagnosticSink &sink_;
     std::set<std::string> reported_;
+    bool closed_ = false;
 };
 
 } // namespace candela::ir

@@ -49,6 +49,8 @@ void lower(Lowering &lowering, const std::vector<sl::StmtPtr> &list, size_t firs
 }
 
 void lower(Lowering &lowering, const sl::Stmt &statement) {
+    if (isTooLarge(lowering, statement.where))
+        return;
     lowering.b.setLine(statement.where.line);
     switch (statement.kind) {
     case sl::StmtKind::Block: lower(lowering, statement.body); break;

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/ir/lower/variables.h"
 
+#include "language/ir/core/builder_arithmetic.h"
+#include "language/ir/core/builder_control.h"
 #include "language/ir/core/builder_effects.h"
 #include "language/ir/core/builder_sources.h"
+
+#include <cmath>
 
 namespace candela::ir {
 
@@ -48,9 +52,40 @@ const Storage &Variables::declare(const sl::Symbol &symbol, const Components &in
             const int array = addArray(b_, type, storage.length);
             storage.memory = c == 0 ? array : storage.memory;
         }
-        store(storage, {initial.begin(), initial.begin() + storage.size()});
+        fill(storage, initial);
     }
     return storage_[&symbol] = storage;
+}
+
+/// Memory is zero at first. In a loop it has to be made so, which is a loop where it is long.
+void Variables::fill(const Storage &storage, const Components &initial) {
+    constexpr int mostStores = 16; // Of what is equal at the array's end.
+    const int width = storage.width, length = storage.length;
+    const auto at = [&](int element, int c) { return initial[size_t(element * width + c)]; };
+    const auto isZero = [&](ValueId v) {
+        const float *known = constantFloat(b_, v);
+        return openLoops == 0 && known && *known == 0 && !std::signbit(*known);
+    };
+    const auto store = [&](int from, ValueId index) {
+        for (int c = 0; c < width; ++c)
+            if (!isZero(at(from, c)))
+                arrayStore(b_, storage.memory + c, index, at(from, c));
+    };
+    int rest = length; // Elements from here on are as the last one.
+    const auto last = initial.begin() + (length - 1) * width;
+    while (rest > 0 && std::equal(last, last + width, initial.begin() + (rest - 1) * width))
+        --rest;
+    const bool clear = std::all_of(last, last + width, isZero);
+    const bool loops = !clear && length - rest > mostStores;
+    for (int element = 0; element < (loops || clear ? rest : length); ++element)
+        store(element, integer(b_, element));
+    if (!loops)
+        return;
+    loop(b_, {boolean(b_, true), number(b_, float(rest))}, [&](const Values &carried) {
+        store(length - 1, unary(b_, Op::IntegerFromFloat, carried[1]));
+        const ValueId next = add(b_, carried[1], number(b_, 1));
+        return Values{less(b_, next, number(b_, float(length))), next};
+    });
 }
 
 const Storage &Variables::storageOf(const sl::Symbol &symbol) {

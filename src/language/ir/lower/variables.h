@@ -43,6 +43,8 @@ public:
     /// Passes over cells that are gone.
     void setCells(const std::vector<int> &list, const Components &values);
 
+    /// How many loops are open: what they declare begins anew in each turn.
+    int openLoops = 0;
     const Storage &declare(const sl::Symbol &, const Components &initial);
     /// What no text has declared yet (a default may name a later parameter) is zero.
     const Storage &storageOf(const sl::Symbol &);
@@ -60,6 +62,8 @@ public:
     void appendCells(const sl::Symbol &, std::vector<int> &carried) const;
 
 private:
+    void fill(const Storage &, const Components &initial);
+
     Builder &b_;
     std::map<const sl::Symbol *, Storage> storage_;
     std::map<sl::PredefinedId, Storage> predefined_;

@@ -9,6 +9,7 @@
 #include "language/ir/transform/dead_code.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 namespace candela::ir {
@@ -18,6 +19,17 @@ namespace {
 /// Operations worth recomputing rather than loading. Between surface and view much is: a slot
 /// there costs memory in every frame.
 constexpr int scatterRecomputes = 1, viewRecomputes = 24;
+/// Instructions of Prepare: each cone is probed in a walk through all that responds to light; and
+/// what values become there, for all cones.
+constexpr std::size_t mostPrepared = 2 * mostInstructions, mostMapped = 1 << 24;
+
+/// An array that responds to light has a copy for each probe.
+std::size_t arrayNumbers(const Function &function) {
+    std::size_t numbers = 0;
+    for (const Array &array : function.arrays)
+        numbers += std::size_t(array.size);
+    return numbers;
+}
 
 std::set<ValueId> loadsOf(const Function &function) {
     std::set<ValueId> loads;
@@ -69,7 +81,7 @@ std::vector<OutputSlot> prepareOutputs(const Plan &plan) {
     std::vector<OutputSlot> slots;
     const auto add = [&](const OutputName &name) {
         for (int k = 0; k < componentsOf(name.kind, plan.text.colors.samples); ++k)
-            slots.push_back({name, k});
+            slots.push_back(outputSlot(name, k));
     };
     for (int n = 0; n < int(plan.cones.size()); ++n)
         for (OutputKind kind : {OutputKind::ConeAxis, OutputKind::ConeAngle,
@@ -82,10 +94,14 @@ std::vector<OutputSlot> prepareOutputs(const Plan &plan) {
     return slots;
 }
 
-Function specializePrepare(const Plan &plan, Stage first, const std::map<ValueId, int> &slots) {
+/// With the importance of the first `probes` cones that are not stated; of the others it is said to
+/// be 1. Nothing if it becomes too large, which it does not without probes.
+static std::optional<Function> prepareWith(const Plan &plan, Stage first,
+                                           const std::map<ValueId, int> &slots,
+                                           std::size_t probes) {
     Function result = emptyLike(plan.text);
     result.outputs = prepareOutputs(plan);
-    Builder b(result);
+    Builder b(result, probes > 0 ? Budget(mostPrepared) : Budget());
     SpecializationOptions options;
     options.first = first;
     options.framed = plan.framed;
@@ -98,8 +114,11 @@ Function specializePrepare(const Plan &plan, Stage first, const std::map<ValueId
     std::vector<Assumption> assumptions{{}};
     if (plan.readsAmbient)
         assumptions.push_back({Assumption::Light::None, true, nullptr});
+    const auto isProbed = [&](const Cone &cone) {
+        return cone.kind != Cone::Kind::Stated && std::size_t(&cone - plan.cones.data()) < probes;
+    };
     for (const Cone &cone : plan.cones)
-        if (cone.kind != Cone::Kind::Stated)
+        if (isProbed(cone))
             assumptions.push_back({Assumption::Light::Probed, false, &cone});
     SpecializedText specialized = specialize(plan.text, plan.dependence, b, assumptions, options);
     std::vector<ValueId> Ce = emission(plan, specialized, b);
@@ -117,8 +136,20 @@ Function specializePrepare(const Plan &plan, Stage first, const std::map<ValueId
         if (const Cone *cone = assumptions[h].probe)
             output(b, {OutputKind::ConeImportance, int(cone - plan.cones.data())}, 0,
                    importanceOf(specialized, b, int(h), Ce));
+    for (std::size_t n = probes; n < plan.cones.size(); ++n)
+        if (plan.cones[n].kind != Cone::Kind::Stated)
+            output(b, {OutputKind::ConeImportance, int(n)}, 0, number(b, 1));
+    if (b.budget().exceeded() || (probes > 0 && arrayNumbers(result) > mostArrayNumbers))
+        return {};
     finishFramed(plan, b, result, slots);
     return result;
+}
+
+Function specializePrepare(const Plan &plan, Stage first, const std::map<ValueId, int> &slots) {
+    const std::size_t most = mostMapped / (plan.text.values.size() + 1);
+    for (std::size_t probes = std::min(plan.cones.size(), most);; probes /= 4)
+        if (auto prepared = prepareWith(plan, first, slots, probes))
+            return std::move(*prepared);
 }
 
 Function specializeSurface(const Plan &plan, const std::map<ValueId, int> &slots) {

@@ -7,6 +7,7 @@
 #include "language/ir/transform/specialize.h"
 
 #include <map>
+#include <optional>
 
 namespace candela::ir {
 
@@ -24,6 +25,27 @@ void replaceParameters(Function &text, const std::map<int, float> &values) {
     });
 }
 
+/// Nothing if it becomes too large, which it does not unless loops are unrolled.
+std::optional<Function> rewrite(const Function &text, const Dependence &dependence, bool unrolls) {
+    Function result = emptyLike(text);
+    result.outputs = text.outputs;
+    result.requests.clear();
+    Builder b(result, unrolls ? Budget(mostInstructions) : Budget());
+    SpecializationOptions options;
+    options.prints = options.renumbers = true;
+    options.unrolls = unrolls;
+    SpecializedText specialized =
+        specialize(text, dependence, b, {{Assumption::Light::Given, true, nullptr}}, options);
+    for (const OutputSlot &slot : text.outputs)
+        if (auto v = specialized.output(0, slot.name, slot.component))
+            output(b, slot.name, slot.component, *v);
+    b.finish();
+    if (b.budget().exceeded())
+        return {};
+    removeDeadCode(result);
+    return result;
+}
+
 } // namespace
 
 Function fold(const Function &whole, const std::vector<FoldedValue> &values) {
@@ -34,20 +56,9 @@ Function fold(const Function &whole, const std::vector<FoldedValue> &values) {
     replaceParameters(text, bySlot);
     removeDeadCode(text);
     Dependence dependence = analyzeDependence(text);
-    Function result = emptyLike(text);
-    result.outputs = text.outputs;
-    result.requests.clear();
-    Builder b(result);
-    SpecializationOptions options;
-    options.prints = options.unrolls = options.renumbers = true;
-    SpecializedText specialized =
-        specialize(text, dependence, b, {{Assumption::Light::Given, true, nullptr}}, options);
-    for (const OutputSlot &slot : text.outputs)
-        if (auto v = specialized.output(0, slot.name, slot.component))
-            output(b, slot.name, slot.component, *v);
-    b.finish();
-    removeDeadCode(result);
-    return result;
+    if (auto unrolled = rewrite(text, dependence, true))
+        return std::move(*unrolled);
+    return *rewrite(text, dependence, false);
 }
 
 } // namespace candela::ir

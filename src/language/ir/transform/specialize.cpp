@@ -20,6 +20,7 @@ Function emptyLike(const Function &whole) {
     result.categories = whole.categories;
     result.parameters = whole.parameters;
     result.variables = whole.variables;
+    result.mostTurns = whole.mostTurns;
     return result;
 }
 

@@ -12,7 +12,8 @@ namespace candela::ir {
 
 namespace {
 
-constexpr int mostTurns = 64, smallUnrolled = 128;
+constexpr int mostTurns = 64;
+constexpr std::size_t smallUnrolled = 128;
 constexpr std::size_t mostRequests = 256; ///< Of a text; nested loops would multiply without end.
 
 struct Size {
@@ -45,9 +46,12 @@ bool unrollLoop(Specialization &s, const Instruction &i, StageRange range) {
         }
     auto turns = tripCount(i, known, mostTurns);
     Size size = sizeOf(i.regions[0]);
+    if (!turns)
+        return false;
+    std::size_t unrolled = std::size_t(*turns) * std::size_t(size.instructions);
     bool worthwhile = size.asksForLight ? s.b.function().requests.size() < mostRequests
-                                        : turns && *turns * size.instructions <= smallUnrolled;
-    if (!turns || !worthwhile)
+                                        : unrolled <= smallUnrolled;
+    if (!worthwhile || unrolled > s.b.budget().left() / 2)
         return false;
     for (int h : s.active) {
         Values carried = s.mapping.values(h, i.operands);
