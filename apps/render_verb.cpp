@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "apps/asked_instruction_set.h"
 #include "apps/verbs.h"
 
-#include "foundation/base/instruction_set.h"
 #include "render/render.h"
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <cstdlib>
 #include <memory>
 
 namespace candela {
@@ -44,24 +43,6 @@ struct Arguments {
     std::string file, format, crop, integrator, cpu, sampling = "cones";
     int samples = 0, lanes = laneBlock;
 };
-
-/// The instruction set was chosen before main (foundation/base/instruction_set.cpp); says what is
-/// wrong where it isn't the one asked for, by --cpu or else by CANDELA_CPU.
-bool instructionSetIsAsAsked(std::string name) {
-    const char *variable = std::getenv("CANDELA_CPU");
-    if (name.empty() && variable)
-        name = variable;
-    if (name.empty() || name == nameOf(instructionSet()))
-        return true;
-    const char *problem = !instructionSetOf(name) ? "there is no instruction set %s: v2, v3 or v4"
-                          : *instructionSetOf(name) > hostInstructionSet()
-                              ? "this machine cannot run code for %s"
-                              : "cannot choose %s: /proc is not there to be read";
-    std::fputs("candela: ", stderr);
-    std::fprintf(stderr, problem, name.c_str());
-    std::fputs("\n", stderr);
-    return false;
-}
 
 } // namespace
 

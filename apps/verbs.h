@@ -13,5 +13,7 @@ namespace candela {
 void addRender(CLI::App &, int &status);
 /// `candela diff a b`
 void addDiff(CLI::App &, int &status);
+/// `candela compile shader.sl ...`
+void addCompile(CLI::App &, int &status);
 
 } // namespace candela

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "shading_cases.h"
 
-#include "language/ir/lower.h"
-#include "language/ir/questions.h"
+#include "language/ir/lower/lower.h"
+#include "language/ir/questions/questions.h"
 #include "language/semantics/front.h"
 
 #include <fstream>

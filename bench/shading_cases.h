@@ -6,7 +6,7 @@
 #include "by_hand/by_hand.h"
 
 #include "foundation/base/diagnostics.h"
-#include "language/ir/test_batch.h"
+#include "language/ir/interpret/test_batch.h"
 
 #include <array>
 #include <optional>

@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 include(GoogleTest)
 
-# candela_room(name [ROOMS other...] [DOOR third-party-target...] [SOURCES file...])
+# candela_room(name [ROOMS other...] [DOOR third-party-target...] [SOURCES file...]
+#              [TEST_ROOMS other...])
 #
 # One library a room. ROOMS are the rooms it builds upon; DOOR names the third-party libraries
 # that this room alone opens (nothing of them leaves it). Without SOURCES every .cpp beside the
-# CMakeLists.txt is taken; files that end in _test.cpp become the room's test program.
+# CMakeLists.txt is taken; files that end in _test.cpp become the room's test program, which may use
+# TEST_ROOMS besides.
 function(candela_room name)
-    cmake_parse_arguments(ROOM "" "" "ROOMS;DOOR;SOURCES" ${ARGN})
+    cmake_parse_arguments(ROOM "" "" "ROOMS;DOOR;SOURCES;TEST_ROOMS" ${ARGN})
     if(NOT ROOM_SOURCES)
         file(GLOB ROOM_SOURCES CONFIGURE_DEPENDS *.cpp)
     endif()
@@ -25,7 +27,7 @@ function(candela_room name)
         target_link_libraries(${name} INTERFACE ${ROOM_ROOMS})
     endif()
     if(tests)
-        candela_test(${name}_test SOURCES ${tests} ROOMS ${name} LABELS unit)
+        candela_test(${name}_test SOURCES ${tests} ROOMS ${name} ${ROOM_TEST_ROOMS} LABELS unit)
     endif()
 endfunction()
 

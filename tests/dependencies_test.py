@@ -40,6 +40,7 @@ ALSO_OPENS = {"Embree": ("bench",), "SLEEF": ("bench",)}
 # How the build refers to libraries that every room and test may use.
 FREE_TARGETS = {"fmt::fmt", "GTest::gtest", "GTest::gtest_main"}
 
+KEYWORDS = ("ROOMS", "TEST_ROOMS", "DOOR", "SOURCES")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 ROOM = re.compile(r"candela_room\s*\(([^)]*)\)")
 LINK = re.compile(r"target_link_libraries\s*\(([^)]*)\)")
@@ -68,6 +69,8 @@ class House:
         self.includes = self.links = 0
         self.cmake = self.files("CMakeLists.txt")
         self.rooms = self.find_rooms()
+        self.folders = {folder: name for name, folder in self.rooms.items()}
+        self.builds_upon = self.find_steps()
 
     def files(self, *patterns):
         found = []
@@ -84,6 +87,26 @@ class House:
             for arguments in ROOM.findall(without_comments(text)):
                 rooms[arguments.split()[0]] = path.rsplit("/", 1)[0]
         return rooms
+
+    def find_steps(self):
+        """For each room the rooms that it builds upon, and for its tests those that they use."""
+        direct, for_tests = {}, {}
+        for text in self.cmake.values():
+            for arguments in ROOM.findall(without_comments(text)):
+                keyword, name = None, arguments.split()[0]
+                direct[name], for_tests[name] = [], []
+                for word in arguments.split()[1:]:
+                    if word in KEYWORDS:
+                        keyword = word
+                    elif keyword == "ROOMS":
+                        direct[name].append(word)
+                    elif keyword == "TEST_ROOMS":
+                        for_tests[name].append(word)
+        return {name: (closure(direct, [name]), closure(direct, [name, *for_tests[name]]))
+                for name in direct}
+
+    def room_of(self, path):
+        return self.folders.get(path.rsplit("/", 1)[0])
 
     def problem(self, path, text):
         self.problems.append(f"{path}: {text}")
@@ -110,12 +133,24 @@ class House:
     def check_step(self, path, target, what):
         """From one file's wing to another's."""
         here, there = wing_of(path), wing_of(target)
-        if here is None or there is None or here == there:
+        if here is None or there is None:
+            return
+        if here == there:
+            self.check_room_step(path, target, what)
             return
         if here not in BELOW or there not in BELOW:
             self.problem(path, f"{what}: the design knows no wing {here if here not in BELOW else there}")
         elif there not in BELOW[here]:
             self.problem(path, f"{what}: {here} may not depend on {there}")
+
+    def check_room_step(self, path, target, what):
+        """From one file's room to another's in the same wing."""
+        here, there = self.room_of(path), self.room_of(target)
+        if here is None or there is None or path.endswith("CMakeLists.txt"):
+            return
+        is_test = "_test" in path or path.endswith("test_support.h")
+        if there not in self.builds_upon[here][is_test]:
+            self.problem(path, f"{what}: {here} does not build upon {there}")
 
     def check_links(self, path, text):
         for arguments in ROOM.findall(text):
@@ -127,11 +162,11 @@ class House:
     def check_room(self, path, words):
         keyword = None
         for word in words[1:]:
-            if word in ("ROOMS", "DOOR", "SOURCES"):
+            if word in KEYWORDS:
                 keyword = word
-            elif keyword == "ROOMS" and word not in self.rooms:
+            elif keyword in ("ROOMS", "TEST_ROOMS") and word not in self.rooms:
                 self.problem(path, f"builds upon {word}, which is no room")
-            elif keyword in ("ROOMS", "DOOR"):
+            elif keyword in ("ROOMS", "TEST_ROOMS", "DOOR"):
                 self.check_target(path, word)
                 if keyword == "DOOR" and word in self.rooms:
                     self.problem(path, f"{word} is a room, not a library")
@@ -147,6 +182,17 @@ class House:
         known = any(re.fullmatch(targets, word) for _, _, targets, _ in DOORS)
         if "::" in word and not known and word not in FREE_TARGETS and path.startswith("src/"):
             self.problem(path, f"links {word}, a library without a door")
+
+
+def closure(steps, names):
+    """The names and all that can be reached from them."""
+    reached, open_names = set(), list(names)
+    while open_names:
+        name = open_names.pop()
+        if name not in reached:
+            reached.add(name)
+            open_names += steps.get(name, [])
+    return reached
 
 
 def without_comments(text):
@@ -167,6 +213,9 @@ SOUND_TREE = {
     "src/world/scene/scene.h": '#include "interface/ri/options.h"',
     "src/light/path/CMakeLists.txt": "candela_room(path ROOMS scene)",
     "src/light/path/path.h": '#include "world/scene/scene.h"',
+    "src/light/frame/CMakeLists.txt": "candela_room(frame ROOMS path TEST_ROOMS ri)",
+    "src/light/frame/frame.h": '#include "light/path/path.h"',
+    "src/light/frame/frame_test.cpp": '#include "interface/ri/options.h"',
     "src/image/CMakeLists.txt": "candela_room(image ROOMS scene DOOR PNG::PNG)",
     "src/image/film.h": '#include "world/scene/scene.h"',
     "src/render/CMakeLists.txt": "candela_room(render ROOMS rib path image)",
@@ -179,6 +228,8 @@ BREAKS = [
     ("src/foundation/base/vec3.h", '#include "interface/ri/options.h"'),
     ("src/light/path/path.h", '#include "image/film.h"'),
     ("src/image/film.h", '#  include "light/path/path.h"'),
+    ("src/light/path/path.h", '#include "light/frame/frame.h"'),
+    ("src/light/path/path_test.cpp", '#include "light/frame/frame.h"'),
     ("src/language/jit/jit.h", '#include "interface/ri/options.h"'),
     ("src/interface/ri/options.h", '#include "language/jit/jit.h"'),
     ("src/world/scene/scene.h", '#include "render/render.h"'),

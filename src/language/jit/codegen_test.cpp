@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compiled code against the interpreter, all lanes, bit by bit, on several CPU names.
 #include "foundation/base/campaign.h"
-#include "language/ir/builder_arithmetic.h"
-#include "language/ir/builder_control.h"
-#include "language/ir/builder_effects.h"
-#include "language/ir/builder_sources.h"
-#include "language/ir/interpreter.h"
-#include "language/ir/test_batch.h"
+#include "language/ir/core/builder_arithmetic.h"
+#include "language/ir/core/builder_control.h"
+#include "language/ir/core/builder_effects.h"
+#include "language/ir/core/builder_sources.h"
+#include "language/ir/interpret/interpreter.h"
+#include "language/ir/interpret/test_batch.h"
 #include "language/jit/jit.h"
 #include "language/jit/random_program.h"
 #include "language/runtime/scalar_math.h"

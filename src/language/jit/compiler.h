@@ -3,7 +3,7 @@
 // of its own.
 #pragma once
 
-#include "language/ir/ir.h"
+#include "language/ir/core/ir.h"
 #include "language/jit/code_target.h"
 
 #include <optional>

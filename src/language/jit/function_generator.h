@@ -2,7 +2,7 @@
 // From ir::Function to one LLVM function, at any width.
 #pragma once
 
-#include "language/ir/ir.h"
+#include "language/ir/core/ir.h"
 #include "language/jit/code_target.h"
 
 #include <string>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "foundation/base/hash.h"
-#include "language/ir/ir.h"
+#include "language/ir/core/ir.h"
 
 namespace candela {
 

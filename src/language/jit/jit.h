@@ -3,7 +3,7 @@
 #pragma once
 
 #include "foundation/base/diagnostics.h"
-#include "language/ir/ir.h"
+#include "language/ir/core/ir.h"
 #include "language/runtime/isa_level.h"
 #include "language/runtime/shader_abi.h"
 

@@ -3,7 +3,7 @@
 // scalars too). Everything that depends on the width is decided here.
 #pragma once
 
-#include "language/ir/ir.h"
+#include "language/ir/core/ir.h"
 #include "language/jit/code_target.h"
 
 #include <llvm/IR/IRBuilder.h>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The cache by itself, and as Jit uses it.
-#include "language/ir/builder_arithmetic.h"
-#include "language/ir/builder_effects.h"
-#include "language/ir/builder_sources.h"
+#include "language/ir/core/builder_arithmetic.h"
+#include "language/ir/core/builder_effects.h"
+#include "language/ir/core/builder_sources.h"
 #include "language/jit/object_cache.h"
 
-#include "language/ir/builder.h"
-#include "language/ir/test_batch.h"
+#include "language/ir/core/builder.h"
+#include "language/ir/interpret/test_batch.h"
 #include "language/jit/jit.h"
 
 #include <gtest/gtest.h>

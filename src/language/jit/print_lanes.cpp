@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/jit/print_lanes.h"
 
-#include "language/ir/print_format.h"
+#include "language/ir/core/print_format.h"
 
 #include <bit>
 

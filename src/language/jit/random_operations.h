@@ -2,10 +2,10 @@
 // For tests: random IR operations of every kind.
 #pragma once
 
-#include "language/ir/builder_arithmetic.h"
-#include "language/ir/builder_effects.h"
-#include "language/ir/builder_light.h"
-#include "language/ir/builder_sources.h"
+#include "language/ir/core/builder_arithmetic.h"
+#include "language/ir/core/builder_effects.h"
+#include "language/ir/core/builder_light.h"
+#include "language/ir/core/builder_sources.h"
 #include "language/runtime/runtime_functions.h"
 
 #include <algorithm>

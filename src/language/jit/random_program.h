@@ -2,7 +2,7 @@
 // For tests: random IR functions that use every operation, with nested control flow.
 #pragma once
 
-#include "language/ir/builder_control.h"
+#include "language/ir/core/builder_control.h"
 #include "language/jit/random_operations.h"
 
 #include <string>

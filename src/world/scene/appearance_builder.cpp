@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/scene/appearance_builder.h"
+#include "language/ir/transform/light_rule.h"
 
 #include <algorithm>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shaders for tests of the scene alone: what the shader library would compile stands here as C++
 // with the same ABI. The test program links these definitions instead of the library's.
+#include "language/ir/transform/light_rule.h"
 #include "world/shading/shader_library.h"
 
 #include <cmath>

@@ -5,7 +5,7 @@
 
 #include "interface/ri/attributes.h"
 #include "interface/ri/options.h"
-#include "language/ir/lower.h"
+#include "language/ir/lower/lower.h"
 
 #include <vector>
 

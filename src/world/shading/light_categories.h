@@ -3,7 +3,7 @@
 // are in some. Known once all lights are declared.
 #pragma once
 
-#include "language/ir/ir.h"
+#include "language/ir/core/ir.h"
 #include "language/runtime/shader_abi.h"
 
 #include <cstdint>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/shading/shader_code.h"
+#include "language/ir/transform/light_rule.h"
 
 namespace candela {
 

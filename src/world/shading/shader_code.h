@@ -5,8 +5,9 @@
 #pragma once
 
 #include "interface/ri/attributes.h"
-#include "language/ir/lower.h"
-#include "language/ir/questions.h"
+#include "language/ir/lower/lower.h"
+#include "language/ir/questions/questions.h"
+#include "language/ir/transform/light_rule.h"
 #include "language/jit/jit.h"
 #include "world/shading/light_categories.h"
 #include "world/shading/shader_messages.h"

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/shading/shader_library.h"
+#include "language/ir/analyse/control_relevance.h"
+#include "language/ir/transform/fold.h"
+#include "language/ir/transform/light_rule.h"
 
 #include "interface/ri/search_path.h"
 #include "world/shading/instance_values.h"
@@ -156,7 +159,7 @@ std::optional<ShaderInstance> ShaderLibrary::instance(ShaderKind kind, const Sha
     std::vector<ir::FoldedValue> folded;
     auto [steering, isNew] = state_->steering.try_emplace(lowered);
     if (isNew)
-        steering->second = ir::steeringParameters(lowered->whole);
+        steering->second = ir::controlRelevantParameters(lowered->whole);
     for (int slot : steering->second) {
         folded.push_back({slot, block[slot]});
         key += " " + std::to_string(slot) + "=" +

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "interface/ri/scene_builder.h"
+#include "language/ir/transform/light_rule.h"
 #include "world/shading/shader_code.h"
 
 #include <map>

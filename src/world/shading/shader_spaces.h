@@ -4,7 +4,7 @@
 
 #include "foundation/base/diagnostics.h"
 #include "foundation/base/matrix4.h"
-#include "language/ir/ir.h"
+#include "language/ir/core/ir.h"
 
 #include <array>
 #include <map>

@@ -4,9 +4,9 @@
 
 #include "chance.h"
 
-#include "language/ir/interpreter.h"
-#include "language/ir/lower.h"
-#include "language/ir/test_batch.h"
+#include "language/ir/interpret/interpreter.h"
+#include "language/ir/interpret/test_batch.h"
+#include "language/ir/lower/lower.h"
 
 #include <functional>
 #include <set>

@@ -4,7 +4,10 @@
 #include "code_trial.h"
 #include "runs.h"
 
-#include "language/ir/questions.h"
+#include "language/ir/analyse/control_relevance.h"
+#include "language/ir/questions/questions.h"
+#include "language/ir/transform/fold.h"
+#include "language/ir/transform/light_rule.h"
 
 #include <array>
 #include <cmath>
@@ -120,7 +123,7 @@ private:
 
 std::vector<ir::FoldedValue> steeringValues(const ir::Function &whole, Batch &batch) {
     std::vector<ir::FoldedValue> values;
-    for (const int slot : ir::steeringParameters(whole))
+    for (const int slot : ir::controlRelevantParameters(whole))
         values.push_back({slot, batch.makeEqual(slot)});
     return values;
 }

@@ -6,7 +6,7 @@
 #include "chance.h"
 #include "trial.h"
 
-#include "language/ir/lower.h"
+#include "language/ir/lower/lower.h"
 
 #include <string>
 

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "apps/asked_instruction_set.h"
+#include "apps/compiler_passes.h"
+#include "apps/verbs.h"
+
+#include "language/jit/jit.h"
+#include "language/semantics/front.h"
+#include "render/console.h"
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <sstream>
+
+namespace candela {
+
+namespace {
+
+struct Arguments {
+    std::vector<std::string> files;
+    std::vector<std::string> defines;
+    sl::FrontOptions front;
+    std::string emit, question, integrator = "path", output;
+    JitOptions jit;
+    bool quiet = false;
+};
+
+std::optional<std::string> readFile(const std::string &name) {
+    std::ostringstream text;
+    if (name == "-") {
+        text << std::cin.rdbuf();
+        return text.str();
+    }
+    std::ifstream file(name, std::ios::binary);
+    if (!file || !(text << file.rdbuf()))
+        return std::nullopt;
+    return text.str();
+}
+
+size_t instructionCount(const ir::Region &region) {
+    size_t count = region.body.size();
+    for (const ir::Instruction &i : region.body)
+        for (const ir::Region &inner : i.regions)
+            count += instructionCount(inner);
+    return count;
+}
+
+/// What was found, in a line.
+std::string summaryOf(const sl::TypedShader &shader, const CompiledShader &compiled,
+                      double seconds) {
+    size_t instructions = 0;
+    for (const CompiledShader::Answer &answer : compiled.answers)
+        instructions += instructionCount(answer.function.body);
+    std::string line = std::string(sl::nameOf(shader.kind)) + " " + shader.name + ": ";
+    if (shader.kind == sl::ShaderKind::Surface) {
+        const ir::SurfaceFacts &facts = compiled.facts;
+        line +=
+            std::to_string(facts.cones.size()) + (facts.cones.size() == 1 ? " cone, " : " cones, ");
+        line += facts.affine ? "affine in the light, "
+                             : "not affine in the light (line " +
+                                   std::to_string(facts.notAffineLine) + "), ";
+        line += facts.emits ? "may emit, " : "";
+    }
+    const size_t count = compiled.answers.size();
+    char figures[96];
+    std::snprintf(figures, sizeof figures, "%zu entry point%s, %zu instructions, %.0f ms", count,
+                  count == 1 ? "" : "s", instructions, seconds * 1000);
+    return line + figures;
+}
+
+/// One run of the verb.
+class CompileRun {
+public:
+    explicit CompileRun(const Arguments &arguments)
+        : arguments_(arguments), console_(false), jit_(arguments.jit, console_) {}
+
+    int status() {
+        for (const std::string &file : arguments_.files)
+            compileFile(file);
+        if (!arguments_.output.empty() && !writeOutput())
+            return 1;
+        return console_.failed() ? 1 : 0;
+    }
+
+private:
+    void compileFile(const std::string &name) {
+        const auto text = readFile(name);
+        if (!text) {
+            console_.error({}, "cannot read the shader file \"" + name + "\"");
+            return;
+        }
+        const std::string shown = name == "-" ? "standard input" : name;
+        const auto front = sl::analyzeSource({shown, *text}, arguments_.front, console_);
+        if (!front)
+            return;
+        for (const auto &shader : front->shaders)
+            compile(*shader);
+    }
+
+    void compile(const sl::TypedShader &shader) {
+        const auto start = std::chrono::steady_clock::now();
+        const bool showsPasses = arguments_.emit == "passes";
+        if (showsPasses)
+            show(shader.name + ": check", sl::print(shader));
+        const auto rule =
+            arguments_.integrator == "path" ? ir::LightRule::Path : ir::LightRule::Classic;
+        const auto listener = [&](const char *pass, const ir::Function &function) {
+            if (showsPasses && wanted(pass))
+                show(shader.name + ": " + pass, ir::print(function));
+        };
+        const auto compiled = compileShader(shader, rule, listener, console_);
+        if (!compiled)
+            return;
+        bool isAsked = false;
+        for (const CompiledShader::Answer &answer : compiled->answers)
+            if (arguments_.question.empty() || arguments_.question == ir::nameOf(answer.question)) {
+                isAsked = true;
+                generate(answer.function);
+            }
+        if (!isAsked)
+            console_.error(shader.where.location(), std::string(sl::nameOf(shader.kind)) +
+                                                        " shaders have no entry point \"" +
+                                                        arguments_.question + "\"");
+        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+        if (arguments_.emit.empty() && !arguments_.quiet)
+            std::printf("%s\n", summaryOf(shader, *compiled, taken.count()).c_str());
+    }
+
+    /// Passes that are not of a question are always shown, questions only if they are asked for.
+    bool wanted(const std::string &pass) const {
+        bool isQuestion = false;
+        for (int q = 0; q < ir::questionCount; ++q)
+            isQuestion |= pass == ir::nameOf(ir::Question(q));
+        return !isQuestion || arguments_.question.empty() || arguments_.question == pass;
+    }
+
+    void generate(const ir::Function &function) {
+        if (arguments_.emit == "ir")
+            show(function.name, ir::print(function));
+        else if (arguments_.emit == "llvm" || arguments_.emit == "asm")
+            show(function.name, jit_.emit(function, arguments_.emit == "asm"));
+        else if (arguments_.emit.empty() && !jit_.compile(function))
+            console_.error({}, "no code could be made of " + function.name);
+    }
+
+    void show(const std::string &title, std::string text) {
+        while (!text.empty() && text.back() == '\n')
+            text.pop_back();
+        const std::string comment = arguments_.emit == "asm" ? "# " : "; ";
+        const std::string section = comment + title + "\n" + text + "\n\n";
+        if (arguments_.output.empty())
+            std::fputs(section.c_str(), stdout);
+        else
+            written_ += section;
+    }
+
+    /// The whole file or nothing of it.
+    bool writeOutput() {
+        if (arguments_.emit.empty() || console_.failed())
+            return true;
+        const std::string whole = arguments_.output + ".part";
+        std::ofstream file(whole, std::ios::binary);
+        file << written_;
+        file.close();
+        if (file && std::rename(whole.c_str(), arguments_.output.c_str()) == 0)
+            return true;
+        std::remove(whole.c_str());
+        console_.error({}, "cannot write \"" + arguments_.output + "\"");
+        return false;
+    }
+
+    const Arguments &arguments_;
+    Console console_;
+    Jit jit_;
+    std::string written_;
+};
+
+std::pair<std::string, std::string> defineOf(const std::string &text) {
+    const size_t equals = text.find('=');
+    return equals == std::string::npos ? std::pair(text, std::string("1"))
+                                       : std::pair(text.substr(0, equals), text.substr(equals + 1));
+}
+
+} // namespace
+
+void addCompile(CLI::App &app, int &status) {
+    auto arguments = std::make_shared<Arguments>();
+    Arguments &a = *arguments;
+    CLI::App *compile = app.add_subcommand(
+        "compile", "Check shaders and compile them into the cache, with the defaults of their "
+                   "parameters; or print what the compiler makes of them");
+    compile->footer("Exit status: 0 all went well, 1 something was wrong and has been reported, 2 "
+                    "the command line cannot be understood.\nThe passes: docs/compiler.md");
+    compile->add_option("files", a.files, "Shader sources (.sl); - reads standard input")
+        ->required();
+    compile->add_option("-I", a.front.includeDirectories, "Folder that #include searches")
+        ->type_name("FOLDER")
+        ->allow_extra_args(false);
+    compile->add_option("-D", a.defines, "Define a macro; without a value as 1")
+        ->type_name("NAME[=VALUE]")
+        ->allow_extra_args(false);
+    compile
+        ->add_option("--emit", a.emit,
+                     "Print instead of filling the cache: passes (the text after each pass), ir "
+                     "(what answers each question), llvm or asm")
+        ->check(CLI::IsMember({"passes", "ir", "llvm", "asm"}));
+    std::vector<std::string> questions;
+    for (int q = 0; q < ir::questionCount; ++q)
+        questions.push_back(ir::nameOf(ir::Question(q)));
+    compile->add_option("--question", a.question, "Only the entry point that answers this")
+        ->check(CLI::IsMember(questions));
+    compile
+        ->add_option("--integrator", a.integrator,
+                     "path or classic: which light a shader's ambient() stands for; default path")
+        ->check(CLI::IsMember({"path", "classic"}));
+    compile->add_option("--lanes", a.jit.width, "Lane width of the code; default 16")
+        ->check(CLI::IsMember({1, 16}));
+    compile
+        ->add_option("--cpu", "x86-64 level of the code: v2, v3 or v4; default: $CANDELA_CPU, "
+                              "else the best")
+        ->type_name("TEXT")
+        ->check(CLI::IsMember({"v2", "v3", "v4"}));
+    compile->add_option("-o,--output", a.output, "Write what is printed into this file");
+    compile->add_flag("--quiet", a.quiet, "Only messages");
+    compile->callback([arguments, compile, &status] {
+        Arguments &a = *arguments;
+        const auto *cpu = compile->get_option("--cpu");
+        if (!instructionSetIsAsAsked(cpu->count() ? cpu->as<std::string>() : "")) {
+            status = 2;
+            return;
+        }
+        for (const std::string &define : a.defines)
+            a.front.defines.push_back(defineOf(define));
+        status = CompileRun(a).status();
+    });
+}
+
+} // namespace candela

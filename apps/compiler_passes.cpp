@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "apps/compiler_passes.h"
+
+#include "language/ir/analyse/control_relevance.h"
+#include "language/ir/lower/lower.h"
+#include "language/ir/questions/plan.h"
+#include "language/ir/transform/fold.h"
+#include "world/shading/instance_values.h"
+
+namespace candela {
+
+namespace {
+
+/// What decides control flow folded in, as an instance with all defaults has it.
+ir::Function withDefaults(const ir::LoweredShader &lowered, DiagnosticSink &diagnostics) {
+    const std::vector<float> block =
+        parameterBlock(lowered, ShaderRecord(), Options(), diagnostics);
+    std::vector<ir::FoldedValue> folded;
+    for (const int slot : ir::controlRelevantParameters(lowered.whole))
+        folded.push_back({slot, block[size_t(slot)]});
+    return folded.empty() ? lowered.whole : ir::fold(lowered.whole, folded);
+}
+
+} // namespace
+
+std::optional<CompiledShader> compileShader(const sl::TypedShader &shader, ir::LightRule rule,
+                                            const ir::PassListener &listener,
+                                            DiagnosticSink &diagnostics) {
+    ir::LoweringOptions lowering;
+    lowering.listener = listener;
+    const auto lowered = ir::lower(shader, {}, {}, diagnostics, lowering);
+    if (!lowered)
+        return std::nullopt;
+    ir::Function whole = withDefaults(*lowered, diagnostics);
+    listener("fold", whole);
+
+    CompiledShader compiled;
+    std::vector<ir::Question> questions{ir::Question::Light};
+    if (lowered->kind == "surface") {
+        whole = ir::applyLightRule(whole, rule);
+        listener("light rule", whole);
+        listener("plan", ir::makePlan(whole)->text);
+        compiled.facts = ir::surfaceFacts(whole);
+        questions = {ir::Question::Shade,   ir::Question::Surface, ir::Question::View,
+                     ir::Question::Prepare, ir::Question::Scatter, ir::Question::Emit,
+                     ir::Question::Opacity};
+    }
+    for (const ir::Question question : questions) {
+        compiled.answers.push_back({question, ir::slice(whole, question)});
+        listener(ir::nameOf(question), compiled.answers.back().function);
+    }
+    return compiled;
+}
+
+} // namespace candela

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// What depends on what: the stage of every value, and where it is made.
+#pragma once
+
+#include "language/ir/core/ir.h"
+
+#include <vector>
+
+namespace candela::ir {
+
+/// Values are partitioned by dependence: Surface (neither view nor light), View (depends on I) and
+/// Response (depends on a light sample or an answer).
+enum class Stage : std::uint8_t { Surface, View, Response };
+
+/// Dependence by data and by control. A value made in a branch does not depend on the branch's
+/// condition (it may be computed earlier, whatever the condition will be); what leaves the branch
+/// does. Loops stay behind their conditions, since only then do they surely end.
+struct Dependence {
+    struct Definition {
+        const Instruction *instruction = nullptr; ///< Null for arguments of regions.
+        int result = 0;
+    };
+    std::vector<Stage> stage;           ///< By ValueId.
+    std::vector<Stage> arrayStage;      ///< By array: of all its loads and stores.
+    std::vector<Definition> definition; ///< By ValueId.
+    /// By request: the instruction that makes it; null if it is gone.
+    std::vector<const Instruction *> request;
+    bool staticRequests = true;
+    int notStaticLine = 0;
+
+    /// Whether light reaches the value.
+    bool responds(ValueId v) const { return stage[v] == Stage::Response; }
+};
+
+/// The function must outlive the result.
+Dependence analyzeDependence(const Function &);
+
+} // namespace candela::ir

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// Writes IR functions: infers types and rates, pools constants, folds what can be folded without
+// changing a bit of any result, and reuses values that stand already.
+//
+// The builder itself knows only instructions and regions; what one writes with it are functions
+// by subject: builder_sources.h (constants, inputs), builder_arithmetic.h, builder_vectors.h,
+// builder_control.h, builder_light.h, builder_effects.h (arrays, outputs).
+//
+//     Builder b(function);
+//     Values lit = lightLoop(b, request, position, cones, {number(b, 0)},
+//                            [&](const Triple &L, const Values &Cl, const Values &carried) {
+//         return Values{add(b, carried[0], mul(b, Cl[0], dot(b, N, L)))};
+//     });
+//     output(b, "Ci", 0, lit[0]);
+//     b.finish();
+#pragma once
+
+#include "language/ir/core/constant_pool.h"
+#include "language/ir/core/ir.h"
+
+#include <array>
+#include <functional>
+#include <map>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace candela::ir {
+
+using Values = std::vector<ValueId>;
+/// A point, vector, normal or color, component by component.
+using Triple = std::array<ValueId, 3>;
+/// Row-major as the RI has it: a row vector times the matrix; element [4 * row + column].
+using Matrix = std::array<ValueId, 16>;
+
+/// The index of a string in one of the function's tables, which gets it if it has it not.
+int intern(std::vector<std::string> &table, const std::string &);
+
+class Builder {
+public:
+    /// Appends to the function's body. finish() must be called before the function is used.
+    explicit Builder(Function &);
+    Builder(const Builder &) = delete;
+    Builder &operator=(const Builder &) = delete;
+
+    /// Puts the constants at the body's head and infers all rates once more (a loop may have made
+    /// its carried values varying after they were used). Nothing may be added after it.
+    void finish();
+
+    Function &function() { return function_; }
+    Type type(ValueId v) const { return function_.values[v].type; }
+    /// What is known so far; a loop's carried values may turn out varying later.
+    Rate rate(ValueId v) const { return function_.values[v].rate; }
+    /// The instruction that defines a constant value, null for others: for callers that decide at
+    /// compile time. Valid until the next constant is made.
+    const Instruction *constant(ValueId v) const { return constants_.find(v); }
+
+    /// The source line that following instructions belong to.
+    void setLine(int line) { line_ = line; }
+    int line() const { return line_; }
+    /// The source file (into Function::files) of array accesses, for messages at run time.
+    void setFile(int file) { file_ = file; }
+
+    /// The results of any operation but those with regions: folds, reuses, infers.
+    Values emit(Op, const Values &operands, int immediate = 0, float number = 0);
+    /// Adds an instruction as it is (its regions built elsewhere); gives nothing new.
+    void append(Instruction);
+    /// Builds a region apart, to be given to append(). Values made in it are visible only there.
+    Region region(const Values &arguments, const std::function<Values()> &body);
+    ValueId newValue(Type t, Rate r) { return function_.addValue(t, r); }
+    /// The number of the next call site of random numbers.
+    int nextRandom() { return randoms_++; }
+
+private:
+    using Key = std::tuple<Op, Values, int, std::uint32_t>;
+    struct Scope {
+        Region *region;
+        std::map<Key, Values> known; ///< Pure operations in it and what they gave.
+    };
+    const Values *find(const Key &) const;
+
+    Function &function_;
+    std::vector<Scope> scopes_; ///< The open regions, outermost first.
+    ConstantPool constants_;
+    int line_ = 0, file_ = 0;
+    int randoms_ = 0;
+};
+
+} // namespace candela::ir

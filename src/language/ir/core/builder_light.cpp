@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "language/ir/core/builder_light.h"
+
+#include "foundation/units/color.h"
+
+namespace candela::ir {
+
+int addRequest(Builder &b, const LightRequest &request) {
+    auto &requests = b.function().requests;
+    requests.push_back(request);
+    return int(requests.size()) - 1;
+}
+int categoryIndex(Builder &b, const std::string &name) {
+    return name.empty() ? -1 : intern(b.function().categories, name);
+}
+
+Values lightLoop(Builder &b, int request, const Triple &position, const Values &cones,
+                 const Values &initial, const LightBody &body) {
+    Instruction instruction{Op::LightLoop, {position.begin(), position.end()}, {}, {}, request, 0,
+                            b.line()};
+    instruction.operands.insert(instruction.operands.end(), cones.begin(), cones.end());
+    instruction.operands.insert(instruction.operands.end(), initial.begin(), initial.end());
+    Triple L;
+    Values Cl, carried, arguments;
+    for (ValueId &v : L)
+        arguments.push_back(v = b.newValue(Type::Float, Rate::Varying));
+    for (int k = 0; k < colorSamples; ++k) {
+        Cl.push_back(b.newValue(Type::Float, Rate::Varying));
+        arguments.push_back(Cl.back());
+    }
+    for (ValueId v : initial) {
+        carried.push_back(b.newValue(b.type(v), Rate::Varying));
+        arguments.push_back(carried.back());
+    }
+    instruction.regions.push_back(b.region(arguments, [&] { return body(L, Cl, carried); }));
+    for (ValueId v : initial)
+        instruction.results.push_back(b.newValue(b.type(v), Rate::Varying));
+    Values results = instruction.results;
+    b.append(std::move(instruction));
+    return results;
+}
+
+namespace {
+
+Values ask(Builder &b, Op op, const Triple &position, const Triple &direction, int request = 0) {
+    Values operands(position.begin(), position.end());
+    operands.insert(operands.end(), direction.begin(), direction.end());
+    return b.emit(op, operands, request);
+}
+
+} // namespace
+
+Values trace(Builder &b, int request, const Triple &position, const Triple &direction) {
+    return ask(b, Op::Answer, position, direction, request);
+}
+Values ambient(Builder &b) { return b.emit(Op::Ambient, {}); }
+Values irradiance(Builder &b, const Triple &position, const Triple &omega) {
+    return ask(b, Op::Irradiance, position, omega);
+}
+
+} // namespace candela::ir

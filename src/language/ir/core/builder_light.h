@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where a function asks for light.
+#pragma once
+
+#include "language/ir/core/builder.h"
+
+#include <string>
+
+namespace candela::ir {
+
+/// Numbers a request, for lightLoop() or trace().
+int addRequest(Builder &, const LightRequest &);
+/// For LightRequest::category: -1 for no category; pools equal ones.
+int categoryIndex(Builder &, const std::string &);
+
+using LightBody = std::function<Values(const Triple &L, const Values &Cl, const Values &carried)>;
+/// A loop over the light of a request. `position` and `cones` as LightRequest says.
+Values lightLoop(Builder &, int request, const Triple &position, const Values &cones,
+                 const Values &initial, const LightBody &);
+Values trace(Builder &, int request, const Triple &position, const Triple &direction);
+Values ambient(Builder &);
+Values irradiance(Builder &, const Triple &position, const Triple &omega);
+
+} // namespace candela::ir

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// The intermediate representation of shaders: structured, scalar, static single assignment.
+//
+// - Scalar: colors, points and matrices are their components; a value is a float, a bool, an
+//   integer or a string. Analyses (slicing, affinity, derivatives, bounds) go channel by channel.
+// - Structured: control flow is If, Loop and LightLoop, which own regions. break, continue and
+//   return have been turned into conditions by the lowering, so masks nest like the text does.
+// - Rates: every value is uniform (the same in all lanes) or varying; rates are inferred from the
+//   operands, not from declarations. Instance parameters are varying: lanes of one batch may
+//   belong to different instances.
+// - Local arrays of static size that are indexed by computed indices are memory (ArrayLoad and
+//   ArrayStore, in program order); all other variables are values.
+#pragma once
+
+#include "foundation/base/diagnostics.h"
+#include "language/runtime/shader_abi.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace candela::ir {
+
+using ValueId = std::uint32_t;
+
+enum class Type : std::uint8_t { Float, Bool, Integer, String };
+enum class Rate : std::uint8_t { Uniform, Varying };
+
+struct Value {
+    Type type = Type::Float;
+    Rate rate = Rate::Uniform;
+};
+
+enum class Op : std::uint8_t {
+#define IR_OP(name, ...) name,
+#include "language/ir/core/ops.def"
+#undef IR_OP
+};
+
+struct Instruction;
+
+/// A sequence of instructions with arguments at its head and values it yields at its end.
+struct Region {
+    std::vector<ValueId> arguments;
+    std::vector<Instruction> body;
+    std::vector<ValueId> yields;
+};
+
+struct Instruction {
+    Op op{};
+    std::vector<ValueId> operands;
+    std::vector<ValueId> results;
+    std::vector<Region> regions;
+    /// What the operation needs beside operands; its meaning stands in ops.def.
+    std::int32_t immediate = 0;
+    float number = 0;
+    int line = 0; ///< Of the shader's source, for messages; 0 = made by the compiler.
+    int file = 0; ///< Into Function::files, for messages at run time; only array accesses have it.
+};
+
+/// How a light loop chooses its samples and states its importance.
+enum class ConeForm : std::uint8_t {
+    Everywhere, ///< illuminance(P): all directions; importance as a full sphere.
+    Classic,    ///< illuminance(P, axis, angle): half angle in radians; culls outside samples.
+    Extended,   ///< The paper's: cones with full angle in degrees; culls nothing.
+};
+
+/// A light request: a loop over incident light, or a question like trace(). Numbered in program
+/// order; LightLoop and Answer carry the number as immediate.
+struct LightRequest {
+    enum class Kind : std::uint8_t { Loop, Trace };
+    Kind kind = Kind::Loop;
+    ConeForm form = ConeForm::Everywhere;
+    /// Operands of a LightLoop: position (3), then cones: (axis 3, angle) for Classic; (axis 3,
+    /// angle, exponent, importance) each for Extended; then the initial carried values.
+    int coneCount = 0;
+    int category = -1; ///< Index into Function::categories, -1 = all.
+    int line = 0;
+};
+
+/// A local array in memory.
+struct Array {
+    Type type = Type::Float;
+    Rate rate = Rate::Varying;
+    int size = 0;
+};
+
+/// A float of the instance's parameter block.
+struct ParameterSlot {
+    std::string name; ///< The shader parameter it is a component of; or a hidden one ("shader").
+    int component = 0;
+};
+
+/// What an output plane holds: "Ci" 0..2, "cone 0 axis" 0..2, ...
+struct OutputSlot {
+    std::string name;
+    int component = 0;
+};
+
+/// One function to interpret or compile: one question to one shader (or, before slicing, the
+/// whole text).
+struct Function {
+    std::string name;
+    std::vector<Value> values; ///< By ValueId.
+    Region body;               ///< No arguments, no yields: results leave through Output.
+    std::vector<Array> arrays;
+    std::vector<LightRequest> requests;
+    std::vector<std::string> strings;      ///< By ConstString's immediate.
+    std::vector<std::string> files;        ///< Source files, by Instruction::file.
+    std::vector<std::string> spaces;       ///< Named coordinate systems, by Space's immediate.
+    std::vector<std::string> categories;   ///< Of light loops: "a,-b", also "!diffuse", "!specular"
+                                           ///< for what __nondiffuse, __nonspecular exclude.
+    std::vector<ParameterSlot> parameters; ///< Floats of the parameter block, in order.
+    std::vector<ParameterSlot> variables;  ///< Planes that override parameters.
+    std::vector<OutputSlot> outputs;
+    std::vector<bool> inputsRead; ///< By ShaderInput.
+    int frameSlots = 0;
+
+    ValueId addValue(Type type, Rate rate) {
+        values.push_back({type, rate});
+        return ValueId(values.size() - 1);
+    }
+};
+
+/// The function as text, for `--emit ir`, tests and people.
+std::string print(const Function &);
+/// What is wrong with it: types, rates, uses before definitions, arities; empty if nothing is.
+std::string verify(const Function &);
+
+} // namespace candela::ir

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "foundation/units/color.h"
+#include "language/ir/core/ir.h"
+#include "language/ir/core/op_info.h"
+#include "language/ir/core/rates.h"
+#include "language/runtime/runtime_functions.h"
+
+#include <fmt/format.h>
+#include <iterator>
+
+namespace candela::ir {
+
+namespace {
+
+/// Walks the function with the set of values that are visible; keeps the first fault.
+class Verifier {
+public:
+    explicit Verifier(const Function &function)
+        : function_(function), visible_(function.values.size()), defined_(function.values.size()) {}
+
+    std::string run() {
+        if (!function_.body.arguments.empty() || !function_.body.yields.empty())
+            return "the body has arguments or yields";
+        check(function_.body);
+        if (fault_.empty())
+            checkRates();
+        return fault_;
+    }
+
+private:
+    bool fail(const Instruction &i, std::string_view what) {
+        if (fault_.empty())
+            fault_ = fmt::format("{} (line {}): {}", int(i.op) < opCount ? info(i.op).name : "?",
+                                 i.line, what);
+        return false;
+    }
+    bool expect(const Instruction &i, bool condition, std::string_view what) {
+        return condition || fail(i, what);
+    }
+
+    bool canUse(ValueId v) const { return v < visible_.size() && visible_[v]; }
+    Type type(ValueId v) const { return function_.values[v].type; }
+
+    bool define(const Instruction &i, const std::vector<ValueId> &values,
+                std::vector<ValueId> &scope) {
+        for (ValueId v : values) {
+            if (v >= visible_.size())
+                return fail(i, fmt::format("value {} does not exist", v));
+            if (defined_[v])
+                return fail(i, fmt::format("value {} is defined twice", v));
+            defined_[v] = visible_[v] = true;
+            scope.push_back(v);
+        }
+        return true;
+    }
+
+    /// `owner` is the instruction that the region belongs to, for messages.
+    void check(const Region &region, const Instruction *owner = nullptr) {
+        std::vector<ValueId> scope;
+        Instruction none;
+        const Instruction &place = owner ? *owner : none;
+        define(place, region.arguments, scope);
+        for (const Instruction &i : region.body) {
+            if (!fault_.empty())
+                return;
+            check(i, scope);
+        }
+        for (ValueId v : region.yields)
+            expect(place, canUse(v), fmt::format("yields {}, which is not visible", v));
+        for (ValueId v : scope)
+            visible_[v] = false;
+    }
+
+    void check(const Instruction &i, std::vector<ValueId> &scope) {
+        if (int(i.op) >= opCount) {
+            fail(i, "no such operation");
+            return;
+        }
+        for (ValueId v : i.operands)
+            if (!canUse(v)) {
+                fail(i, fmt::format("uses {}, which is not visible", v));
+                return;
+            }
+        if (!checkImmediate(i) || !checkRegionCount(i))
+            return;
+        for (const Region &region : i.regions)
+            check(region, &i);
+        if (fault_.empty() && define(i, i.results, scope))
+            checkTypes(i);
+    }
+
+    bool checkRegionCount(const Instruction &i) {
+        std::size_t count = i.op == Op::If ? 2 : i.op == Op::Loop || i.op == Op::LightLoop ? 1 : 0;
+        return expect(i, i.regions.size() == count, fmt::format("has not {} regions", count));
+    }
+
+    bool checkImmediate(const Instruction &i) {
+        auto below = [&](std::size_t size) {
+            return expect(i, i.immediate >= 0 && std::size_t(i.immediate) < size,
+                          fmt::format("immediate {} is out of range", i.immediate));
+        };
+        switch (i.op) {
+        case Op::ConstString: return below(function_.strings.size());
+        case Op::Input: return below(std::size_t(ShaderInput::Count));
+        case Op::Parameter: return below(function_.parameters.size());
+        case Op::Variable: return below(function_.variables.size());
+        case Op::Space:
+        case Op::SpaceInverse: return below(function_.spaces.size());
+        case Op::ArrayLoad:
+        case Op::ArrayStore: return below(function_.arrays.size());
+        case Op::Call: return below(std::size_t(runtime::RuntimeFunction::Count));
+        case Op::LightLoop:
+        case Op::Answer: return below(function_.requests.size());
+        case Op::Output: return below(function_.outputs.size());
+        case Op::FrameStore:
+        case Op::FrameLoad: return below(std::size_t(std::max(function_.frameSlots, 0)));
+        case Op::AnsweredRequest:
+            return i.immediate == finiteRequests || below(function_.requests.size());
+        case Op::CategoryAccepts: return below(function_.categories.size());
+        default: return true;
+        }
+    }
+
+    bool checkTypes(const Instruction &i) {
+        switch (i.op) {
+        case Op::If: return checkIf(i);
+        case Op::Loop: return checkLoop(i);
+        case Op::LightLoop: return checkLightLoop(i);
+        case Op::Call: {
+            auto known = runtime::info(runtime::RuntimeFunction(i.immediate));
+            return checkAll(i, i.operands, known.inputs) && checkAll(i, i.results, known.outputs);
+        }
+        case Op::Answer:
+        case Op::Irradiance:
+            return checkAll(i, i.operands, 6) && checkAll(i, i.results, colorSamples);
+        case Op::Ambient: return checkAll(i, i.operands, 0) && checkAll(i, i.results, colorSamples);
+        case Op::FrameStore:
+            return expect(i, i.operands.size() == 1 && i.results.empty(), "wrong arity") &&
+                   expect(i, type(i.operands[0]) != Type::String, "saves a string");
+        case Op::Print:
+            return expect(i, !i.operands.empty() && type(i.operands[0]) == Type::String,
+                          "has no format");
+        default: return checkLetters(i);
+        }
+    }
+
+    bool checkAll(const Instruction &i, const std::vector<ValueId> &values, int count) {
+        if (!expect(i, int(values.size()) == count, "wrong arity"))
+            return false;
+        for (ValueId v : values)
+            if (!expect(i, type(v) == Type::Float, "takes and gives floats"))
+                return false;
+        return true;
+    }
+
+    bool checkLetters(const Instruction &i) {
+        const OpInfo &table = info(i.op);
+        if (!expect(i,
+                    i.operands.size() == table.operands.size() &&
+                        i.results.size() == table.results.size(),
+                    "wrong arity"))
+            return false;
+        Type same = i.op == Op::ArrayLoad || i.op == Op::ArrayStore
+                        ? function_.arrays[i.immediate].type
+                    : i.operands.empty() ? Type::Float
+                                         : type(i.operands.back());
+        auto matches = [&](char letter, ValueId v) {
+            return type(v) == (letter == '.' ? same : typeOf(letter));
+        };
+        for (std::size_t k = 0; k < i.operands.size(); ++k)
+            if (!expect(i, matches(table.operands[k], i.operands[k]),
+                        fmt::format("operand {} is of the wrong type", k)))
+                return false;
+        for (std::size_t k = 0; k < i.results.size(); ++k)
+            if (!expect(i, matches(table.results[k], i.results[k]),
+                        fmt::format("result {} is of the wrong type", k)))
+                return false;
+        return true;
+    }
+
+    bool sameTypes(const Instruction &i, const std::vector<ValueId> &a,
+                   const std::vector<ValueId> &b, std::size_t skip, const char *what) {
+        if (!expect(i, a.size() == b.size() + skip, fmt::format("{}: wrong number", what)))
+            return false;
+        for (std::size_t k = 0; k < b.size(); ++k)
+            if (!expect(i, type(a[k + skip]) == type(b[k]), fmt::format("{}: wrong type", what)))
+                return false;
+        return true;
+    }
+
+    bool checkIf(const Instruction &i) {
+        if (!expect(i, i.operands.size() == 1 && type(i.operands[0]) == Type::Bool,
+                    "needs one bool"))
+            return false;
+        for (const Region &region : i.regions)
+            if (!expect(i, region.arguments.empty(), "its regions take no arguments") ||
+                !sameTypes(i, region.yields, i.results, 0, "yields"))
+                return false;
+        return true;
+    }
+
+    bool checkLoop(const Instruction &i) {
+        const Region &region = i.regions[0];
+        return expect(i, !i.operands.empty() && type(i.operands[0]) == Type::Bool,
+                      "carries no condition") &&
+               sameTypes(i, i.operands, i.results, 0, "results") &&
+               sameTypes(i, region.arguments, i.results, 0, "arguments") &&
+               sameTypes(i, region.yields, i.results, 0, "yields");
+    }
+
+    bool checkLightLoop(const Instruction &i) {
+        const Region &region = i.regions[0];
+        const LightRequest &request = function_.requests[i.immediate];
+        int perCone = request.form == ConeForm::Classic ? 4 : 6;
+        std::size_t fixed = 3;
+        if (request.form != ConeForm::Everywhere)
+            fixed += std::size_t(perCone * request.coneCount);
+        if (!sameTypes(i, i.operands, i.results, fixed, "operands") ||
+            !sameTypes(i, region.arguments, i.results, 3 + colorSamples, "arguments") ||
+            !sameTypes(i, region.yields, i.results, 0, "yields"))
+            return false;
+        std::vector<ValueId> floats(i.operands.begin(), i.operands.begin() + fixed);
+        floats.insert(floats.end(), region.arguments.begin(),
+                      region.arguments.begin() + 3 + colorSamples);
+        return checkAll(i, floats, int(floats.size()));
+    }
+
+    /// Stated rates may be higher than needed, never lower.
+    void checkRates() {
+        Function inferred = function_;
+        inferRates(inferred);
+        for (std::size_t v = 0; v < function_.values.size(); ++v)
+            if (inferred.values[v].rate > function_.values[v].rate && fault_.empty())
+                fault_ = fmt::format("value {} varies but is said to be uniform", v);
+        for (std::size_t a = 0; a < function_.arrays.size(); ++a)
+            if (inferred.arrays[a].rate > function_.arrays[a].rate && fault_.empty())
+                fault_ = fmt::format("array {} varies but is said to be uniform", a);
+    }
+
+    const Function &function_;
+    std::vector<bool> visible_; ///< May be used here.
+    std::vector<bool> defined_; ///< Was defined somewhere.
+    std::string fault_;
+};
+
+} // namespace
+
+std::string verify(const Function &function) { return Verifier(function).run(); }
+
+} // namespace candela::ir

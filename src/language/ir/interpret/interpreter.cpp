@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "language/ir/interpret/interpreter.h"
+
+#include "foundation/units/color.h"
+#include "language/ir/core/op_info.h"
+#include "language/ir/core/print_format.h"
+#include "language/runtime/runtime_functions.h"
+#include "language/runtime/scalar_math.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+
+namespace candela::ir {
+
+namespace {
+
+/// A value of any type; bools are integers 0 and 1, strings indices into Function::strings.
+union Cell {
+    float number;
+    std::int32_t integer;
+};
+
+using Vector = std::array<float, 3>;
+
+float dot(const Vector &a, const Vector &b) { return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2]; }
+
+Vector normalize(const Vector &a) {
+    float size = std::sqrt(dot(a, a));
+    float inverse = 1 / (size == 0 ? 1 : size);
+    return {a[0] * inverse, a[1] * inverse, a[2] * inverse};
+}
+
+using Color = std::array<float, colorSamples>;
+
+/// The values of a lane, by ValueId.
+class Cells {
+public:
+    explicit Cells(std::size_t count) : cells_(count) {}
+
+    Cell &operator[](ValueId v) { return cells_[v]; }
+    float number(ValueId v) const { return cells_[v].number; }
+    int integer(ValueId v) const { return cells_[v].integer; }
+    bool truth(ValueId v) const { return cells_[v].integer != 0; }
+    /// Of three operands in a row.
+    Vector vector(const Instruction &i, int first) const {
+        return {number(i.operands[first]), number(i.operands[first + 1]),
+                number(i.operands[first + 2])};
+    }
+
+    void set(const Instruction &i, float x) { cells_[i.results[0]].number = x; }
+    void setInteger(const Instruction &i, int x) { cells_[i.results[0]].integer = x; }
+    /// All results, as many as there are.
+    void setAll(const Instruction &i, const float *x) {
+        for (ValueId v : i.results)
+            cells_[v].number = *x++;
+    }
+    /// Copies as one step: no target is read after it was written.
+    void copy(const std::vector<ValueId> &from, const std::vector<ValueId> &to) {
+        std::vector<Cell> kept;
+        for (std::size_t k = 0; k < to.size(); ++k)
+            kept.push_back(cells_[from[k]]);
+        for (std::size_t k = 0; k < to.size(); ++k)
+            cells_[to[k]] = kept[k];
+    }
+
+private:
+    std::vector<Cell> cells_;
+};
+
+/// What the caller gives and takes, as one lane sees it.
+class LaneArguments {
+public:
+    LaneArguments(const ShaderArgs &args, int frameSlots, int lane)
+        : args_(args), frameSlots_(frameSlots), lane_(lane) {}
+
+    float input(int plane) const { return args_.inputs[plane][lane_]; }
+    float parameter(int slot) const {
+        return args_.parameters[args_.parameterOffset[lane_] + slot];
+    }
+    float variable(int plane) const { return args_.variables[plane][lane_]; }
+    /// currentFromSpace and then spaceFromCurrent.
+    const float *space(int index) const { return args_.spaces[index]; }
+    const float *object() const { return args_.objectMatrices + 32 * args_.objectIndex[lane_]; }
+    float random(int site, float turn) const {
+        return randomNumber(std::bit_cast<std::uint32_t>(input(int(ShaderInput::seed))), site,
+                            turn);
+    }
+
+    bool hasAnswered(int request) const { return args_.answeredRequest[lane_] == request; }
+    Color answer(int request) const { return colorOf(args_.answers, request); }
+    Color ambient() const { return colorOf(args_.ambient, 0); }
+    Color irradiance() const { return colorOf(args_.irradiance, 0); }
+    /// Whether a category accepts the light of the lane's own sample.
+    bool accepts(int category) const { return acceptsRow(category, lane_); }
+
+    struct LightSample {
+        Vector L;
+        Color Cl;
+    };
+    /// The samples in order, of those lights that the category accepts.
+    template <typename Visitor> void forEachSample(int category, Visitor visit) const {
+        for (int s = 0; s < args_.sampleCount; ++s) {
+            std::size_t row = std::size_t(s) * args_.sampleStride + lane_;
+            if (!acceptsRow(category, row))
+                continue;
+            LightSample sample;
+            for (int k = 0; k < 3; ++k)
+                sample.L[k] = args_.sampleL[k][row];
+            for (int k = 0; k < colorSamples; ++k)
+                sample.Cl[k] = args_.sampleCl[k][row];
+            visit(sample);
+        }
+    }
+
+    float &frame(int slot) const {
+        auto block = std::size_t(lane_ / laneBlock) * frameSlots_ + slot;
+        return args_.frame[block * laneBlock + lane_ % laneBlock];
+    }
+    float &output(int slot) const { return args_.outputs[slot][lane_]; }
+    const ShaderCallbacks *callbacks() const { return args_.callbacks; }
+
+private:
+    /// Black where the caller gave none.
+    Color colorOf(const float *const *planes, int index) const {
+        Color color{};
+        for (int k = 0; planes && k < colorSamples; ++k)
+            color[k] = planes[index * colorSamples + k][lane_];
+        return color;
+    }
+    bool acceptsRow(int category, std::size_t row) const {
+        if (category < 0 || !args_.categoryAccepts)
+            return true;
+        int light = args_.sampleLight ? args_.sampleLight[row] : 0;
+        return args_.categoryAccepts[category * (args_.lightCount + 1) + light] != 0;
+    }
+
+    const ShaderArgs &args_;
+    int frameSlots_, lane_;
+};
+
+/// Runs the function in one lane.
+class Lane {
+public:
+    Lane(const Function &function, const ShaderArgs &args, int lane)
+        : function_(function), args_(args, function.frameSlots, lane),
+          cells_(function.values.size()) {
+        for (const Array &array : function.arrays)
+            arrays_.emplace_back(array.size, Cell{0});
+    }
+
+    void run(const Region &region) {
+        for (const Instruction &i : region.body)
+            run(i);
+    }
+
+private:
+    void run(const Instruction &i) {
+        if (isFloatArithmetic(i.op))
+            return cells_.set(i,
+                              evaluateFloat(i.op, number(i, 0), cells_.number(i.operands.back())));
+        if (!runSource(i) && !runLogic(i) && !runMemory(i) && !runLight(i))
+            runControl(i);
+    }
+
+    float number(const Instruction &i, int operand) const {
+        return cells_.number(i.operands[operand]);
+    }
+    bool truth(const Instruction &i, int operand) const {
+        return cells_.truth(i.operands[operand]);
+    }
+    const std::string &text(ValueId v) const { return function_.strings[cells_.integer(v)]; }
+
+    bool runSource(const Instruction &i) {
+        switch (i.op) {
+        case Op::ConstFloat: cells_.set(i, i.number); return true;
+        case Op::ConstBool: cells_.setInteger(i, i.immediate != 0); return true;
+        case Op::ConstInteger:
+        case Op::ConstString: cells_.setInteger(i, i.immediate); return true;
+        case Op::Input: cells_.set(i, args_.input(i.immediate)); return true;
+        case Op::Parameter: cells_.set(i, args_.parameter(i.immediate)); return true;
+        case Op::Variable: cells_.set(i, args_.variable(i.immediate)); return true;
+        case Op::Space: cells_.setAll(i, args_.space(i.immediate)); return true;
+        case Op::SpaceInverse: cells_.setAll(i, args_.space(i.immediate) + 16); return true;
+        case Op::Object: cells_.setAll(i, args_.object()); return true;
+        case Op::ObjectInverse: cells_.setAll(i, args_.object() + 16); return true;
+        case Op::Random: cells_.set(i, args_.random(i.immediate, number(i, 0))); return true;
+        default: return false;
+        }
+    }
+
+    bool runLogic(const Instruction &i) {
+        switch (i.op) {
+        case Op::Less:
+        case Op::LessEqual:
+        case Op::Equal:
+        case Op::NotEqual:
+            cells_.setInteger(i, evaluateCompare(i.op, number(i, 0), number(i, 1)));
+            return true;
+        case Op::StringEqual:
+            cells_.setInteger(i, text(i.operands[0]) == text(i.operands[1]));
+            return true;
+        case Op::And: cells_.setInteger(i, truth(i, 0) && truth(i, 1)); return true;
+        case Op::Or: cells_.setInteger(i, truth(i, 0) || truth(i, 1)); return true;
+        case Op::Not: cells_.setInteger(i, !truth(i, 0)); return true;
+        case Op::Select:
+            cells_[i.results[0]] = cells_[i.operands[truth(i, 0) ? 1 : 2]];
+            return true;
+        case Op::FloatFromBool: cells_.set(i, truth(i, 0) ? 1.0f : 0.0f); return true;
+        case Op::IntegerFromFloat:
+            cells_.setInteger(i, integerFromFloat(number(i, 0)));
+            return true;
+        case Op::Call: runCall(i); return true;
+        default: return false;
+        }
+    }
+
+    void runCall(const Instruction &i) {
+        std::array<const float *, runtime::maxRuntimeInputs> inputs;
+        std::array<float *, runtime::maxRuntimeOutputs> outputs;
+        for (std::size_t k = 0; k < i.operands.size(); ++k)
+            inputs[k] = &cells_[i.operands[k]].number;
+        for (std::size_t k = 0; k < i.results.size(); ++k)
+            outputs[k] = &cells_[i.results[k]].number;
+        runtime::callScalar(runtime::RuntimeFunction(i.immediate), inputs.data(), outputs.data());
+    }
+
+    bool runMemory(const Instruction &i) {
+        switch (i.op) {
+        case Op::ArrayLoad: cells_[i.results[0]] = element(i); return true;
+        case Op::ArrayStore: element(i) = cells_[i.operands[1]]; return true;
+        case Op::FrameLoad: cells_.set(i, args_.frame(i.immediate)); return true;
+        case Op::FrameStore: {
+            bool isBool = function_.values[i.operands[0]].type == Type::Bool;
+            args_.frame(i.immediate) = isBool ? float(truth(i, 0)) : number(i, 0);
+            return true;
+        }
+        case Op::Output: args_.output(i.immediate) = number(i, 0); return true;
+        case Op::Print: print(i); return true;
+        default: return false;
+        }
+    }
+
+    Cell &element(const Instruction &i) {
+        auto &array = arrays_[i.immediate];
+        int index = cells_.integer(i.operands[0]);
+        const int inside = std::clamp(index, 0, int(array.size()) - 1);
+        const ShaderCallbacks *callbacks = args_.callbacks();
+        if (inside != index && callbacks && callbacks->indexOutside) {
+            const char *file = function_.files.empty() ? "" : function_.files[i.file].c_str();
+            callbacks->indexOutside(callbacks->context, file, i.line);
+        }
+        return array[inside];
+    }
+
+    void print(const Instruction &i) const {
+        const ShaderCallbacks *callbacks = args_.callbacks();
+        if (!callbacks || !callbacks->print)
+            return;
+        std::vector<PrintArgument> values;
+        for (std::size_t k = 1; k < i.operands.size(); ++k) {
+            ValueId v = i.operands[k];
+            switch (function_.values[v].type) {
+            case Type::Float: values.push_back({cells_.number(v), nullptr}); break;
+            case Type::String: values.push_back({0, &text(v)}); break;
+            default: values.push_back({float(cells_.integer(v)), nullptr}); break;
+            }
+        }
+        std::string line = formatPrint(text(i.operands[0]), values);
+        callbacks->print(callbacks->context, line.c_str());
+    }
+
+    bool runLight(const Instruction &i) {
+        switch (i.op) {
+        case Op::AnsweredRequest: cells_.setInteger(i, args_.hasAnswered(i.immediate)); return true;
+        case Op::CategoryAccepts: cells_.setInteger(i, args_.accepts(i.immediate)); return true;
+        case Op::Answer: cells_.setAll(i, args_.answer(i.immediate).data()); return true;
+        case Op::Ambient: cells_.setAll(i, args_.ambient().data()); return true;
+        case Op::Irradiance: cells_.setAll(i, args_.irradiance().data()); return true;
+        case Op::LightLoop: runLightLoop(i); return true;
+        default: return false;
+        }
+    }
+
+    void runLightLoop(const Instruction &i) {
+        const LightRequest &request = function_.requests[i.immediate];
+        std::size_t carried = i.operands.size() - i.results.size();
+        cells_.copy({i.operands.begin() + carried, i.operands.end()}, i.results);
+        bool extended = request.form == ConeForm::Extended && request.coneCount > 0;
+        if (extended && number(i, 6) <= 0)
+            return runLightBody(i, {cells_.vector(i, 3), args_.answer(i.immediate)});
+        args_.forEachSample(request.category, [&](const LaneArguments::LightSample &sample) {
+            if (request.form != ConeForm::Classic || isInsideCone(i, sample.L))
+                runLightBody(i, sample);
+        });
+    }
+
+    /// Of a classic loop.
+    bool isInsideCone(const Instruction &i, const Vector &L) const {
+        float cosine = dot(normalize(L), normalize(cells_.vector(i, 3)));
+        return cosine >= runtime::cos(number(i, 6));
+    }
+
+    void runLightBody(const Instruction &i, const LaneArguments::LightSample &sample) {
+        if (sample.Cl == Color{})
+            return;
+        const Region &region = i.regions[0];
+        for (int k = 0; k < 3; ++k)
+            cells_[region.arguments[k]].number = sample.L[k];
+        for (int k = 0; k < colorSamples; ++k)
+            cells_[region.arguments[3 + k]].number = sample.Cl[k];
+        cells_.copy(i.results,
+                    {region.arguments.begin() + 3 + colorSamples, region.arguments.end()});
+        run(region);
+        cells_.copy(region.yields, i.results);
+    }
+
+    /// If and Loop.
+    void runControl(const Instruction &i) {
+        if (i.op == Op::If) {
+            const Region &region = i.regions[truth(i, 0) ? 0 : 1];
+            run(region);
+            return cells_.copy(region.yields, i.results);
+        }
+        const Region &region = i.regions[0];
+        cells_.copy(i.operands, i.results);
+        while (cells_.truth(i.results[0])) {
+            cells_.copy(i.results, region.arguments);
+            run(region);
+            cells_.copy(region.yields, i.results);
+        }
+    }
+
+    const Function &function_;
+    LaneArguments args_;
+    Cells cells_;
+    std::vector<std::vector<Cell>> arrays_;
+};
+
+} // namespace
+
+void interpret(const Function &function, const ShaderArgs &args) {
+    for (int i = 0; i < args.count; ++i)
+        if (!args.active || (args.active[i / 16] >> (i % 16) & 1))
+            Lane(function, args, i).run(function.body);
+}
+
+} // namespace candela::ir

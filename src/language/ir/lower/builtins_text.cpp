@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// Strings are known when a shader is compiled: concat(), format() and match() are computed here.
+// printf() keeps its numbers for run time.
+#include "language/ir/core/builder_effects.h"
+#include "language/ir/core/builder_sources.h"
+#include "language/ir/core/print_format.h"
+#include "language/ir/lower/builtins.h"
+#include "language/ir/lower/regular_expression.h"
+#include "language/semantics/print_pattern.h"
+
+namespace candela::ir {
+namespace {
+
+std::string escaped(const std::string &text) {
+    std::string result;
+    for (char c : text)
+        result += c == '%' ? std::string("%%") : std::string(1, c);
+    return result;
+}
+
+/// A pattern with known strings filled in, and the values of its other conversions.
+struct Expansion {
+    std::string pattern;
+    Components values;
+};
+
+/// True if the call has a value of the right type for the conversion; else it is reported.
+bool isGiven(BuiltinCall &call, const sl::PrintPiece &piece, size_t argument) {
+    const bool missing = argument >= call.count();
+    if (!missing && sl::printsType(piece.letter, call.expr.operands[argument]->type.base))
+        return true;
+    const std::string given =
+        missing ? "nothing" : "a " + sl::shapeOf(call.expr.operands[argument]->type);
+    call.lowering.messages.error(call.expr.where,
+                                 piece.conversion() + " is given " + given +
+                                     "; %f, %g and %d print a float, %c a color, %p a "
+                                     "point, %m a matrix, %s a string");
+    return false;
+}
+
+/// Checks conversions against arguments.
+std::optional<Expansion> expand(BuiltinCall &call) {
+    Expansion result;
+    size_t next = 1;
+    for (const sl::PrintPiece &piece : sl::splitPrintPattern(call.text(0, "a pattern"))) {
+        result.pattern += escaped(piece.text);
+        if (!piece.converts)
+            continue;
+        if (!isGiven(call, piece, next))
+            return std::nullopt;
+        const Components &argument = call.arguments[next++];
+        if (const std::string *known = constantText(call.b, argument[0])) {
+            result.pattern += escaped(formatPrint(piece.conversion(), {{0, known}}));
+            continue;
+        }
+        result.pattern += piece.conversion();
+        result.values.insert(result.values.end(), argument.begin(), argument.end());
+    }
+    return result;
+}
+
+Components printf(BuiltinCall &call) {
+    if (const auto expansion = expand(call))
+        printValues(call.b, expansion->pattern, expansion->values);
+    return {};
+}
+
+Components format(BuiltinCall &call) {
+    const auto expansion = expand(call);
+    if (!expansion)
+        return {text(call.b, "")};
+    std::vector<PrintArgument> arguments;
+    for (ValueId value : expansion->values) {
+        const float *known = constantFloat(call.b, value);
+        if (!known) {
+            call.lowering.messages.error(call.expr.where,
+                                         "format() makes its string when the shader is "
+                                         "compiled, so its arguments must be constants");
+            return {text(call.b, "")};
+        }
+        arguments.push_back({*known, nullptr});
+    }
+    return {text(call.b, formatPrint(expansion->pattern, arguments))};
+}
+
+Components concat(BuiltinCall &call) {
+    std::string result;
+    for (size_t i = 0; i < call.count(); ++i)
+        result += call.text(i, "a string that concat() joins");
+    return {text(call.b, result)};
+}
+
+Components match(BuiltinCall &call) {
+    const std::string pattern = call.text(0, "a regular expression");
+    const std::string subject = call.text(1, "the subject of match()");
+    if (const auto expression = RegularExpression::parse(pattern))
+        return {number(call.b, expression->foundIn(subject))};
+    call.lowering.messages.error(call.expr.operands[0]->where,
+                                 "\"" + pattern +
+                                     "\" is not a regular expression, or too large a one");
+    return {number(call.b, 0)};
+}
+
+} // namespace
+
+BuiltinLowering textBuiltin(sl::BuiltinId id) {
+    switch (id) {
+    case sl::BuiltinId::printf: return printf;
+    case sl::BuiltinId::format: return format;
+    case sl::BuiltinId::concat: return concat;
+    case sl::BuiltinId::match: return match;
+    default: return nullptr;
+    }
+}
+
+} // namespace candela::ir

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "language/ir/lower/defaults.h"
+
+#include "language/ir/core/builder_effects.h"
+#include "language/ir/core/builder_sources.h"
+#include "language/ir/interpret/interpreter.h"
+#include "language/ir/lower/cleanup.h"
+#include "language/ir/lower/control.h"
+#include "language/ir/lower/expression.h"
+#include "language/semantics/typed_ast.h"
+
+#include <algorithm>
+
+namespace candela::ir {
+namespace {
+
+/// A default with the space named around it set apart.
+struct SpacedDefault {
+    const sl::Expr *value;
+    const sl::Expr *space = nullptr;
+};
+
+SpacedDefault splitSpace(const sl::Expr &expr) {
+    const sl::Expr *inner = &expr;
+    while (inner->kind == sl::ExprKind::Convert &&
+           componentCount(inner->type.base) == componentCount(inner->operands[0]->type.base))
+        inner = inner->operands[0].get();
+    if (inner->kind == sl::ExprKind::FromSpace && inner->type.base != sl::BaseType::Color)
+        return {inner->operands[0].get(), inner->operands[1].get()};
+    return {&expr};
+}
+
+bool needsRenderer(const Region &region) {
+    return std::any_of(region.body.begin(), region.body.end(), [](const Instruction &i) {
+        switch (i.op) {
+        case Op::Input:
+        case Op::Parameter:
+        case Op::Variable:
+        case Op::Space:
+        case Op::SpaceInverse:
+        case Op::Object:
+        case Op::ObjectInverse:
+        case Op::Random:
+        case Op::LightLoop:
+        case Op::Answer:
+        case Op::Ambient:
+        case Op::Irradiance: return true;
+        default: return std::any_of(i.regions.begin(), i.regions.end(), needsRenderer);
+        }
+    });
+}
+
+/// Runs a function without inputs; one float an output slot.
+std::vector<float> runConstant(const Function &function) {
+    std::vector<std::vector<float>> planes(function.outputs.size(), std::vector<float>(laneBlock));
+    std::vector<float *> outputs;
+    for (auto &plane : planes)
+        outputs.push_back(plane.data());
+    ShaderArgs args;
+    args.count = 1;
+    args.outputs = outputs.data();
+    interpret(function, args);
+    std::vector<float> result;
+    for (const auto &plane : planes)
+        result.push_back(plane[0]);
+    return result;
+}
+
+class Defaults {
+public:
+    Defaults(const sl::TypedShader &shader, const std::vector<StringValue> &strings,
+             DiagnosticSink &sink)
+        : shader_(shader), strings_(strings), sink_(sink) {}
+
+    bool add(const sl::Parameter &parameter) {
+        const sl::Symbol &symbol = *parameter.symbol;
+        ShaderParameter result;
+        result.name = symbol.name;
+        result.type = sl::nameOf(symbol.type.base);
+        result.arraySize = std::max(1, symbol.type.length);
+        result.output = symbol.output;
+        result.varying = symbol.type.isVarying();
+        const bool good = evaluateDefault(parameter, result);
+        parameters.push_back(std::move(result));
+        return good;
+    }
+
+    std::vector<ShaderParameter> parameters;
+
+private:
+    /// The space around all elements of a default. If there is none, "shader"; but a matrix leads
+    /// from current space wherever it leads.
+    std::optional<std::string> spaceOf(const sl::Parameter &parameter, Lowering &lowering) {
+        const bool isMatrix = parameter.symbol->type.base == sl::BaseType::Matrix;
+        std::optional<std::string> space;
+        for (const sl::ExprPtr &element : parameter.defaults) {
+            const SpacedDefault split = splitSpace(*element);
+            const std::string name =
+                split.space ? requiredText(lowering, evaluate(lowering, *split.space)[0],
+                                           split.space->where, "the name of a space")
+                : isMatrix  ? "current"
+                            : "shader";
+            if (space && *space != name)
+                lowering.messages.error(element->where,
+                                        "the elements of a default must be in one space; "
+                                        "these are in \"" +
+                                            *space + "\" and \"" + name + "\"");
+            space = name;
+        }
+        return space;
+    }
+
+    void declareEarlier(Lowering &lowering) {
+        for (size_t i = 0; i < parameters.size(); ++i) {
+            const ShaderParameter &earlier = parameters[i];
+            Components values;
+            for (float value : earlier.defaults)
+                values.push_back(number(lowering.b, value));
+            std::vector<std::string> texts = earlier.stringDefaults;
+            for (const StringValue &given : strings_)
+                if (given.name == earlier.name && earlier.type == "string")
+                    texts = given.value;
+            if (earlier.type == "string")
+                texts.resize(size_t(earlier.arraySize));
+            for (const std::string &element : texts)
+                values.push_back(text(lowering.b, element));
+            lowering.variables.declare(*shader_.parameters[i].symbol, values);
+        }
+    }
+
+    bool evaluateDefault(const sl::Parameter &parameter, ShaderParameter &result) {
+        const sl::Symbol &symbol = *parameter.symbol;
+        Function function;
+        function.name = shader_.name;
+        Lowering lowering(shader_, {}, function, sink_);
+        lowering.spaces.allowShaderOnly();
+        declareEarlier(lowering);
+        enter(lowering, nullptr);
+
+        if (const auto space = spaceOf(parameter, lowering))
+            result.defaultSpace = *space;
+        Components values = zero(lowering.b, symbol.type.base, symbol.type.length);
+        size_t next = 0;
+        for (const sl::ExprPtr &element : parameter.defaults)
+            for (ValueId value : evaluate(lowering, *splitSpace(*element).value))
+                if (next < values.size())
+                    values[next++] = value;
+        if (symbol.type.base == sl::BaseType::String) {
+            for (ValueId value : values)
+                result.stringDefaults.push_back(
+                    requiredText(lowering, value, symbol.where, "the default of a string"));
+            return !lowering.messages.failed();
+        }
+        for (int i = 0; i < int(values.size()); ++i)
+            output(lowering.b, "default", i, values[i]);
+        lowering.b.finish();
+        std::vector<ShaderParameter> none;
+        removeUnused(function, none);
+        if (!lowering.messages.failed() && needsRenderer(function.body))
+            lowering.messages.error(symbol.where,
+                                    "the default of \"" + symbol.name +
+                                        "\" must be a constant; it depends on the point "
+                                        "that is shaded");
+        if (lowering.messages.failed())
+            return false;
+        result.defaults = runConstant(function);
+        return true;
+    }
+
+    const sl::TypedShader &shader_;
+    const std::vector<StringValue> &strings_;
+    DiagnosticSink &sink_;
+};
+
+} // namespace
+
+std::optional<std::vector<ShaderParameter>> parametersOf(const sl::TypedShader &shader,
+                                                         const std::vector<StringValue> &strings,
+                                                         DiagnosticSink &sink) {
+    Defaults defaults(shader, strings, sink);
+    bool good = true;
+    for (const sl::Parameter &parameter : shader.parameters)
+        good = defaults.add(parameter) && good;
+    if (!good)
+        return std::nullopt;
+    return std::move(defaults.parameters);
+}
+
+} // namespace candela::ir

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "language/ir/lower/expression.h"
+
+#include "language/ir/core/builder_arithmetic.h"
+#include "language/ir/core/builder_sources.h"
+#include "language/ir/core/builder_vectors.h"
+#include "language/ir/lower/builtins.h"
+#include "language/ir/lower/call.h"
+#include "language/ir/lower/control.h"
+#include "language/ir/lower/matrix.h"
+#include "language/ir/lower/scan.h"
+#include "language/ir/lower/targets.h"
+
+namespace candela::ir {
+namespace {
+
+bool isTruth(const sl::Expr &expr) {
+    if (expr.kind == sl::ExprKind::Not)
+        return true;
+    return expr.kind == sl::ExprKind::Binary && expr.op >= sl::BinaryOp::Less;
+}
+
+ValueId compareComponents(Builder &b, const Components &x, const Components &y, bool text) {
+    ValueId same = boolean(b, true);
+    for (size_t i = 0; i < x.size(); ++i) {
+        const ValueId one = text ? binary(b, Op::StringEqual, x[i], y[i]) : equal(b, x[i], y[i]);
+        same = i == 0 ? one : both(b, same, one);
+    }
+    return same;
+}
+
+ValueId compare(Lowering &lowering, const sl::Expr &expr) {
+    Builder &b = lowering.b;
+    const Components x = evaluate(lowering, *expr.operands[0]);
+    const Components y = evaluate(lowering, *expr.operands[1]);
+    const bool text = expr.operands[0]->type.base == sl::BaseType::String;
+    switch (expr.op) {
+    case sl::BinaryOp::Less: return less(b, x[0], y[0]);
+    case sl::BinaryOp::LessEqual: return lessEqual(b, x[0], y[0]);
+    case sl::BinaryOp::Greater: return less(b, y[0], x[0]);
+    case sl::BinaryOp::GreaterEqual: return lessEqual(b, y[0], x[0]);
+    case sl::BinaryOp::Equal: return compareComponents(b, x, y, text);
+    default:
+        if (x.size() == 1 && !text)
+            return notEqual(b, x[0], y[0]);
+        return negate(b, compareComponents(b, x, y, text));
+    }
+}
+
+/// && and ||: the right side runs only where it decides, if running it costs or does something.
+ValueId shortCircuit(Lowering &lowering, const sl::Expr &expr) {
+    Builder &b = lowering.b;
+    const bool isAnd = expr.op == sl::BinaryOp::And;
+    const ValueId left = condition(lowering, *expr.operands[0]);
+    if (const auto known = constantBool(b, left))
+        return *known == isAnd ? condition(lowering, *expr.operands[1]) : left;
+    if (isCheapAndPure(*expr.operands[1])) {
+        const ValueId right = condition(lowering, *expr.operands[1]);
+        return isAnd ? both(b, left, right) : either(b, left, right);
+    }
+    const int result = lowering.variables.newCells({boolean(b, !isAnd)});
+    const auto right = [&] {
+        lowering.variables.cells[result] = condition(lowering, *expr.operands[1]);
+    };
+    if (isAnd)
+        branch(lowering, left, right, [] {});
+    else
+        branch(
+            lowering, left, [] {}, right);
+    return lowering.variables.cells[result];
+}
+
+Components conditional(Lowering &lowering, const sl::Expr &expr) {
+    Builder &b = lowering.b;
+    const ValueId decision = condition(lowering, *expr.operands[0]);
+    if (const auto known = constantBool(b, decision))
+        return evaluate(lowering, *expr.operands[*known ? 1 : 2]);
+    if (isCheapAndPure(*expr.operands[1]) && isCheapAndPure(*expr.operands[2])) {
+        const Components x = evaluate(lowering, *expr.operands[1]);
+        const Components y = evaluate(lowering, *expr.operands[2]);
+        Components result;
+        for (size_t i = 0; i < x.size(); ++i)
+            result.push_back(select(b, decision, x[i], y[i]));
+        return result;
+    }
+    const Components start = zero(lowering.b, expr.type.base);
+    const int cell = lowering.variables.newCells(start);
+    const auto choose = [&](int operand) {
+        lowering.variables.setCells(cell, evaluate(lowering, *expr.operands[operand]));
+    };
+    branch(
+        lowering, decision, [&] { choose(1); }, [&] { choose(2); });
+    return lowering.variables.inCells(cell, int(start.size()));
+}
+
+Components byComponents(Builder &b, Op op, const Components &x, const Components &y) {
+    Components result;
+    for (size_t i = 0; i < std::max(x.size(), y.size()); ++i)
+        result.push_back(binary(b, op, x.size() == 1 ? x[0] : x[i], y.size() == 1 ? y[0] : y[i]));
+    return result;
+}
+
+Components arithmetic(Lowering &lowering, const sl::Expr &expr) {
+    Builder &b = lowering.b;
+    const Components x = evaluate(lowering, *expr.operands[0]);
+    const Components y = evaluate(lowering, *expr.operands[1]);
+    const bool matrices = x.size() == 16 && y.size() == 16;
+    switch (expr.op) {
+    case sl::BinaryOp::Dot: return {dot(b, tripleOf(x), tripleOf(y))};
+    case sl::BinaryOp::Cross: return componentsOf(cross(b, tripleOf(x), tripleOf(y)));
+    case sl::BinaryOp::Multiply:
+        if (matrices)
+            return componentsOf(multiply(b, matrixOf(x), matrixOf(y)));
+        return byComponents(b, Op::Mul, x, y);
+    case sl::BinaryOp::Divide:
+        if (matrices)
+            return componentsOf(multiply(b, matrixOf(x), inverse(b, matrixOf(y))));
+        return byComponents(b, Op::Div, x, y);
+    case sl::BinaryOp::Add: return byComponents(b, Op::Add, x, y);
+    default: return byComponents(b, Op::Sub, x, y);
+    }
+}
+
+Components convert(Lowering &lowering, const sl::Expr &expr) {
+    const Components value = evaluate(lowering, *expr.operands[0]);
+    const size_t wanted = size_t(componentCount(expr.type.base));
+    if (value.size() == wanted)
+        return value;
+    if (wanted == 16) {
+        Components result(16, number(lowering.b, 0));
+        for (int i = 0; i < 4; ++i)
+            result[i * 5] = value[0];
+        return result;
+    }
+    return Components(wanted, value[0]);
+}
+
+} // namespace
+
+ValueId condition(Lowering &lowering, const sl::Expr &expr) {
+    Builder &b = lowering.b;
+    if (expr.kind == sl::ExprKind::Not)
+        return negate(b, condition(lowering, *expr.operands[0]));
+    if (isTruth(expr)) {
+        if (expr.op == sl::BinaryOp::And || expr.op == sl::BinaryOp::Or)
+            return shortCircuit(lowering, expr);
+        return compare(lowering, expr);
+    }
+    return notEqual(b, evaluateFloat(lowering, expr), number(b, 0));
+}
+
+ValueId evaluateFloat(Lowering &lowering, const sl::Expr &expr) {
+    return evaluate(lowering, expr)[0];
+}
+
+Components evaluate(Lowering &lowering, const sl::Expr &expr) {
+    Builder &b = lowering.b;
+    if (isTruth(expr))
+        return {unary(b, Op::FloatFromBool, condition(lowering, expr))};
+    switch (expr.kind) {
+    case sl::ExprKind::Number: return {number(b, float(expr.number))};
+    case sl::ExprKind::Text: return {text(b, expr.text)};
+    case sl::ExprKind::Tuple: {
+        Components result;
+        for (const sl::ExprPtr &operand : expr.operands)
+            result.push_back(evaluateFloat(lowering, *operand));
+        return result;
+    }
+    case sl::ExprKind::Variable:
+        return lowering.variables.load(lowering.variables.storageOf(*expr.symbol));
+    case sl::ExprKind::Element: return load(lowering, resolve(lowering, expr), expr.where);
+    case sl::ExprKind::Component: {
+        const Components value = evaluate(lowering, *expr.operands[0]);
+        return {component(b, value, evaluateFloat(lowering, *expr.operands[1]))};
+    }
+    case sl::ExprKind::Negate: {
+        Components value = evaluate(lowering, *expr.operands[0]);
+        for (ValueId &component : value)
+            component = neg(b, component);
+        return value;
+    }
+    case sl::ExprKind::Conditional: return conditional(lowering, expr);
+    case sl::ExprKind::Assign: {
+        const Target target = resolve(lowering, *expr.operands[0]);
+        lowering.targetValues.push_back(load(lowering, target, expr.where));
+        const Components value = evaluate(lowering, *expr.operands[1]);
+        lowering.targetValues.pop_back();
+        store(lowering, target, value, expr.where);
+        return value;
+    }
+    case sl::ExprKind::TargetValue: return lowering.targetValues.back();
+    case sl::ExprKind::Convert: return convert(lowering, expr);
+    case sl::ExprKind::FromSpace: {
+        const Components value = evaluate(lowering, *expr.operands[0]);
+        const ValueId name = evaluate(lowering, *expr.operands[1])[0];
+        return fromSpace(
+            lowering, expr.type.base, value,
+            requiredText(lowering, name, expr.operands[1]->where, "the name of a space"),
+            expr.where);
+    }
+    case sl::ExprKind::Call: return call(lowering, expr);
+    case sl::ExprKind::Builtin: return builtin(lowering, expr);
+    default: return arithmetic(lowering, expr);
+    }
+}
+
+} // namespace candela::ir

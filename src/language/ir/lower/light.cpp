@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "language/ir/lower/light.h"
+
+#include "foundation/units/color.h"
+#include "language/ir/core/builder_arithmetic.h"
+#include "language/ir/core/builder_light.h"
+#include "language/ir/core/builder_sources.h"
+#include "language/ir/core/builder_vectors.h"
+#include "language/ir/lower/control.h"
+#include "language/ir/lower/expression.h"
+#include "language/ir/lower/statement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace candela::ir {
+namespace {
+
+/// Of a float or a color, as the importance of a cone.
+ValueId luminanceOf(Builder &b, const Components &value) {
+    if (value.size() == 1)
+        return value[0];
+    ValueId sum = mul(b, value[0], number(b, luminanceWeights[0]));
+    for (int c = 1; c < colorSamples; ++c)
+        sum = add(b, sum, mul(b, value[c], number(b, luminanceWeights[c])));
+    return sum;
+}
+
+struct ConeValues {
+    Triple axis;
+    ValueId angle, exponent, importance;
+};
+
+/// All cones given, evaluated in the order of the text; those from `coneCount` on get importance 0
+/// (or vanish, if the count is a constant).
+std::vector<ConeValues> evaluateCones(Lowering &lowering, const sl::LightArguments &light) {
+    Builder &b = lowering.b;
+    const ValueId count = evaluateFloat(lowering, *light.coneCount);
+    std::vector<ConeValues> cones;
+    for (const sl::Cone &cone : light.cones) {
+        ConeValues values;
+        values.axis = tripleOf(evaluate(lowering, *cone.axis));
+        values.angle = evaluateFloat(lowering, *cone.angle);
+        values.exponent = evaluateFloat(lowering, *cone.exponent);
+        values.importance = luminanceOf(b, evaluate(lowering, *cone.importance));
+        const ValueId index = number(b, float(cones.size()));
+        values.importance = select(b, less(b, index, count), values.importance, number(b, 0));
+        cones.push_back(values);
+    }
+    if (const float *known = constantFloat(b, count)) {
+        const float wanted = std::clamp(*known, 0.0f, float(cones.size()));
+        cones.resize(wanted > 0 ? size_t(std::ceil(wanted)) : 0);
+    }
+    return cones;
+}
+
+/// Lowers a light statement's body once, with its own jumps.
+void lowerBodyOf(Lowering &lowering, const sl::Stmt &statement) {
+    const ValueId none = boolean(lowering.b, false);
+    const int flags = lowering.variables.newCells({none, none});
+    lowering.frames.back().loops.push_back({&statement, flags, flags + 1});
+    lower(lowering, statement.body);
+    lowering.frames.back().loops.pop_back();
+}
+
+/// What a light loop carries: as any loop, and the flag of its own breaks.
+std::vector<int> cellsInOrder(const CarriedCells &parts, int broken) {
+    std::vector<int> carried = parts.variables;
+    if (parts.breaks)
+        carried.push_back(broken);
+    carried.insert(carried.end(), parts.flags.begin(), parts.flags.end());
+    carried.insert(carried.end(), parts.results.begin(), parts.results.end());
+    return carried;
+}
+
+LightRequest describe(Lowering &lowering, const sl::LightArguments &light, int line) {
+    LightRequest request;
+    request.kind = LightRequest::Kind::Loop;
+    request.form = ConeForm(light.form);
+    request.line = line;
+    if (light.category) {
+        const ValueId name = evaluate(lowering, *light.category)[0];
+        const std::string category =
+            requiredText(lowering, name, light.category->where, "a light category");
+        if (!category.empty())
+            request.category = categoryIndex(lowering.b, category);
+    }
+    return request;
+}
+
+/// The operands that say the cones, which the request counts.
+Components describeCones(Lowering &lowering, const sl::LightArguments &light,
+                         LightRequest &request) {
+    Components operands;
+    if (light.form == sl::ConeForm::Classic) {
+        request.coneCount = 1;
+        operands = evaluate(lowering, *light.axis);
+        operands.push_back(evaluateFloat(lowering, *light.angle));
+    } else if (light.form == sl::ConeForm::Extended) {
+        for (const ConeValues &cone : evaluateCones(lowering, light)) {
+            ++request.coneCount;
+            operands.insert(operands.end(), cone.axis.begin(), cone.axis.end());
+            operands.insert(operands.end(), {cone.angle, cone.exponent, cone.importance});
+        }
+    }
+    return operands;
+}
+
+} // namespace
+
+static_assert(int(ConeForm::Everywhere) == int(sl::ConeForm::Everywhere) &&
+              int(ConeForm::Classic) == int(sl::ConeForm::Classic) &&
+              int(ConeForm::Extended) == int(sl::ConeForm::Extended));
+
+void lowerIlluminance(Lowering &lowering, const sl::Stmt &statement) {
+    Builder &b = lowering.b;
+    const sl::LightArguments &light = *statement.light;
+    LightRequest request = describe(lowering, light, statement.where.line);
+    const Triple position = tripleOf(evaluate(lowering, *light.position));
+    const Components coneOperands = describeCones(lowering, light, request);
+    Variables &variables = lowering.variables;
+    const std::vector<ValueId> before = variables.cells;
+    const ValueId none = boolean(b, false);
+    const int broken = variables.newCells({none, none}), continued = broken + 1;
+    const std::vector<int> carried = cellsInOrder(carriedCells(lowering, statement), broken);
+    const Components initial = variables.inCells(carried);
+    const auto sample = [&](const Triple &L, const Components &Cl, const Components &arguments) {
+        variables.setCells(carried, arguments);
+        variables.store(sl::PredefinedId::L, componentsOf(L));
+        variables.store(sl::PredefinedId::Cl, Cl);
+        variables.store(sl::PredefinedId::Ol, Components(colorSamples, number(b, 1)));
+        lowering.frames.back().loops.push_back({&statement, broken, continued});
+        whereLive(lowering, [&] { lower(lowering, statement.body); });
+        lowering.frames.back().loops.pop_back();
+        return variables.inCells(carried);
+    };
+    const Components results =
+        lightLoop(b, addRequest(b, request), position, coneOperands, initial, sample);
+    variables.cells = before;
+    variables.setCells(carried, results);
+}
+
+namespace {
+
+/// Two directions that complete a unit vector to an orthonormal frame (Duff et al. 2017).
+std::pair<Triple, Triple> frameAbout(Builder &b, const Triple &n) {
+    const ValueId one = number(b, 1);
+    const ValueId sign = select(b, less(b, n[2], number(b, 0)), number(b, -1), one);
+    const ValueId a = div(b, number(b, -1), add(b, sign, n[2]));
+    const ValueId c = mul(b, mul(b, n[0], n[1]), a);
+    const Triple x{add(b, one, mul(b, mul(b, sign, mul(b, n[0], n[0])), a)), mul(b, sign, c),
+                   neg(b, mul(b, sign, n[0]))};
+    const Triple y{c, add(b, sign, mul(b, mul(b, n[1], n[1]), a)), neg(b, n[1])};
+    return {x, y};
+}
+
+/// A direction of unit length, uniform within `angle` (radians) of the axis, by `xi` in [0,1) and
+/// the second number of the input lightSample.
+Triple directionInCone(Builder &b, const Triple &axis, ValueId angle, ValueId xi) {
+    const Triple centre = normalize(b, axis);
+    if (const float *known = constantFloat(b, angle); known && *known <= 0)
+        return centre;
+    const ValueId one = number(b, 1);
+    const ValueId turn =
+        mul(b, number(b, 2 * std::numbers::pi_v<float>), input(b, ShaderInput::lightSample, 1));
+    const ValueId cosine =
+        sub(b, one, mul(b, xi, sub(b, one, unary(b, Op::Cos, max(b, angle, number(b, 0))))));
+    const ValueId sine = sqrt(b, sub(b, one, mul(b, cosine, cosine)));
+    const auto [x, y] = frameAbout(b, centre);
+    return add(b, scale(b, centre, cosine),
+               add(b, scale(b, x, mul(b, sine, unary(b, Op::Cos, turn))),
+                   scale(b, y, mul(b, sine, unary(b, Op::Sin, turn)))));
+}
+
+void openLight(Lowering &lowering, const Triple &L) {
+    if (!lowering.light.direction)
+        lowering.light.direction = L;
+    lowering.variables.store(sl::PredefinedId::L, componentsOf(L));
+}
+
+} // namespace
+
+void lowerIlluminate(Lowering &lowering, const sl::Stmt &statement) {
+    Builder &b = lowering.b;
+    lowering.light.kind = LightClass::Local;
+    const sl::LightArguments &light = *statement.light;
+    const Triple position = tripleOf(evaluate(lowering, *light.position));
+    const Triple L = sub(b, tripleOf(lowering.variables.load(sl::PredefinedId::Ps)), position);
+    ValueId lit = boolean(b, true);
+    if (light.form == sl::ConeForm::Classic) {
+        const Triple axis = normalize(b, tripleOf(evaluate(lowering, *light.axis)));
+        const ValueId angle = evaluateFloat(lowering, *light.angle);
+        const ValueId cosine =
+            unary(b, Op::Cos, min(b, angle, number(b, std::numbers::pi_v<float>)));
+        lit = lessEqual(b, cosine, dot(b, axis, normalize(b, L)));
+        if (const float *known = constantFloat(b, angle);
+            known && *known >= std::numbers::pi_v<float>)
+            lit = boolean(b, true);
+    } else if (light.form == sl::ConeForm::Extended) {
+        evaluateCones(lowering, light);
+    }
+    openLight(lowering, L);
+    branch(
+        lowering, lit, [&] { lowerBodyOf(lowering, statement); }, [] {});
+}
+
+void lowerSolar(Lowering &lowering, const sl::Stmt &statement) {
+    Builder &b = lowering.b;
+    if (lowering.light.kind == LightClass::Ambient)
+        lowering.light.kind = LightClass::Distant;
+    const sl::LightArguments &light = *statement.light;
+    Triple axis = triple(b, 0, 0, 1);
+    ValueId angle = number(b, std::numbers::pi_v<float>);
+    ValueId xi = input(b, ShaderInput::lightSample, 0);
+    if (light.form == sl::ConeForm::Classic) {
+        axis = tripleOf(evaluate(lowering, *light.axis));
+        angle = evaluateFloat(lowering, *light.angle);
+    } else if (light.form == sl::ConeForm::Extended) {
+        const std::vector<ConeValues> cones = evaluateCones(lowering, light);
+        const ValueId halfDegree = number(b, std::numbers::pi_v<float> / 360);
+        ValueId total = number(b, 0);
+        for (const ConeValues &cone : cones)
+            total = add(b, total, cone.importance);
+        const ValueId wanted = mul(b, xi, total);
+        ValueId sum = number(b, 0);
+        for (size_t i = 0; i < cones.size(); ++i) {
+            const ValueId taken = i == 0 ? boolean(b, true) : lessEqual(b, sum, wanted);
+            axis = select(b, taken, cones[i].axis, axis);
+            angle = select(b, taken, mul(b, cones[i].angle, halfDegree), angle);
+            xi = select(b, taken, div(b, sub(b, wanted, sum), cones[i].importance), xi);
+            sum = add(b, sum, cones[i].importance);
+        }
+    }
+    openLight(lowering, directionInCone(b, axis, angle, xi));
+    lowerBodyOf(lowering, statement);
+}
+
+} // namespace candela::ir

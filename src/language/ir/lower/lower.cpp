@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "language/ir/lower/lower.h"
+
+#include "foundation/units/color.h"
+#include "language/ir/analyse/falloff.h"
+#include "language/ir/core/builder_effects.h"
+#include "language/ir/core/builder_sources.h"
+#include "language/ir/lower/cleanup.h"
+#include "language/ir/lower/control.h"
+#include "language/ir/lower/defaults.h"
+#include "language/ir/lower/derivatives.h"
+#include "language/ir/lower/statement.h"
+
+#include <algorithm>
+
+namespace candela::ir {
+
+namespace {
+
+/// Gives each parameter its cells: values of the parameter block, planes of overriding variables,
+/// or strings.
+void declareParameters(Lowering &lowering, LoweredShader &lowered,
+                       const std::vector<StringValue> &strings,
+                       const std::vector<std::string> &variables) {
+    Builder &b = lowering.b;
+    const sl::TypedShader &shader = lowering.shader;
+    for (size_t i = 0; i < shader.parameters.size(); ++i) {
+        const sl::Symbol &symbol = *shader.parameters[i].symbol;
+        ShaderParameter &declared = lowered.parameters[i];
+        Components initial;
+        if (symbol.type.base == sl::BaseType::String) {
+            std::vector<std::string> value = declared.stringDefaults;
+            for (const StringValue &given : strings)
+                if (given.name == declared.name)
+                    value = given.value;
+            value.resize(size_t(declared.arraySize));
+            for (const std::string &element : value)
+                initial.push_back(text(b, element));
+            lowering.variables.declare(symbol, initial);
+            continue;
+        }
+        const bool isVariable =
+            std::find(variables.begin(), variables.end(), declared.name) != variables.end();
+        auto &slots = isVariable ? b.function().variables : b.function().parameters;
+        const int first = int(slots.size());
+        for (int c = 0; c < int(declared.defaults.size()); ++c) {
+            slots.push_back({declared.name, c});
+            initial.push_back(isVariable ? variable(b, first + c) : parameter(b, first + c));
+        }
+        lowering.variables.declare(symbol, initial);
+    }
+}
+
+void writeOutputs(Lowering &lowering, const LoweredShader &lowered) {
+    const sl::TypedShader &shader = lowering.shader;
+    Variables &variables = lowering.variables;
+    const auto write = [&](const std::string &name, const Components &value) {
+        for (int c = 0; c < int(value.size()); ++c)
+            output(lowering.b, name, c, value[c]);
+    };
+    if (shader.kind == sl::ShaderKind::Surface) {
+        write("Ci", variables.load(sl::PredefinedId::Ci));
+        write("Oi", variables.load(sl::PredefinedId::Oi));
+    } else {
+        write("L", variables.load(sl::PredefinedId::L));
+        write("Cl", variables.load(sl::PredefinedId::Cl));
+    }
+    for (const auto &symbol : shader.symbols) // The paper's bounds, where the shader sets them.
+        if (symbol->predefined && symbol->written && symbol->predefined->name[1] == 'C')
+            write(symbol->name, variables.load(variables.storageOf(*symbol)));
+    for (size_t i = 0; i < lowered.parameters.size(); ++i)
+        if (lowered.parameters[i].output && lowered.parameters[i].type != "string")
+            write(lowered.parameters[i].name,
+                  variables.load(variables.storageOf(*shader.parameters[i].symbol)));
+}
+
+/// Local arrays are written out, element by element. Formals are the arrays of their callers.
+bool arraysFit(const sl::TypedShader &shader, DiagnosticSink &sink) {
+    constexpr int mostNumbers = 1 << 16;
+    for (const auto &symbol : shader.symbols)
+        if (symbol->kind != sl::Symbol::Kind::Formal &&
+            symbol->type.length > mostNumbers / std::max(1, componentCount(symbol->type.base))) {
+            sink.report(sl::diagnosticAt(Severity::Error, symbol->where,
+                                         "the array \"" + symbol->name + "\" is too large; " +
+                                             std::to_string(mostNumbers) +
+                                             " numbers are the most"));
+            return false;
+        }
+    return true;
+}
+
+} // namespace
+
+std::optional<LoweredShader> lower(const sl::TypedShader &shader,
+                                   const std::vector<StringValue> &strings,
+                                   const std::vector<std::string> &variables, DiagnosticSink &sink,
+                                   const LoweringOptions &options) {
+    if (shader.kind != sl::ShaderKind::Surface && shader.kind != sl::ShaderKind::Light) {
+        sink.report(sl::diagnosticAt(Severity::Error, shader.where,
+                                     std::string(sl::nameOf(shader.kind)) +
+                                         " shaders are not compiled yet; surface and light "
+                                         "shaders are"));
+        return std::nullopt;
+    }
+    if (!arraysFit(shader, sink))
+        return std::nullopt;
+    LoweredShader lowered;
+    lowered.name = shader.name;
+    lowered.kind = sl::nameOf(shader.kind);
+    lowered.whole.name = shader.name;
+    auto parameters = parametersOf(shader, strings, sink);
+    if (!parameters)
+        return std::nullopt;
+    lowered.parameters = std::move(*parameters);
+
+    Lowering lowering(shader, options, lowered.whole, sink);
+    declareParameters(lowering, lowered, strings, variables);
+    enter(lowering, nullptr);
+    lower(lowering, shader.body);
+    writeOutputs(lowering, lowered);
+    if (lowering.messages.failed())
+        return std::nullopt;
+    lowering.b.finish();
+    const auto tell = [&](const char *pass) {
+        if (options.listener)
+            options.listener(pass, lowered.whole);
+    };
+    tell("lower");
+    lowered.lightClass = lowering.light.kind;
+    if (const auto power = lowering.light.direction
+                               ? powerOfDistance(lowered.whole, *lowering.light.direction)
+                               : std::nullopt) {
+        lowered.inverseSquare = *power == (lowered.lightClass == LightClass::Local ? -2 : 0);
+        lowered.directionOnly = *power == 0;
+    }
+    expandDerivatives(lowered.whole);
+    tell("derivatives");
+    removeUnused(lowered.whole, lowered.parameters);
+    tell("clean up");
+    return lowered;
+}
+
+} // namespace candela::ir

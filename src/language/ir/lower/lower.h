@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// From the typed syntax tree to the IR: the whole text of one shader as one function.
+#pragma once
+
+#include "foundation/base/diagnostics.h"
+#include "language/ir/core/ir.h"
+#include "language/ir/core/pass_listener.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace candela {
+
+namespace sl {
+struct TypedShader; // language/semantics
+}
+
+namespace ir {
+
+/// How a light shader lights (RI 3.2 section 10.3; paper 5.4).
+enum class LightClass : std::uint8_t {
+    Ambient, ///< Neither illuminate() nor solar().
+    Local,   ///< illuminate(): from a position, or from the surface of an area light.
+    Distant, ///< solar(): from a direction.
+};
+
+/// A shader parameter with its default.
+struct ShaderParameter {
+    std::string name;
+    /// "float", "color", "point", "vector", "normal", "matrix", "string".
+    std::string type;
+    int arraySize = 1;
+    bool output = false;
+    bool varying = false;
+    int firstSlot = -1; ///< Into Function::parameters; -1 for strings and what nothing reads.
+    /// Default value, components in row; points, vectors and normals in the space `defaultSpace`
+    /// ("shader" unless the text says otherwise), matrices from there ("current" unless the text
+    /// says otherwise), colors in the rendering colour space.
+    std::vector<float> defaults;
+    std::string defaultSpace = "shader";
+    std::vector<std::string> stringDefaults;
+};
+
+/// String parameters are compile-time constants of an instance.
+struct StringValue {
+    std::string name;
+    std::vector<std::string> value;
+};
+
+struct LoweredShader {
+    std::string name;
+    std::string kind; ///< "surface", "light", ...
+    std::vector<ShaderParameter> parameters;
+    Function whole;
+    LightClass lightClass = LightClass::Ambient;
+    /// Light shaders: Cl falls off as 1/(L.L) for Local (or is constant for Distant), provably.
+    bool inverseSquare = false;
+    /// Light shaders: Cl depends on the direction of L alone, not on its length, provably: the
+    /// emitted radiance of an area light.
+    bool directionOnly = false;
+};
+
+/// What a text leaves open.
+struct LoweringOptions {
+    /// specular() and specularbrdf() have this over the roughness as their exponent. RI 3.1 says 1
+    /// (section 15.6); production renderers, and the pictures that files were made by, have 8.
+    float highlightScale = 8;
+    /// Is told of "lower", "derivatives" and "clean up"; may be empty.
+    PassListener listener;
+};
+
+/// Lowers a checked surface or light shader. Output slots: surface "Ci", "Oi"; light "L", "Cl";
+/// then the paper's bounds ("DCiDu"...) that the text sets, then output parameters. Oi starts as
+/// Os, Ci and Cl as black. Parameters and Space matrices are as of current space: whoever fills the
+/// parameter block transforms. Hidden parameter slots are appended after the declared ones:
+/// "shader" (32 floats: currentFromShader, shaderFromCurrent) if the text uses that space.
+/// Function::spaces holds names as the text has them, and "depth" for depth(): camera space with z
+/// from 0 at the near to 1 at the far clipping plane. Derivatives of parameters that primitive
+/// variables override count as zero. Things semantics could not refuse (a space name that is not
+/// constant, a default that is none) are reported; nothing is returned then. `variables` names the
+/// parameters that primitive variables override.
+std::optional<LoweredShader> lower(const sl::TypedShader &, const std::vector<StringValue> &strings,
+                                   const std::vector<std::string> &variables, DiagnosticSink &,
+                                   const LoweringOptions & = {});
+
+} // namespace ir
+} // namespace candela

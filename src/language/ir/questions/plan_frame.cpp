@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+// The functions that share a frame: Surface, View, Prepare and Scatter.
+#include "foundation/units/color.h"
+#include "language/ir/core/builder_arithmetic.h"
+#include "language/ir/core/builder_effects.h"
+#include "language/ir/core/builder_sources.h"
+#include "language/ir/questions/plan.h"
+#include "language/ir/transform/dead_code.h"
+
+#include <algorithm>
+#include <set>
+
+namespace candela::ir {
+
+namespace {
+
+/// Operations worth recomputing rather than loading. Between surface and view much is: a slot
+/// there costs memory in every frame.
+constexpr int scatterRecomputes = 1, viewRecomputes = 24;
+
+void collectLoads(const Region &region, std::set<ValueId> &loads) {
+    for (const Instruction &i : region.body) {
+        if (i.op == Op::FrameLoad)
+            loads.insert(ValueId(i.immediate));
+        for (const Region &inner : i.regions)
+            collectLoads(inner, loads);
+    }
+}
+
+std::set<ValueId> loadsOf(const Function &function) {
+    std::set<ValueId> loads;
+    collectLoads(function.body, loads);
+    return loads;
+}
+
+ValueId emissionKey(const Plan &plan, int channel) {
+    return ValueId(plan.text.values.size()) + channel;
+}
+
+/// Ce of all channels under assumption 0; constant zero where that is proved.
+std::vector<ValueId> emission(const Plan &plan, SpecializedText &specialized, Builder &b) {
+    std::vector<ValueId> Ce;
+    for (int k = 0; k < colorSamples; ++k)
+        Ce.push_back(plan.emits[k] ? specialized.output(0, "Ci", k).value_or(number(b, 0))
+                                   : number(b, 0));
+    return Ce;
+}
+
+ValueId importanceOf(SpecializedText &specialized, Builder &b, int assumption,
+                     const std::vector<ValueId> &Ce) {
+    ValueId sum = number(b, 0);
+    for (int k = 0; k < colorSamples; ++k) {
+        ValueId Ci = specialized.output(assumption, "Ci", k).value_or(number(b, 0));
+        sum = add(b, sum, mul(b, number(b, luminanceWeights[k]), sub(b, Ci, Ce[k])));
+    }
+    return max(b, sum, number(b, 0));
+}
+
+void finishFramed(const Plan &plan, Builder &b, Function &function,
+                  const std::map<ValueId, int> &slots) {
+    if (plan.framed) {
+        function.frameSlots = 0;
+        for (auto [value, slot] : slots)
+            function.frameSlots = std::max(function.frameSlots, slot + 1);
+    }
+    b.finish();
+    removeDeadCode(function);
+}
+
+} // namespace
+
+std::vector<OutputSlot> prepareOutputs(const Plan &plan) {
+    std::vector<OutputSlot> slots;
+    for (std::size_t n = 0; n < plan.cones.size(); ++n) {
+        std::string cone = "cone " + std::to_string(n);
+        for (int k = 0; k < 3; ++k)
+            slots.push_back({cone + " axis", k});
+        slots.push_back({cone + " angle", 0});
+        slots.push_back({cone + " exponent", 0});
+        slots.push_back({cone + " importance", 0});
+    }
+    for (const char *name : {"Ce", "Ca", "Oi"})
+        if (name != std::string("Ca") || plan.readsAmbient)
+            for (int k = 0; k < colorSamples; ++k)
+                slots.push_back({name, k});
+    return slots;
+}
+
+Function specializePrepare(const Plan &plan, Stage first, const std::map<ValueId, int> &slots) {
+    Function result = emptyLike(plan.text);
+    result.outputs = prepareOutputs(plan);
+    Builder b(result);
+    SpecializationOptions options;
+    options.first = first;
+    options.framed = plan.framed;
+    options.fused = first == Stage::Surface;
+    options.recomputeCost = viewRecomputes;
+    options.prints = true;
+    options.slots = &slots;
+    options.cones = &plan.cones;
+    options.coneTests = &plan.coneTests;
+    std::vector<Assumption> assumptions{{}};
+    if (plan.readsAmbient)
+        assumptions.push_back({Assumption::Light::None, true, nullptr});
+    for (const Cone &cone : plan.cones)
+        if (cone.kind != Cone::Kind::Stated)
+            assumptions.push_back({Assumption::Light::Probed, false, &cone});
+    SpecializedText specialized = specialize(plan.text, plan.dependence, b, assumptions, options);
+    std::vector<ValueId> Ce = emission(plan, specialized, b);
+    for (int k = 0; k < colorSamples; ++k) {
+        output(b, "Ce", k, Ce[k]);
+        if (plan.readsAmbient)
+            output(b, "Ca", k,
+                   sub(b, specialized.output(1, "Ci", k).value_or(number(b, 0)), Ce[k]));
+        output(b, "Oi", k, specialized.output(0, "Oi", k).value_or(number(b, 1)));
+        if (auto slot = slots.find(emissionKey(plan, k)); slot != slots.end())
+            b.emit(Op::FrameStore, {Ce[k]}, slot->second);
+    }
+    for (std::size_t h = 0; h < assumptions.size(); ++h)
+        if (const Cone *cone = assumptions[h].probe)
+            output(b, "cone " + std::to_string(cone - plan.cones.data()) + " importance", 0,
+                   importanceOf(specialized, b, int(h), Ce));
+    finishFramed(plan, b, result, slots);
+    return result;
+}
+
+Function specializeSurface(const Plan &plan, const std::map<ValueId, int> &slots) {
+    Function result = emptyLike(plan.text);
+    Builder b(result);
+    SpecializationOptions options;
+    options.last = Stage::Surface;
+    options.framed = true;
+    options.slots = &slots;
+    options.coneTests = &plan.coneTests;
+    if (plan.framed)
+        specialize(plan.text, plan.dependence, b, {{}}, options);
+    finishFramed(plan, b, result, slots);
+    return result;
+}
+
+Function specializeScatter(const Plan &plan, const std::map<ValueId, int> &slots) {
+    Function result = emptyLike(plan.text);
+    Builder b(result);
+    SpecializationOptions options;
+    options.first = plan.framed ? Stage::Response : Stage::Surface;
+    options.framed = plan.framed;
+    options.recomputeCost = scatterRecomputes;
+    options.slots = &slots;
+    options.coneTests = &plan.coneTests;
+    std::vector<Assumption> assumptions{{Assumption::Light::Sampled, false, nullptr}};
+    if (!plan.framed)
+        assumptions.push_back({});
+    SpecializedText specialized = specialize(plan.text, plan.dependence, b, assumptions, options);
+    for (int k = 0; k < colorSamples; ++k) {
+        auto answered = specialized.responseOutput("Ci", k);
+        ValueId g = answered.value_or(number(b, 0));
+        if (answered && plan.emits[k]) {
+            ValueId key = emissionKey(plan, k);
+            auto slot = slots.find(key);
+            ValueId Ce = plan.framed ? b.emit(Op::FrameLoad, {},
+                                              slot == slots.end() ? int(key) : slot->second)[0]
+                                     : *specialized.output(1, "Ci", k);
+            g = sub(b, g, Ce);
+        }
+        output(b, "g", k, g);
+    }
+    finishFramed(plan, b, result, slots);
+    return result;
+}
+
+FramePlan planFrame(const Plan &plan) {
+    FramePlan frame;
+    if (!plan.framed)
+        return frame;
+    std::set<ValueId> scatter = loadsOf(specializeScatter(plan, {}));
+    std::map<ValueId, int> byValue;
+    for (ValueId v : scatter)
+        byValue[v] = int(v);
+    std::set<ValueId> view = loadsOf(specializePrepare(plan, Stage::View, byValue));
+    int next = 0;
+    for (ValueId v : scatter)
+        frame.all[v] = frame.scatter[v] = next++;
+    for (ValueId v : view)
+        if (frame.all.try_emplace(v, next).second)
+            ++next;
+    return frame;
+}
+
+} // namespace candela::ir

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// Leaves out what nothing needs.
+#pragma once
+
+#include "language/ir/core/ir.h"
+
+namespace candela::ir {
+
+/// Removes instructions without effect whose results nobody uses, carried values and results of
+/// control flow that nobody reads, stores to arrays that nobody loads from, and loops that only
+/// spend time. Renews inputsRead; value numbers stay.
+void removeDeadCode(Function &);
+
+} // namespace candela::ir

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Folding of instance parameters into a text.
+#pragma once
+
+#include "language/ir/core/ir.h"
+
+#include <vector>
+
+namespace candela::ir {
+
+/// Replaces Parameter slots by constants where `values[slot]` is given and folds all that follows:
+/// constants, branches, loops of known count that hold light requests.
+struct FoldedValue {
+    int slot;
+    float value;
+};
+Function fold(const Function &whole, const std::vector<FoldedValue> &values);
+
+} // namespace candela::ir

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// A text that is being specialised: what the walks over its control flow, its loops and its light
+// share.
+#pragma once
+
+#include "language/ir/transform/specialize.h"
+
+namespace candela::ir {
+
+struct StageRange {
+    Stage first, last;
+    bool has(Stage s) const { return first <= s && s <= last; }
+};
+
+struct Specialization {
+    Specialization(const Function &text, const Dependence &, Builder &,
+                   const std::vector<Assumption> &, const SpecializationOptions &);
+
+    const Function &text;
+    const Dependence &dependence;
+    Builder &b;
+    const std::vector<Assumption> &assumptions;
+    const SpecializationOptions &options;
+    ValueMapping mapping;
+    std::map<std::pair<std::string, int>, ValueId> outputs; ///< As SpecializedText has them.
+    std::vector<int> active; ///< The assumptions under which is being written; all at first.
+    int loopDepth = 0;
+    int repeating = 0; ///< > 0: what is being written was written, and saved, before.
+
+    /// The stage that a value of a stage counts to.
+    Stage counted(Stage) const;
+    Stage stageOf(ValueId v) const { return counted(dependence.stage[v]); }
+
+    /// A value is the same under all active assumptions; it is saved where a frame wants it.
+    void assignShared(ValueId old, ValueId now);
+
+    /// Does what has to be written under these of the active assumptions alone.
+    template <typename Work> void under(std::vector<int> assumptions, Work work) {
+        std::swap(active, assumptions);
+        work();
+        std::swap(active, assumptions);
+    }
+};
+
+/// Write what belongs to the range of stages.
+void walk(Specialization &, const Region &, StageRange);
+void walkLoop(Specialization &, const Instruction &, StageRange);
+void walkLightLoop(Specialization &, const Instruction &, StageRange);
+/// Answer, Ambient, Irradiance.
+void walkAnswer(Specialization &, const Instruction &, StageRange);
+
+} // namespace candela::ir

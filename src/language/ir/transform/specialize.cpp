@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "language/ir/transform/specialize.h"
+
+#include "language/ir/core/builder_control.h"
+#include "language/ir/transform/specialization.h"
+
+#include <algorithm>
+
+namespace candela::ir {
+
+Function emptyLike(const Function &whole) {
+    Function result;
+    result.name = whole.name;
+    result.requests = whole.requests;
+    result.strings = whole.strings;
+    result.files = whole.files;
+    result.spaces = whole.spaces;
+    result.categories = whole.categories;
+    result.parameters = whole.parameters;
+    result.variables = whole.variables;
+    return result;
+}
+
+std::optional<ValueId> SpecializedText::output(int assumption, const std::string &slot,
+                                               int component) {
+    auto it = outputs.find({slot, component});
+    return it == outputs.end() ? std::nullopt
+                               : std::optional(mapping.value(assumption, it->second));
+}
+
+std::optional<ValueId> SpecializedText::responseOutput(const std::string &slot, int component) {
+    auto it = outputs.find({slot, component});
+    bool lit = it != outputs.end() && dependence.responds(it->second);
+    return lit ? std::optional(mapping.value(0, it->second)) : std::nullopt;
+}
+
+SpecializedText specialize(const Function &text, const Dependence &dependence, Builder &b,
+                           const std::vector<Assumption> &assumptions,
+                           const SpecializationOptions &options) {
+    Specialization s(text, dependence, b, assumptions, options);
+    walk(s, text.body, {options.first, options.last});
+    return {dependence, std::move(s.mapping), std::move(s.outputs)};
+}
+
+Specialization::Specialization(const Function &text, const Dependence &dependence, Builder &b,
+                               const std::vector<Assumption> &assumptions,
+                               const SpecializationOptions &options)
+    : text(text), dependence(dependence), b(b), assumptions(assumptions), options(options),
+      mapping(text, dependence, b, int(assumptions.size()), options.recomputeCost, options.slots) {
+    for (int h = 0; h < int(assumptions.size()); ++h)
+        active.push_back(h);
+}
+
+Stage Specialization::counted(Stage stage) const {
+    if (!options.framed)
+        return Stage::Surface;
+    return options.fused && stage == Stage::View ? Stage::Surface : stage;
+}
+
+void Specialization::assignShared(ValueId old, ValueId now) {
+    for (int h : active)
+        mapping.assign(h, old, now);
+    if (loopDepth == 0 && repeating == 0)
+        mapping.save(old, now);
+}
+
+namespace {
+
+/// The active assumptions, those with the same condition together.
+std::vector<std::vector<int>> groupsBy(Specialization &s, ValueId condition) {
+    if (!s.dependence.responds(condition))
+        return {s.active};
+    std::vector<std::vector<int>> groups;
+    std::vector<ValueId> conditions;
+    for (int h : s.active) {
+        ValueId now = s.mapping.value(h, condition);
+        auto known = std::find(conditions.begin(), conditions.end(), now);
+        if (known == conditions.end()) {
+            conditions.push_back(now);
+            groups.push_back({h});
+        } else {
+            groups[known - conditions.begin()].push_back(h);
+        }
+    }
+    return groups;
+}
+
+void walkPrint(Specialization &s, const Instruction &i) {
+    if (s.options.prints && s.active[0] == 0)
+        s.b.emit(i.op, s.mapping.values(0, i.operands));
+}
+
+void walkPlain(Specialization &s, const Instruction &i, StageRange range) {
+    bool memory = i.op == Op::ArrayLoad || i.op == Op::ArrayStore;
+    Stage stage = memory ? s.dependence.arrayStage[i.immediate] : s.dependence.stage[i.results[0]];
+    if (!range.has(s.counted(stage)))
+        return;
+    bool shared = stage < Stage::Response;
+    for (int h : s.active) {
+        int immediate = memory ? s.mapping.array(h, i.immediate) : i.immediate;
+        Values results = s.b.emit(i.op, s.mapping.values(h, i.operands), immediate, i.number);
+        for (std::size_t k = 0; k < i.results.size(); ++k)
+            shared ? s.assignShared(i.results[k], results[k])
+                   : s.mapping.assign(h, i.results[k], results[k]);
+        if (shared)
+            break;
+    }
+}
+
+/// `content` is the range of stages that the branches hold.
+void emitIf(Specialization &s, const Instruction &i, StageRange range, StageRange content) {
+    std::vector<std::pair<int, int>> kept; // Assumption, result.
+    for (int k = 0; k < int(i.results.size()); ++k)
+        if (range.has(s.stageOf(i.results[k])))
+            for (int h : s.active) {
+                kept.push_back({h, k});
+                if (!s.dependence.responds(i.results[k]))
+                    break;
+            }
+    auto branch = [&](const Region &region) {
+        walk(s, region, content);
+        Values yields;
+        for (auto [h, k] : kept)
+            yields.push_back(s.mapping.value(h, region.yields[k]));
+        return yields;
+    };
+    ValueId condition = s.mapping.value(s.active[0], i.operands[0]);
+    Values results = ifElse(
+        s.b, condition, [&] { return branch(i.regions[0]); }, [&] { return branch(i.regions[1]); });
+    for (std::size_t n = 0; n < kept.size(); ++n) {
+        auto [h, k] = kept[n];
+        s.dependence.responds(i.results[k]) ? s.mapping.assign(h, i.results[k], results[n])
+                                            : s.assignShared(i.results[k], results[n]);
+    }
+}
+
+void walkIf(Specialization &s, const Instruction &i, StageRange range) {
+    Stage condition = s.stageOf(i.operands[0]);
+    auto hoist = [&](Stage last) {
+        for (const Region &region : i.regions)
+            walk(s, region, {range.first, last});
+    };
+    if (condition > range.last)
+        return hoist(range.last);
+    if (s.loopDepth == 0 && condition > range.first) {
+        hoist(Stage(int(condition) - 1));
+        range.first = condition;
+    }
+    // What a hoisted branch holds is not visible here: it is written again, but not saved again.
+    // (No stores to memory are among it, since those stay behind all their conditions.)
+    bool again = condition < range.first && range.first > s.options.first;
+    StageRange content{again ? s.options.first : range.first, range.last};
+    s.repeating += again;
+    for (auto &group : groupsBy(s, i.operands[0]))
+        s.under(group, [&] { emitIf(s, i, range, content); });
+    s.repeating -= again;
+}
+
+} // namespace
+
+static void walk(Specialization &s, const Instruction &i, StageRange range) {
+    s.b.setLine(i.line);
+    s.b.setFile(i.file);
+    switch (i.op) {
+    case Op::Output: {
+        const OutputSlot &slot = s.text.outputs[i.immediate];
+        s.outputs[{slot.name, slot.component}] = i.operands[0];
+        return;
+    }
+    case Op::Print: return walkPrint(s, i);
+    case Op::If: return walkIf(s, i, range);
+    case Op::Loop: return walkLoop(s, i, range);
+    case Op::LightLoop: return walkLightLoop(s, i, range);
+    case Op::Answer:
+    case Op::Ambient:
+    case Op::Irradiance: return walkAnswer(s, i, range);
+    default: return walkPlain(s, i, range);
+    }
+}
+
+void walk(Specialization &s, const Region &region, StageRange range) {
+    for (const Instruction &i : region.body)
+        walk(s, i, range);
+}
+
+} // namespace candela::ir
