@@ -3,6 +3,7 @@
 
 #include "language/ir/lower/lower.h"
 #include "language/ir/questions/questions.h"
+#include "language/ir/transform/light_rule.h"
 #include "language/semantics/front.h"
 
 #include <fstream>
