@@ -2,7 +2,7 @@
 // What code is generated for.
 #pragma once
 
-#include "language/runtime/isa_level.h"
+#include "language/runtime/register_code.h"
 
 #include <string>
 
@@ -14,10 +14,11 @@ struct CodeTarget {
     std::string features; ///< LLVM's "+a,-b" beyond what the name implies.
     runtime::IsaLevel level = runtime::IsaLevel::V2;
 
+    /// Points that code takes at a time: at width 16 as many as a register holds. Twice as many
+    /// would be twice the instructions to select and half the registers to hold values in.
+    int lanes() const { return width == 1 ? 1 : runtime::registerLanes(level); }
     /// Bits of the widest vector register.
-    int registerBits() const {
-        return level == runtime::IsaLevel::V4 ? 512 : level == runtime::IsaLevel::V3 ? 256 : 128;
-    }
+    int registerBits() const { return 32 * runtime::registerLanes(level); }
 };
 
 } // namespace candela

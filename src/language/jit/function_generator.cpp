@@ -9,7 +9,9 @@
 #include "language/jit/light_loop.h"
 #include "language/runtime/shader_abi.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <span>
 
 namespace candela {
 namespace codegen {
@@ -38,8 +40,14 @@ private:
     Values source(const Instruction &);
     Value *load(std::size_t tableField, int plane);
     Value *answersRequest(int request);
-    /// Arrays, outputs, the frame, and calls, which read and write too.
+    /// Arrays, and calls, which read and write too.
     void emitMemory(const Instruction &);
+    struct PlaneStore {
+        Value *value, *to;
+    };
+    /// Of Output or FrameStore.
+    PlaneStore planeStore(const Instruction &);
+    void emitStores(std::span<const Instruction>);
 
     const ir::Function &function_;
     CodeFunction code_;
@@ -50,6 +58,7 @@ private:
     RuntimeCalls calls_;
     ArrayMemory arrays_;
     ControlFlow control_;
+    Value *allRun_ = nullptr; ///< Is every point of the block active?
 };
 
 FunctionGenerator::FunctionGenerator(const ir::Function &function, const CodeTarget &target,
@@ -71,13 +80,13 @@ void FunctionGenerator::generate() {
     auto *base = builder_.CreatePHI(code_.integerType, 2, "base");
     base->addIncoming(builder_.getInt32(0), prepare);
     arguments_.enterBlock(prepare, base);
-    auto *number = builder_.CreateAdd(code_.lanes.splat(base), code_.lanes.laneNumbers());
-    auto *inside = builder_.CreateICmpSLT(number, code_.lanes.splat(count));
-    auto *mask = builder_.CreateAnd(inside, arguments_.blockMask(), "full_mask");
-    builder_.CreateCondBr(code_.lanes.any(mask), body, next);
+    auto *bits = arguments_.blockBits(count);
+    builder_.CreateCondBr(builder_.CreateIsNotNull(bits), body, next);
 
     builder_.SetInsertPoint(body);
-    emitBody(mask);
+    const auto allBits = (1u << code_.lanes.width()) - 1;
+    allRun_ = builder_.CreateICmpEQ(bits, builder_.getInt32(allBits), "all_run");
+    emitBody(code_.lanes.maskOf(bits));
     builder_.CreateBr(next);
 
     builder_.SetInsertPoint(next);
@@ -96,9 +105,54 @@ void FunctionGenerator::emitBody(Value *mask) {
     emitRegion(function_.body);
 }
 
+static bool isStore(const Instruction &i) { return i.op == Op::Output || i.op == Op::FrameStore; }
+
 void FunctionGenerator::emitRegion(const Region &region) {
-    for (const Instruction &i : region.body)
-        emit(i);
+    const auto end = region.body.end();
+    for (auto i = region.body.begin(); i != end;) {
+        if (!isStore(*i)) {
+            emit(*i++);
+            continue;
+        }
+        const auto last = std::find_if_not(i, end, isStore);
+        emitStores({&*i, std::size_t(last - i)});
+        i = last;
+    }
+}
+
+/// Stores in a row. Where masking costs, one test finds out whether all points of the block run.
+void FunctionGenerator::emitStores(std::span<const Instruction> stores) {
+    std::vector<PlaneStore> found;
+    for (const Instruction &i : stores)
+        found.push_back(planeStore(i));
+    const auto storeMasked = [&] {
+        for (const PlaneStore &store : found)
+            code_.lanes.maskedStore(store.value, store.to, code_.masks.current());
+    };
+    if (found.size() < 2 || !code_.masks.isWhole() || !code_.lanes.maskingCosts()) {
+        storeMasked();
+        return;
+    }
+    auto *whole = code_.block("store_all"), *part = code_.block("store_some"),
+         *join = code_.block("stored");
+    builder_.CreateCondBr(allRun_, whole, part);
+    builder_.SetInsertPoint(whole);
+    for (const PlaneStore &store : found)
+        code_.lanes.store(store.value, store.to);
+    builder_.CreateBr(join);
+    builder_.SetInsertPoint(part);
+    storeMasked();
+    builder_.CreateBr(join);
+    builder_.SetInsertPoint(join);
+}
+
+FunctionGenerator::PlaneStore FunctionGenerator::planeStore(const Instruction &i) {
+    auto *value = values_.get(i.operands[0], Rate::Varying);
+    if (i.op == Op::Output)
+        return {value, arguments_.plane(offsetof(ShaderArgs, outputs), i.immediate)};
+    if (value->getType()->isIntOrIntVectorTy())
+        value = builder_.CreateUIToFP(value, code_.lanes.varying(code_.floatType));
+    return {value, arguments_.frameSlot(i.immediate, function_.frameSlots)};
 }
 
 void FunctionGenerator::emit(const Instruction &i) {
@@ -184,17 +238,6 @@ void FunctionGenerator::emitMemory(const Instruction &i) {
     case Op::ArrayStore: return arrays_.store(i);
     case Op::Call: return calls_.call(i);
     case Op::Print: return calls_.print(i);
-    case Op::Output:
-        return code_.lanes.maskedStore(values_.get(i.operands[0], Rate::Varying),
-                                       arguments_.plane(offsetof(ShaderArgs, outputs), i.immediate),
-                                       code_.masks.current());
-    case Op::FrameStore: {
-        auto *value = values_.get(i.operands[0], Rate::Varying);
-        if (value->getType()->isIntOrIntVectorTy())
-            value = builder_.CreateUIToFP(value, code_.lanes.varying(code_.floatType));
-        return code_.lanes.maskedStore(
-            value, arguments_.frameSlot(i.immediate, function_.frameSlots), code_.masks.current());
-    }
     default: return;
     }
 }

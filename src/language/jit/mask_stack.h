@@ -3,7 +3,7 @@
 // under construction; each control construct narrows it and gives it back.
 #pragma once
 
-#include <llvm/IR/IRBuilder.h>
+#include "language/jit/lanes.h"
 
 #include <vector>
 
@@ -11,10 +11,12 @@ namespace candela::codegen {
 
 class MaskStack {
 public:
-    explicit MaskStack(llvm::IRBuilder<> &builder) : builder_(builder) {}
+    MaskStack(llvm::IRBuilder<> &builder, const Lanes &lanes) : builder_(builder), lanes_(lanes) {}
 
     /// The lanes that run now.
-    llvm::Value *current() const { return masks_.back(); }
+    llvm::Value *current() const { return lanes_.asMask(masks_.back()); }
+    /// Is that all of a block's points, no control construct having narrowed it?
+    bool isWhole() const { return masks_.size() == 1; }
 
     llvm::Value *currentAnd(llvm::Value *test) const {
         return builder_.CreateAnd(current(), test, "mask");
@@ -27,7 +29,7 @@ public:
     class Scope {
     public:
         Scope(MaskStack &stack, llvm::Value *mask) : stack_(stack) {
-            stack_.masks_.push_back(mask);
+            stack_.masks_.push_back(stack_.lanes_.kept(mask));
         }
         ~Scope() { stack_.masks_.pop_back(); }
         Scope(const Scope &) = delete;
@@ -39,6 +41,7 @@ public:
 
 private:
     llvm::IRBuilder<> &builder_;
+    const Lanes &lanes_;
     std::vector<llvm::Value *> masks_;
 };
 

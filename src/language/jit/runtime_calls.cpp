@@ -3,8 +3,6 @@
 
 #include "language/jit/runtime_symbols.h"
 
-#include <map>
-
 namespace candela::codegen {
 
 using ir::Rate;
@@ -18,6 +16,22 @@ RuntimeCalls::RuntimeCalls(CodeFunction &code, const ShaderArguments &arguments,
             strings_.append(text.c_str(), text.size() + 1);
         stringOffset_.push_back(known->second);
     }
+    pair(values.function().body);
+}
+
+void RuntimeCalls::pair(const ir::Region &region) {
+    using Key = std::pair<int, std::vector<ir::ValueId>>;
+    std::map<Key, const ir::Instruction *> calls;
+    for (const ir::Instruction &i : region.body) {
+        if (i.op == ir::Op::Call)
+            calls.emplace(Key(i.immediate, i.operands), &i);
+        for (const ir::Region &inner : i.regions)
+            pair(inner);
+    }
+    for (const auto &[key, plain] : calls)
+        if (const auto slopes = runtime::withSlopes(runtime::RuntimeFunction(key.first)))
+            if (auto found = calls.find({int(*slopes), key.second}); found != calls.end())
+                withSlopes_[plain] = found->second;
 }
 
 Value *RuntimeCalls::string(int index) const { return builder_.getInt32(stringOffset_[index]); }
@@ -26,38 +40,50 @@ Value *RuntimeCalls::text(const std::string &bytes) {
     return builder_.CreateGlobalStringPtr(bytes, "text", 0, &code_.module);
 }
 
-/// What LLVM may assume of a runtime function: it reads its inputs and writes its outputs.
-static void setRuntimeAttributes(llvm::Function &function) {
-    function.setOnlyAccessesArgMemory();
-    function.addFnAttr(llvm::Attribute::WillReturn);
-    for (unsigned k = 0; k < 2; ++k) {
-        function.addParamAttr(k, llvm::Attribute::NoCapture);
-        function.addParamAttr(k, llvm::Attribute::NoAlias);
+/// A function of one output depends on its arguments alone; the others write to their last one.
+llvm::FunctionCallee RuntimeCalls::runtimeFunction(const ir::Instruction &i, llvm::Type *type) {
+    const bool several = i.results.size() > 1;
+    std::vector<llvm::Type *> types(i.operands.size(), type);
+    if (several)
+        types.push_back(code_.pointerType);
+    const int width = type->isVectorTy() ? code_.lanes.width() : 1;
+    auto callee = code_.external(runtimeSymbol(i.immediate, width),
+                                 llvm::FunctionType::get(type, types, false), !several);
+    if (several) {
+        auto &declared = *llvm::cast<llvm::Function>(callee.getCallee());
+        const unsigned last = unsigned(types.size()) - 1;
+        declared.setOnlyAccessesArgMemory();
+        declared.addFnAttr(llvm::Attribute::WillReturn);
+        declared.addParamAttr(last, llvm::Attribute::NoCapture);
+        declared.addParamAttr(last, llvm::Attribute::NoAlias);
+        declared.addParamAttr(last, llvm::Attribute::WriteOnly);
     }
-    function.addParamAttr(0, llvm::Attribute::ReadOnly);
-    function.addParamAttr(1, llvm::Attribute::WriteOnly);
+    return callee;
 }
 
 void RuntimeCalls::call(const ir::Instruction &i) {
+    const auto paired = withSlopes_.find(&i);
+    const ir::Instruction &asked = paired == withSlopes_.end() ? i : *paired->second;
+    if (evaluated_.insert(&asked).second)
+        evaluate(asked);
+    for (std::size_t k = 0; k < i.results.size() && &asked != &i; ++k)
+        values_.set(i.results[k], values_.get(asked.results[k]));
+}
+
+void RuntimeCalls::evaluate(const ir::Instruction &i) {
     const Rate rate = values_.rate(i.results[0]);
-    const int width = rate == Rate::Varying ? code_.lanes.width() : 1;
     auto *type = code_.lanes.type(ir::Type::Float, rate);
-    if (!inputs_) {
-        auto *widest = code_.lanes.varying(code_.floatType);
-        inputs_ = code_.entryMemory(widest, runtime::maxRuntimeInputs, "call_inputs");
-        outputs_ = code_.entryMemory(widest, runtime::maxRuntimeOutputs, "call_outputs");
+    Values arguments = values_.get(i.operands, rate);
+    if (i.results.size() > 1) {
+        if (!outputs_)
+            outputs_ = code_.entryMemory(code_.lanes.varying(code_.floatType),
+                                         runtime::maxRuntimeOutputs - 1, "call_outputs");
+        arguments.push_back(outputs_);
     }
-    for (std::size_t k = 0; k < i.operands.size(); ++k)
-        builder_.CreateStore(values_.get(i.operands[k], rate),
-                             builder_.CreateConstGEP1_64(type, inputs_, k));
-    auto *pointer = code_.pointerType;
-    auto *signature = llvm::FunctionType::get(builder_.getVoidTy(), {pointer, pointer}, false);
-    auto callee = code_.external(runtimeSymbol(i.immediate, width), signature, false);
-    setRuntimeAttributes(*llvm::cast<llvm::Function>(callee.getCallee()));
-    builder_.CreateCall(callee, {inputs_, outputs_});
-    for (std::size_t k = 0; k < i.results.size(); ++k)
+    values_.set(i.results[0], builder_.CreateCall(runtimeFunction(i, type), arguments));
+    for (std::size_t k = 1; k < i.results.size(); ++k)
         values_.set(i.results[k],
-                    builder_.CreateLoad(type, builder_.CreateConstGEP1_64(type, outputs_, k)));
+                    builder_.CreateLoad(type, builder_.CreateConstGEP1_64(type, outputs_, k - 1)));
 }
 
 /// candela_print(args, strings, types, operand count, cells, width, active lanes): all lanes'

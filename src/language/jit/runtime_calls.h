@@ -5,6 +5,8 @@
 #include "language/jit/shader_arguments.h"
 #include "language/jit/value_table.h"
 
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,6 +25,11 @@ public:
 
 private:
     Value *text(const std::string &bytes);
+    /// Finds in a region the calls for values of which there are calls with slopes too.
+    void pair(const ir::Region &);
+    void evaluate(const ir::Instruction &);
+    /// What an instruction calls; its values have the type.
+    llvm::FunctionCallee runtimeFunction(const ir::Instruction &, llvm::Type *);
 
     CodeFunction &code_;
     llvm::IRBuilder<> &builder_;
@@ -30,7 +37,10 @@ private:
     ValueTable &values_;
     std::vector<int> stringOffset_; ///< Of Function::strings, in strings_.
     std::string strings_;
-    Value *inputs_ = nullptr, *outputs_ = nullptr; ///< Memory for a call's values.
+    /// Calls with slopes by calls of the same values alone, in one region: one evaluation does.
+    std::map<const ir::Instruction *, const ir::Instruction *> withSlopes_;
+    std::set<const ir::Instruction *> evaluated_; ///< Of those with slopes.
+    Value *outputs_ = nullptr; ///< Memory for what a call gives besides its first value.
 };
 
 } // namespace candela::codegen
