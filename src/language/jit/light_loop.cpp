@@ -100,23 +100,38 @@ LightLoop::Sample LightLoop::deltaSample() {
     return sample;
 }
 
+/// The tables may be null if there are no samples.
+void LightLoop::findPlanes(Value *count) {
+    samplePlanes_ =
+        code_.valuesIf(builder_.CreateICmpSGT(count, builder_.getInt32(0)), "sample_planes", [&] {
+            Values planes;
+            const auto find = [&](std::size_t table, int number) {
+                auto *entry = builder_.CreateConstGEP1_32(
+                    code_.pointerType, arguments_.fieldPointer(table), unsigned(number));
+                planes.push_back(code_.invariantLoad(code_.pointerType, entry));
+            };
+            for (int k = 0; k < 3; ++k)
+                find(offsetof(ShaderArgs, sampleL), k);
+            for (int k = 0; k < colorSamples; ++k)
+                find(offsetof(ShaderArgs, sampleCl), k);
+            return planes;
+        });
+}
+
 LightLoop::Sample LightLoop::finiteSample(Value *number) {
     auto *wide = builder_.getInt64Ty();
     auto *stride = builder_.CreateSExt(
         arguments_.field(offsetof(ShaderArgs, sampleStride), code_.integerType), wide);
     auto *row = builder_.CreateAdd(builder_.CreateMul(builder_.CreateSExt(number, wide), stride),
                                    builder_.CreateSExt(arguments_.firstPoint(), wide));
-    const auto loadRow = [&](std::size_t table, int k) {
-        auto *plane = code_.invariantLoad(
-            code_.pointerType, builder_.CreateGEP(code_.pointerType, arguments_.fieldPointer(table),
-                                                  builder_.getInt32(k)));
+    const auto loadRow = [&](Value *plane) {
         return code_.lanes.load(code_.floatType, builder_.CreateGEP(code_.floatType, plane, row));
     };
     Sample sample;
     for (int k = 0; k < 3; ++k)
-        sample.L.push_back(loadRow(offsetof(ShaderArgs, sampleL), k));
+        sample.L.push_back(loadRow(samplePlanes_[k]));
     for (int k = 0; k < colorSamples; ++k)
-        sample.Cl.push_back(loadRow(offsetof(ShaderArgs, sampleCl), k));
+        sample.Cl.push_back(loadRow(samplePlanes_[3 + k]));
     auto *lanes = code_.masks.currentAnd(anyNonZero(code_, sample.Cl));
     const auto narrow = [&](Value *test) { lanes = builder_.CreateAnd(lanes, test); };
     if (delta_)
@@ -208,6 +223,7 @@ void LightLoop::emit(const EmitRegion &emitRegion) {
             values_.get(i.operands[i.operands.size() - carriedCount + k], Rate::Varying));
     auto *first = firstNumber();
     auto *count = arguments_.field(offsetof(ShaderArgs, sampleCount), code_.integerType);
+    findPlanes(count);
     auto *from = builder_.GetInsertBlock();
     auto *head = code_.block("lights"), *take = code_.block("light"), *lit = code_.block("lit"),
          *next = code_.block("next_light"), *done = code_.block("lights_end");
