@@ -48,6 +48,11 @@ size_t instructionCount(const ir::Region &region) {
     return count;
 }
 
+/// "1 cone", "2 cones"
+std::string countOf(size_t count, const std::string &what) {
+    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
 /// What was found, in a line.
 std::string summaryOf(const sl::TypedShader &shader, const CompiledShader &compiled,
                       double seconds) {
@@ -63,12 +68,14 @@ std::string summaryOf(const sl::TypedShader &shader, const CompiledShader &compi
                              : "not affine in the light (line " +
                                    std::to_string(facts.notAffineLine) + "), ";
         line += facts.emits ? "may emit, " : "";
+    } else if (shader.kind == sl::ShaderKind::Light) {
+        line += countOf(compiled.lightFacts.cones.size(), "cone") + " of emission, ";
+        line += compiled.lightFacts.conesAreTheLights ? "" : "which differ by what is lit, ";
     }
-    const size_t count = compiled.answers.size();
-    char figures[96];
-    std::snprintf(figures, sizeof figures, "%zu entry point%s, %zu instructions, %.0f ms", count,
-                  count == 1 ? "" : "s", instructions, seconds * 1000);
-    return line + figures;
+    char figures[64];
+    std::snprintf(figures, sizeof figures, ", %zu instructions, %.0f ms", instructions,
+                  seconds * 1000);
+    return line + countOf(compiled.answers.size(), "entry point") + figures;
 }
 
 /// One run of the verb.

@@ -35,18 +35,19 @@ std::optional<CompiledShader> compileShader(const sl::TypedShader &shader, ir::L
     listener("fold", whole);
 
     CompiledShader compiled;
-    std::vector<ir::Question> questions{ir::Question::Light};
-    if (lowered->kind == "surface") {
+    std::shared_ptr<const ir::Plan> plan;
+    if (lowered->kind == sl::ShaderKind::Surface) {
         whole = ir::applyLightRule(whole, rule);
         listener("light rule", whole);
-        listener("plan", ir::makePlan(whole)->text);
-        compiled.facts = ir::surfaceFacts(whole);
-        questions = {ir::Question::Shade,   ir::Question::Surface, ir::Question::View,
-                     ir::Question::Prepare, ir::Question::Scatter, ir::Question::Emit,
-                     ir::Question::Opacity};
+        plan = ir::makePlan(whole);
+        listener("plan", plan->text);
+        compiled.facts = ir::surfaceFacts(*plan);
+    } else if (lowered->kind == sl::ShaderKind::Light) {
+        compiled.lightFacts = ir::lightFacts(whole);
     }
-    for (const ir::Question question : questions) {
-        compiled.answers.push_back({question, ir::slice(whole, question)});
+    for (const ir::Question question : ir::questionsOf(lowered->kind)) {
+        compiled.answers.push_back(
+            {question, plan ? ir::slice(*plan, question) : ir::slice(whole, question)});
         listener(ir::nameOf(question), compiled.answers.back().function);
     }
     return compiled;

@@ -19,7 +19,8 @@ struct CompiledShader {
         ir::Question question;
         ir::Function function;
     };
-    ir::SurfaceFacts facts; ///< Of surfaces.
+    ir::SurfaceFacts facts;    ///< Of surfaces.
+    ir::LightFacts lightFacts; ///< Of lights.
     std::vector<Answer> answers;
 };
 

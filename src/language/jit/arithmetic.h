@@ -11,9 +11,9 @@ namespace candela::codegen {
 /// The number in the model's type.
 Value *like(Value *model, float);
 
-/// An operation from Op::Add to Op::Pow; `b` is the last operand.
+/// An operation for which ir::isFloatArithmetic() holds; `b` is the last operand.
 Value *floatOperation(CodeFunction &, ir::Op, Value *a, Value *b);
-/// An operation from Op::Less to Op::IntegerFromFloat: comparisons, logic, selection, conversions.
+/// Comparisons, logic, choice, conversions (the classes of operations of those names).
 /// Operands are taken at the rate of the result.
 Value *logicOperation(CodeFunction &, ir::Op, ir::Rate result,
                       llvm::function_ref<Value *(int k)> operand);

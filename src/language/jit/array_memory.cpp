@@ -11,25 +11,26 @@ static llvm::Type *scalarOf(const CodeFunction &code, const ir::Array &array) {
     return array.type == ir::Type::Float ? code.floatType : code.integerType;
 }
 
-static llvm::Type *rowOf(const llvm::AllocaInst *memory) {
-    return memory->getAllocatedType()->getArrayElementType();
+llvm::Type *ArrayMemory::rowOf(const ir::Array &array) const {
+    auto *scalar = scalarOf(code_, array);
+    return array.rate == ir::Rate::Varying ? code_.lanes.varying(scalar) : scalar;
 }
 
 ArrayMemory::ArrayMemory(CodeFunction &code, ValueTable &values, RuntimeCalls &calls)
     : code_(code), builder_(code.builder), values_(values), calls_(calls) {
     for (const ir::Array &array : values.function().arrays) {
-        auto *scalar = scalarOf(code, array);
-        auto *row = array.rate == ir::Rate::Varying ? code.lanes.varying(scalar) : scalar;
-        auto *memory = builder_.CreateAlloca(llvm::ArrayType::get(row, array.size));
+        auto *memory = builder_.CreateAlloca(llvm::ArrayType::get(rowOf(array), array.size));
         memory->setAlignment(llvm::Align(64));
         memory_.push_back(memory);
     }
 }
 
 void ArrayMemory::clear() {
-    for (llvm::AllocaInst *memory : memory_) {
-        const auto size = code_.module.getDataLayout().getTypeAllocSize(memory->getAllocatedType());
-        builder_.CreateMemSet(memory, builder_.getInt8(0), size.getFixedValue(), llvm::Align(64));
+    for (std::size_t k = 0; k < memory_.size(); ++k) {
+        const ir::Array &array = values_.function().arrays[k];
+        const auto row = code_.module.getDataLayout().getTypeAllocSize(rowOf(array));
+        builder_.CreateMemSet(memory_[k], builder_.getInt8(0),
+                              row.getFixedValue() * std::uint64_t(array.size), llvm::Align(64));
     }
 }
 
@@ -49,14 +50,14 @@ void ArrayMemory::checkIndex(const ir::Instruction &i, Value *raw, Value *clampe
 
 Value *ArrayMemory::elementAddress(const ir::Instruction &i, Value *&index) {
     const ir::Array &array = values_.function().arrays[i.immediate];
-    llvm::AllocaInst *memory = memory_[i.immediate];
+    auto *memory = memory_[i.immediate];
     auto *raw = values_.get(i.operands[0]);
     const auto whole = [&](int k) { return llvm::ConstantInt::get(raw->getType(), k); };
     index = builder_.CreateBinaryIntrinsic(llvm::Intrinsic::smax, raw, whole(0));
     index = builder_.CreateBinaryIntrinsic(llvm::Intrinsic::smin, index, whole(array.size - 1));
     checkIndex(i, raw, index);
     if (!index->getType()->isVectorTy())
-        return builder_.CreateGEP(rowOf(memory), memory, index);
+        return builder_.CreateGEP(rowOf(array), memory, index);
     if (array.rate == ir::Rate::Varying)
         index = builder_.CreateAdd(
             builder_.CreateMul(index, code_.lanes.splat(builder_.getInt32(code_.lanes.width()))),
@@ -68,7 +69,7 @@ Value *ArrayMemory::load(const ir::Instruction &i) {
     const ir::Array &array = values_.function().arrays[i.immediate];
     Value *index = nullptr;
     auto *address = elementAddress(i, index);
-    auto *row = rowOf(memory_[i.immediate]);
+    auto *row = rowOf(array);
     // Every index is inside, so all lanes may load.
     Value *element = index->getType()->isVectorTy()
                          ? code_.lanes.gather(scalarOf(code_, array), address, index,
@@ -84,7 +85,7 @@ void ArrayMemory::store(const ir::Instruction &i) {
     Value *index = nullptr;
     auto *address = elementAddress(i, index);
     auto *value = values_.get(i.operands[1], array.rate);
-    auto *row = rowOf(memory_[i.immediate]);
+    auto *row = rowOf(array);
     if (array.type == ir::Type::Bool)
         value = builder_.CreateZExt(value, row);
     if (index->getType()->isVectorTy())

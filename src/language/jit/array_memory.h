@@ -4,6 +4,7 @@
 
 #include "language/jit/runtime_calls.h"
 
+#include <utility>
 #include <vector>
 
 namespace candela::codegen {
@@ -13,12 +14,19 @@ public:
     /// Takes memory for all arrays at the function's entry.
     ArrayMemory(CodeFunction &, ValueTable &, RuntimeCalls &);
 
+    /// Where the arrays are, as the machine function knows it that is being written.
+    const Values &memory() const { return memory_; }
+    /// Makes another function's pointers to them the current ones; gives those until now.
+    Values exchangeMemory(Values memory) { return std::exchange(memory_, std::move(memory)); }
+
     /// All elements are zero at the head of a block.
     void clear();
     Value *load(const ir::Instruction &);
     void store(const ir::Instruction &);
 
 private:
+    /// An array's elements are rows: a scalar, or one a lane.
+    llvm::Type *rowOf(const ir::Array &) const;
     /// For an index that varies: the array's start, and `index` becomes each lane's element. For a
     /// uniform one: the row of all lanes.
     Value *elementAddress(const ir::Instruction &, Value *&index);
@@ -28,7 +36,7 @@ private:
     llvm::IRBuilder<> &builder_;
     ValueTable &values_;
     RuntimeCalls &calls_;
-    std::vector<llvm::AllocaInst *> memory_; ///< Of Function::arrays: rows of scalars or of lanes.
+    Values memory_; ///< Of Function::arrays.
 };
 
 } // namespace candela::codegen

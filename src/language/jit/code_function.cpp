@@ -15,6 +15,7 @@ static void setAttributes(llvm::Function &function, const CodeTarget &target) {
     function.addFnAttr("prefer-vector-width", bits);
     function.addFnAttr("min-legal-vector-width", bits);
     function.addFnAttr(llvm::Attribute::NoUnwind);
+    // ShaderArgs come first.
     function.addParamAttr(0, llvm::Attribute::NoAlias);
     function.addParamAttr(0, llvm::Attribute::ReadOnly);
     function.addDereferenceableParamAttr(0, sizeof(ShaderArgs));
@@ -29,6 +30,14 @@ CodeFunction::CodeFunction(const CodeTarget &codeTarget, llvm::Module &codeModul
     function = llvm::Function::Create(type, llvm::Function::ExternalLinkage, symbol, module);
     setAttributes(*function, target);
     builder.SetInsertPoint(block("entry"));
+}
+
+llvm::Function *CodeFunction::addPiece(llvm::ArrayRef<llvm::Type *> arguments) {
+    auto *type = llvm::FunctionType::get(builder.getVoidTy(), arguments, false);
+    auto *piece = llvm::Function::Create(type, llvm::Function::InternalLinkage, "piece", module);
+    setAttributes(*piece, target);
+    piece->addFnAttr(llvm::Attribute::NoInline);
+    return piece;
 }
 
 llvm::BasicBlock *CodeFunction::block(const char *name) {

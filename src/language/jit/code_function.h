@@ -28,8 +28,11 @@ struct CodeFunction {
     Lanes lanes;
     MaskStack masks;
     llvm::Function *function = nullptr;
+    int colorSamples = 0; ///< Of every colour in it.
     llvm::Type *const floatType, *const integerType, *const pointerType;
 
+    /// A machine function beside it, which it calls for a part of its work.
+    llvm::Function *addPiece(llvm::ArrayRef<llvm::Type *> arguments);
     llvm::BasicBlock *block(const char *name);
     /// What `body` writes runs if the condition (one bool for all lanes) holds, and gives its
     /// values then; else they are zero. Masks are given in the form that is kept.

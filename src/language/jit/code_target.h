@@ -14,6 +14,10 @@ struct CodeTarget {
     std::string features; ///< LLVM's "+a,-b" beyond what the name implies.
     runtime::IsaLevel level = runtime::IsaLevel::V2;
 
+    /// Operations of the IR that a machine function holds at most, or about; a longer one is
+    /// compiled in pieces.
+    int longestFunction = 1000;
+
     /// Points that code takes at a time: at width 16 as many as a register holds. Twice as many
     /// would be twice the instructions to select and half the registers to hold values in.
     int lanes() const { return width == 1 ? 1 : runtime::registerLanes(level); }

@@ -149,6 +149,7 @@ class Codegen : public testing::TestWithParam<CodeFor> {
 protected:
     bool roundsAsHost() const { return GetParam().roundsAsHost(); }
     bool runs() const { return GetParam().hostRuns(); }
+    void compareRandomPrograms(int longestFunction, unsigned share);
     void countFinite(const Result &result) {
         for (const auto &plane : result.outputs)
             for (float x : plane) {
@@ -160,13 +161,24 @@ protected:
     int numbers_ = 0, finite_ = 0;
 };
 
-TEST_P(Codegen, RandomProgramsEqualTheInterpreterInAllLanes) {
-    Jit wide(GetParam().options(16), diagnostics_), narrow(GetParam().options(1), diagnostics_);
+/// One program in two has the usual three samples, the others 1, 4 or 8.
+int colorSamplesOf(unsigned seed) {
+    constexpr int choices[] = {3, 1, 3, 4, 3, 8};
+    return choices[seed % 6];
+}
+
+void Codegen::compareRandomPrograms(int longestFunction, unsigned share) {
+    const auto options = [&](int width) {
+        JitOptions options = GetParam().options(width);
+        options.longestFunction = longestFunction;
+        return options;
+    };
+    Jit wide(options(16), diagnostics_), narrow(options(1), diagnostics_);
     const bool runs = this->runs();
     // Code without masked memory operations takes LLVM long.
-    const unsigned programs = (!runs ? 5 : roundsAsHost() ? 40 : 20) * campaignFactor();
+    const unsigned programs = (!runs ? 5 : roundsAsHost() ? 40 : 20) * campaignFactor() / share;
     for (unsigned seed = 1; seed <= programs && !HasFailure(); ++seed) {
-        const ir::Function function = randomProgram(seed, roundsAsHost());
+        const ir::Function function = randomProgram(seed, roundsAsHost(), colorSamplesOf(seed));
         ASSERT_EQ(ir::verify(function), "") << "seed " << seed;
         const ShaderFunction wideCode = wide.compile(function);
         const ShaderFunction narrowCode = narrow.compile(function);
@@ -188,6 +200,14 @@ TEST_P(Codegen, RandomProgramsEqualTheInterpreterInAllLanes) {
     EXPECT_GE(finite_, numbers_ / 5);
     if (!runs)
         GTEST_SKIP() << "compiled for " << GetParam().name << ", which this machine can't execute";
+}
+
+TEST_P(Codegen, RandomProgramsEqualTheInterpreterInAllLanes) { compareRandomPrograms(0, 1); }
+
+/// Cut wherever it can be, and in pieces that hold control flow.
+TEST_P(Codegen, SoDoRandomProgramsInPieces) {
+    for (int longest : {1, 40})
+        compareRandomPrograms(longest, 4);
 }
 
 /// One operation on many numbers: ordinary ones, huge, tiny, and the special ones.
@@ -314,14 +334,14 @@ TEST_P(Codegen, IndicesOutsideAreClampedAndReportedAtEveryWidth) {
                 };
                 const auto reference = runWith(ir::interpret);
                 for (std::size_t k = 7; k < 11; ++k) // before, after
-                    EXPECT_EQ(reference[k][17], 7) << function.outputs[k].name;
+                    EXPECT_EQ(reference[k][17], 7) << function.outputs[k].name.text();
                 for (ShaderFunction code : codes) {
                     const auto found =
                         runWith([&](const ir::Function &, const ShaderArgs &args) { code(&args); });
                     for (std::size_t k = 0; k < found.size(); ++k)
                         EXPECT_TRUE(std::equal(found[k].begin(), found[k].end(),
                                                reference[k].begin(), sameBits))
-                            << function.outputs[k].name << " " << x << " " << y;
+                            << function.outputs[k].name.text() << " " << x << " " << y;
                 }
             }
 }

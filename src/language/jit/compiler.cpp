@@ -3,32 +3,23 @@
 
 #include "foundation/base/instruction_set.h"
 #include "language/jit/function_generator.h"
+#include "language/jit/llvm_errors.h"
+#include "language/jit/machine_pool.h"
 
+#include <llvm/IR/DiagnosticInfo.h>
+#include <llvm/IR/DiagnosticPrinter.h>
 #include <llvm/IR/LegacyPassManager.h>
 #include <llvm/IR/Module.h>
 #include <llvm/IR/Verifier.h>
 #include <llvm/MC/MCSubtargetInfo.h>
-#include <llvm/MC/TargetRegistry.h>
 #include <llvm/Passes/PassBuilder.h>
-#include <llvm/Support/TargetSelect.h>
 #include <llvm/Support/raw_ostream.h>
-#include <llvm/Target/TargetMachine.h>
 #include <llvm/TargetParser/Host.h>
 
-#include <chrono>
-#include <mutex>
+#include <ctime>
+#include <memory>
 
 namespace candela {
-
-static const llvm::Target *nativeTarget() {
-    static const llvm::Target *const target = [] {
-        llvm::InitializeNativeTarget();
-        llvm::InitializeNativeTargetAsmPrinter();
-        std::string error;
-        return llvm::TargetRegistry::lookupTarget(llvm::sys::getProcessTriple(), error);
-    }();
-    return target;
-}
 
 using Subtarget = std::unique_ptr<llvm::MCSubtargetInfo>;
 
@@ -92,14 +83,6 @@ bool hostRunsCode(const std::string &cpu) {
 
 std::string llvmVersion() { return LLVM_VERSION_STRING; }
 
-static std::unique_ptr<llvm::TargetMachine> machineFor(const CodeTarget &target) {
-    llvm::TargetOptions options;
-    options.AllowFPOpFusion = llvm::FPOpFusion::Strict;
-    return std::unique_ptr<llvm::TargetMachine>(nativeTarget()->createTargetMachine(
-        llvm::sys::getProcessTriple(), target.cpu, target.features, options, llvm::Reloc::PIC_,
-        llvm::CodeModel::Small, llvm::CodeGenOptLevel::Default, true));
-}
-
 static void optimise(llvm::Module &module, llvm::TargetMachine &machine) {
     llvm::LoopAnalysisManager loops;
     llvm::FunctionAnalysisManager functions;
@@ -115,7 +98,7 @@ static void optimise(llvm::Module &module, llvm::TargetMachine &machine) {
     passes.registerFunctionAnalyses(functions);
     passes.registerLoopAnalyses(loops);
     passes.crossRegisterProxies(loops, functions, graphs, modules);
-    // One function, nothing to inline: O2's module passes would look about in vain.
+    // Nothing to inline: O2's module passes would look about in vain.
     llvm::ModulePassManager pipeline;
     llvm::cantFail(passes.parsePassPipeline(
         pipeline, "function(sroa,early-cse<memssa>,instcombine<no-verify-fixpoint>,simplifycfg,"
@@ -124,44 +107,92 @@ static void optimise(llvm::Module &module, llvm::TargetMachine &machine) {
     pipeline.run(module, modules);
 }
 
-static double secondsSince(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+/// CPU seconds of this thread: several compile at once.
+static double threadSeconds() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
 }
 
-CompilerResult compileFunction(const ir::Function &function, const CodeTarget &target,
-                               const std::string &symbol, EmitForm form) {
-    CompilerResult result;
-    llvm::LLVMContext context;
-    llvm::Module module(function.name, context);
-    const auto machine = machineFor(target);
-    module.setTargetTriple(machine->getTargetTriple().str());
-    module.setDataLayout(machine->createDataLayout());
+namespace {
 
-    const auto start = std::chrono::steady_clock::now();
-    generateFunction(function, target, symbol, module);
-    llvm::raw_string_ostream errors(result.error);
-    if (llvm::verifyModule(module, &errors))
-        return result;
-    optimise(module, *machine);
-    result.secondsOptimising = secondsSince(start);
-
-    const auto emitStart = std::chrono::steady_clock::now();
-    llvm::SmallVector<char, 0> bytes;
-    llvm::raw_svector_ostream stream(bytes);
-    if (form == EmitForm::Ir) {
-        module.print(stream, nullptr);
-    } else {
-        llvm::legacy::PassManager emitter;
-        const auto type = form == EmitForm::Object ? llvm::CodeGenFileType::ObjectFile
-                                                   : llvm::CodeGenFileType::AssemblyFile;
-        if (machine->addPassesToEmitFile(emitter, stream, nullptr, type)) {
-            result.error = "the code generator can't emit such files";
-            return result;
-        }
-        emitter.run(module);
+/// What one module is compiled with. Not to be touched after LLVM has given up.
+class Compilation {
+public:
+    Compilation(const std::vector<NamedFunction> &functions, const CodeTarget &target)
+        : functions_(functions), target_(target), machine_(lendMachine(target)),
+          module_(functions.empty() ? "" : functions[0].function->name, context_) {
+        module_.setTargetTriple(machine_->getTargetTriple().str());
+        module_.setDataLayout(machine_->createDataLayout());
+        context_.setDiagnosticHandlerCallBack(noteError, this);
     }
-    result.bytes.assign(bytes.begin(), bytes.end());
-    result.secondsEmitting = secondsSince(emitStart);
+
+    void run(EmitForm form) {
+        const double start = threadSeconds();
+        for (const NamedFunction &each : functions_)
+            generateFunction(*each.function, target_, each.symbol, module_);
+        llvm::raw_string_ostream errors(result_.error);
+        if (llvm::verifyModule(module_, &errors))
+            return;
+        optimise(module_, *machine_);
+        const double optimised = threadSeconds();
+        emit(form);
+        result_.secondsOptimising = optimised - start;
+        result_.secondsEmitting = threadSeconds() - optimised;
+    }
+    CompilerResult takeResult() { return std::move(result_); }
+
+private:
+    /// Instead of LLVM's own, which ends the process.
+    static void noteError(const llvm::DiagnosticInfo *info, void *self) {
+        if (info->getSeverity() != llvm::DS_Error)
+            return;
+        llvm::raw_string_ostream text(static_cast<Compilation *>(self)->result_.error);
+        llvm::DiagnosticPrinterRawOStream printer(text);
+        info->print(printer);
+    }
+
+    void emit(EmitForm form) {
+        llvm::SmallVector<char, 0> bytes;
+        llvm::raw_svector_ostream stream(bytes);
+        if (form == EmitForm::Ir) {
+            module_.print(stream, nullptr);
+        } else {
+            llvm::legacy::PassManager emitter;
+            const auto type = form == EmitForm::Object ? llvm::CodeGenFileType::ObjectFile
+                                                       : llvm::CodeGenFileType::AssemblyFile;
+            if (machine_->addPassesToEmitFile(emitter, stream, nullptr, type)) {
+                result_.error = "the code generator can't emit such files";
+                return;
+            }
+            emitter.run(module_);
+        }
+        result_.bytes.assign(bytes.begin(), bytes.end());
+    }
+
+    const std::vector<NamedFunction> &functions_;
+    const CodeTarget &target_;
+    CompilerResult result_;
+    LentMachine machine_;
+    llvm::LLVMContext context_;
+    llvm::Module module_;
+};
+
+} // namespace
+
+CompilerResult compileFunctions(const std::vector<NamedFunction> &functions,
+                                const CodeTarget &target, EmitForm form) {
+    std::unique_ptr<Compilation> compilation;
+    CompilerResult result;
+    const std::string end = runGuarded([&] {
+        compilation = std::make_unique<Compilation>(functions, target);
+        compilation->run(form);
+    });
+    if (end.empty())
+        return compilation->takeResult();
+    // What LLVM has left behind can't be freed.
+    (void)compilation.release();
+    result.error = end;
     return result;
 }
 

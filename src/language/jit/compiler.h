@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One function through LLVM: generate, optimise, emit. Thread-safe: every call has an LLVM context
-// of its own.
+// Functions through LLVM, as one module: generate, optimise, emit. Thread-safe: every call has an
+// LLVM context of its own.
 #pragma once
 
 #include "language/ir/core/ir.h"
@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace candela {
 
@@ -29,7 +30,13 @@ struct CompilerResult {
     double secondsOptimising = 0, secondsEmitting = 0;
 };
 
-CompilerResult compileFunction(const ir::Function &, const CodeTarget &, const std::string &symbol,
-                               EmitForm);
+/// A function and the symbol that its code gets.
+struct NamedFunction {
+    const ir::Function *function = nullptr;
+    std::string symbol;
+};
+
+/// Whatever LLVM ends with, even for want of memory, is an error in the result.
+CompilerResult compileFunctions(const std::vector<NamedFunction> &, const CodeTarget &, EmitForm);
 
 } // namespace candela

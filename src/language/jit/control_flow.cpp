@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/jit/control_flow.h"
 
+#include "language/ir/core/op_info.h"
+
+#include <algorithm>
+
 namespace candela::codegen {
 
 using ir::Instruction;
@@ -52,13 +56,9 @@ void ControlFlow::emitUniformIf(const Instruction &i) {
 static bool isTrivial(const Region &region) {
     if (region.body.size() > 6)
         return false;
-    for (const Instruction &i : region.body) {
-        const bool plain = i.op <= Op::ConstString || (i.op >= Op::Add && i.op <= Op::Round) ||
-                           (i.op >= Op::Less && i.op <= Op::FloatFromBool);
-        if (!plain)
-            return false;
-    }
-    return true;
+    return std::all_of(region.body.begin(), region.body.end(), [](const Instruction &i) {
+        return ir::info(i.op).speculation == ir::Speculation::Always;
+    });
 }
 
 Values ControlFlow::emitBranch(const Region &region, Value *taken, const Instruction &owner) {

@@ -3,15 +3,19 @@
 #include "language/jit/function_generator.h"
 
 #include "foundation/units/color.h"
+#include "language/ir/core/op_info.h"
 #include "language/jit/arithmetic.h"
 #include "language/jit/array_memory.h"
+#include "language/jit/function_pieces.h"
 #include "language/jit/gathers.h"
 #include "language/jit/light_loop.h"
 #include "language/runtime/shader_abi.h"
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <span>
+#include <utility>
 
 namespace candela {
 namespace codegen {
@@ -19,6 +23,7 @@ namespace {
 
 using ir::Instruction;
 using ir::Op;
+using ir::OpClass;
 using ir::Rate;
 using ir::Region;
 
@@ -32,9 +37,25 @@ public:
 private:
     void emitBody(Value *mask);
     void emitRegion(const Region &);
+    void emitAll(std::span<const Instruction>);
+    /// The machine function that is being written, and what it knows of its surroundings.
+    struct Standing {
+        llvm::Function *function;
+        ShaderArguments::Place place;
+        MaskStack::Masks masks;
+        Value *allRun;
+        Value *spills;
+        Values arrays;
+    };
+    /// Makes another one the current one; gives that until now.
+    Standing exchangeStanding(Standing);
+    /// Writes a piece of a region as a machine function of its own, and calls it.
+    void emitPiece(std::span<const Instruction>);
+    Value *allLanesIn(Value *bits);
+    void loadAtHead(const Region &);
     void emit(const Instruction &);
     void emitControl(const Instruction &);
-    /// From Op::Add to Op::IntegerFromFloat.
+    /// Of values alone.
     Value *operation(const Instruction &);
     /// The results of what takes a value from outside; none of other instructions.
     Values source(const Instruction &);
@@ -51,6 +72,8 @@ private:
 
     const ir::Function &function_;
     CodeFunction code_;
+    const FunctionPieces pieces_;
+    std::optional<SpillArea> spills_; ///< If there are pieces.
     llvm::IRBuilder<> &builder_;
     ValueTable values_;
     ShaderArguments arguments_;
@@ -58,15 +81,20 @@ private:
     RuntimeCalls calls_;
     ArrayMemory arrays_;
     ControlFlow control_;
-    Value *allRun_ = nullptr; ///< Is every point of the block active?
+    Value *allRun_ = nullptr; ///< Do all lanes run where the machine function begins?
 };
 
 FunctionGenerator::FunctionGenerator(const ir::Function &function, const CodeTarget &target,
                                      const std::string &symbol, llvm::Module &module)
-    : function_(function), code_(target, module, symbol), builder_(code_.builder),
+    : function_(function), code_(target, module, symbol),
+      pieces_(cutIntoPieces(function, target.longestFunction)), builder_(code_.builder),
       values_(function, code_.lanes), arguments_(code_), gathers_(code_, arguments_, function.body),
-      calls_(code_, arguments_, values_), arrays_(code_, values_, calls_),
-      control_(code_, values_, [this](const Region &region) { emitRegion(region); }) {}
+      calls_(code_, arguments_, values_, pieces_), arrays_(code_, values_, calls_),
+      control_(code_, values_, [this](const Region &region) { emitRegion(region); }) {
+    code_.colorSamples = function.colors.samples;
+    if (!pieces_.whole())
+        values_.keepIn(spills_.emplace(code_, pieces_.slot, pieces_.slots));
+}
 
 void FunctionGenerator::generate() {
     auto *count = arguments_.field(offsetof(ShaderArgs, count), code_.integerType);
@@ -84,8 +112,7 @@ void FunctionGenerator::generate() {
     builder_.CreateCondBr(builder_.CreateIsNotNull(bits), body, next);
 
     builder_.SetInsertPoint(body);
-    const auto allBits = (1u << code_.lanes.width()) - 1;
-    allRun_ = builder_.CreateICmpEQ(bits, builder_.getInt32(allBits), "all_run");
+    allRun_ = allLanesIn(bits);
     emitBody(code_.lanes.maskOf(bits));
     builder_.CreateBr(next);
 
@@ -96,26 +123,54 @@ void FunctionGenerator::generate() {
 
     builder_.SetInsertPoint(done);
     builder_.CreateRetVoid();
+    if (spills_)
+        spills_->finish();
+}
+
+Value *FunctionGenerator::allLanesIn(Value *bits) {
+    const auto all = (1u << code_.lanes.width()) - 1;
+    return builder_.CreateICmpEQ(bits, builder_.getInt32(all), "all_run");
 }
 
 void FunctionGenerator::emitBody(Value *mask) {
     MaskStack::Scope scope(code_.masks, mask);
     arrays_.clear();
     gathers_.load();
+    if (spills_)
+        loadAtHead(function_.body);
     emitRegion(function_.body);
+}
+
+void FunctionGenerator::loadAtHead(const Region &region) {
+    for (const Instruction &i : region.body) {
+        const Values given = isLoadedAtHead(i.op) ? source(i) : Values();
+        for (std::size_t k = 0; k < given.size(); ++k)
+            values_.set(i.results[k], given[k]);
+        for (const Region &inner : i.regions)
+            loadAtHead(inner);
+    }
+}
+
+void FunctionGenerator::emitRegion(const Region &region) {
+    const std::span<const Instruction> body = region.body;
+    const auto cut = pieces_.cut.find(&region);
+    if (cut == pieces_.cut.end())
+        return emitAll(body);
+    for (const Piece &piece : cut->second)
+        emitPiece(body.subspan(piece.begin, piece.end - piece.begin));
 }
 
 static bool isStore(const Instruction &i) { return i.op == Op::Output || i.op == Op::FrameStore; }
 
-void FunctionGenerator::emitRegion(const Region &region) {
-    const auto end = region.body.end();
-    for (auto i = region.body.begin(); i != end;) {
+void FunctionGenerator::emitAll(std::span<const Instruction> instructions) {
+    const auto end = instructions.end();
+    for (auto i = instructions.begin(); i != end;) {
         if (!isStore(*i)) {
             emit(*i++);
             continue;
         }
         const auto last = std::find_if_not(i, end, isStore);
-        emitStores({&*i, std::size_t(last - i)});
+        emitStores({i, last});
         i = last;
     }
 }
@@ -155,11 +210,58 @@ FunctionGenerator::PlaneStore FunctionGenerator::planeStore(const Instruction &i
     return {value, arguments_.frameSlot(i.immediate, function_.frameSlots)};
 }
 
+void FunctionGenerator::emitPiece(std::span<const Instruction> instructions) {
+    Values given{arguments_.pointer(), arguments_.firstPoint(), code_.masks.currentBits(),
+                 spills_->base()};
+    given.insert(given.end(), arrays_.memory().begin(), arrays_.memory().end());
+    std::vector<llvm::Type *> types;
+    for (Value *each : given)
+        types.push_back(each->getType());
+    llvm::Function *function = code_.addPiece(types);
+    builder_.CreateCall(function, given);
+
+    llvm::IRBuilder<>::InsertPointGuard guard(builder_);
+    auto *prepare = llvm::BasicBlock::Create(code_.module.getContext(), "prepare", function);
+    auto *start = llvm::BasicBlock::Create(code_.module.getContext(), "piece", function);
+    builder_.SetInsertPoint(prepare);
+    builder_.CreateBr(start);
+    builder_.SetInsertPoint(start);
+    Values taken;
+    for (llvm::Argument &argument : function->args())
+        taken.push_back(&argument);
+    Standing caller = exchangeStanding({function,
+                                        {taken[0], taken[1], prepare, {}},
+                                        {code_.lanes.kept(code_.lanes.maskOf(taken[2]))},
+                                        allLanesIn(taken[2]),
+                                        taken[3],
+                                        {taken.begin() + 4, taken.end()}});
+    emitAll(instructions);
+    builder_.CreateRetVoid();
+    exchangeStanding(std::move(caller));
+}
+
+FunctionGenerator::Standing FunctionGenerator::exchangeStanding(Standing next) {
+    return {std::exchange(code_.function, next.function),
+            arguments_.exchangePlace(std::move(next.place)),
+            code_.masks.exchange(std::move(next.masks)),
+            std::exchange(allRun_, next.allRun),
+            spills_->exchangeBase(next.spills),
+            arrays_.exchangeMemory(std::move(next.arrays))};
+}
+
 void FunctionGenerator::emit(const Instruction &i) {
-    if (i.op >= Op::Add && i.op <= Op::IntegerFromFloat)
-        return values_.set(i.results[0], operation(i));
-    if (i.op >= Op::If && i.op <= Op::LightLoop)
-        return emitControl(i);
+    if (spills_ && isLoadedAtHead(i.op))
+        return;
+    switch (ir::info(i.op).kind) {
+    case OpClass::Arithmetic:
+    case OpClass::Transcendental:
+    case OpClass::Comparison:
+    case OpClass::Logic:
+    case OpClass::Choice:
+    case OpClass::Conversion: return values_.set(i.results[0], operation(i));
+    case OpClass::Control: return emitControl(i);
+    default: break;
+    }
     const Values given = source(i);
     for (std::size_t k = 0; k < given.size(); ++k)
         values_.set(i.results[k], given[k]);
@@ -170,7 +272,7 @@ void FunctionGenerator::emit(const Instruction &i) {
 Value *FunctionGenerator::operation(const Instruction &i) {
     const Rate rate = values_.rate(i.results[0]);
     const auto operand = [&](int k) { return values_.get(i.operands[k], rate); };
-    if (i.op > Op::Pow)
+    if (!ir::isFloatArithmetic(i.op))
         return logicOperation(code_, i.op, rate, operand);
     auto *a = operand(0), *b = operand(int(i.operands.size()) - 1);
     return floatOperation(code_, i.op, a, b);
@@ -225,7 +327,7 @@ Values FunctionGenerator::source(const Instruction &i) {
     case Op::CategoryAccepts:
         return {acceptedByCategory(code_, arguments_, i.immediate, arguments_.firstPoint())};
     case Op::Answer:
-        return arguments_.color(offsetof(ShaderArgs, answers), i.immediate * colorSamples);
+        return arguments_.color(offsetof(ShaderArgs, answers), i.immediate * code_.colorSamples);
     case Op::Ambient: return arguments_.color(offsetof(ShaderArgs, ambient), 0);
     case Op::Irradiance: return arguments_.color(offsetof(ShaderArgs, irradiance), 0);
     default: return {};
@@ -238,6 +340,7 @@ void FunctionGenerator::emitMemory(const Instruction &i) {
     case Op::ArrayStore: return arrays_.store(i);
     case Op::Call: return calls_.call(i);
     case Op::Print: return calls_.print(i);
+    case Op::EmissionCone: return; // For Question::Emission.
     default: return;
     }
 }

@@ -40,6 +40,7 @@ static void addRegion(ContentHash &hash, const ir::Region &region) {
 }
 
 void addFunction(ContentHash &hash, const ir::Function &function) {
+    hash.add(std::uint64_t(function.colors.samples));
     hash.add(function.values.size());
     for (const ir::Value &value : function.values)
         hash.add(std::uint64_t(value.type) << 8 | std::uint64_t(value.rate));

@@ -3,6 +3,7 @@
 
 #include "language/jit/compiler.h"
 #include "language/jit/function_hash.h"
+#include "language/jit/llvm_errors.h"
 #include "language/jit/object_cache.h"
 #include "language/jit/print_lanes.h"
 #include "language/jit/runtime_symbols.h"
@@ -20,16 +21,23 @@ namespace candela {
 
 namespace orc = llvm::orc;
 
+using Functions = std::span<const ir::Function *const>;
+using Codes = std::vector<ShaderFunction>;
+
+static std::string failure(const std::string &of, const std::string &why) {
+    return "no code can be made for " + of + ": " + why;
+}
+
 struct Jit::State {
     State(const JitOptions &, DiagnosticSink &);
 
     void createLinker();
     void defineSymbols();
-    std::string keyOf(const ir::Function &) const;
-    ShaderFunction make(const ir::Function &, const std::string &key);
-    ShaderFunction link(const std::string &object, const std::string &symbol);
-    std::string compileObject(const ir::Function &, const std::string &symbol);
-    void fail(const std::string &what);
+    std::string keyOf(Functions) const;
+    Codes make(Functions, const std::string &key, DiagnosticSink &);
+    /// No codes, and what is wrong, if the object can't be linked.
+    Codes link(const std::string &object, const std::vector<NamedFunction> &, std::string &error);
+    std::string compileObject(const std::vector<NamedFunction> &, std::string &error);
 
     JitOptions options;
     DiagnosticSink &sink;
@@ -40,7 +48,8 @@ struct Jit::State {
     std::mutex mutex;
     std::condition_variable made;
     /// By key: null while a thread is at it.
-    std::map<std::string, std::optional<ShaderFunction>> functions;
+    std::map<std::string, std::optional<Codes>> modules;
+    int linked = 0; ///< Objects.
     Statistics statistics;
 };
 
@@ -56,18 +65,24 @@ Jit::State::State(const JitOptions &given, DiagnosticSink &diagnostics)
                                         : std::filesystem::path(given.cacheFolder)) {
     if (given.width != 1 && given.width != laneBlock)
         target.reset();
+    if (target && given.longestFunction > 0)
+        target->longestFunction = given.longestFunction;
     if (target)
         createLinker();
     else
-        fail("no code can be generated for CPU \"" + cpuOf(given) + "\" at width " +
-             std::to_string(given.width));
+        sink.error({},
+                   failure("CPU \"" + cpuOf(given) + "\" at width " + std::to_string(given.width),
+                           "LLVM knows no such CPU or width"));
 }
 
 void Jit::State::createLinker() {
     auto created = orc::LLJITBuilder().setPlatformSetUp(orc::setUpInactivePlatform).create();
     if (!created)
-        return fail(llvm::toString(created.takeError()));
+        return sink.error({}, failure("this process", llvm::toString(created.takeError())));
     linker = std::move(*created);
+    // Errors come back from where they are met as well, and are reported there.
+    linker->getExecutionSession().setErrorReporter(
+        [](llvm::Error error) { llvm::consumeError(std::move(error)); });
     defineSymbols();
 }
 
@@ -96,65 +111,90 @@ void Jit::State::defineSymbols() {
     define("memcpy", &std::memcpy);
     define("memmove", &std::memmove);
     if (auto error = linker->getMainJITDylib().define(orc::absoluteSymbols(std::move(symbols)))) {
-        fail(llvm::toString(std::move(error)));
+        sink.error({}, failure("this process", llvm::toString(std::move(error))));
         linker.reset();
     }
 }
 
-std::string Jit::State::keyOf(const ir::Function &function) const {
+std::string Jit::State::keyOf(Functions functions) const {
     ContentHash hash;
     hash.add(std::string_view(CANDELA_CODEGEN_HASH));
     hash.add(llvmVersion());
     hash.add(target->cpu);
     hash.add(target->features);
     hash.add(std::uint64_t(target->width));
-    addFunction(hash, function);
+    hash.add(std::uint64_t(target->longestFunction));
+    for (const ir::Function *function : functions)
+        addFunction(hash, *function);
     return hash.text();
 }
 
-void Jit::State::fail(const std::string &what) {
-    sink.error({}, "compiling a shader failed: " + what);
-}
-
-std::string Jit::State::compileObject(const ir::Function &function, const std::string &symbol) {
-    CompilerResult result = compileFunction(function, *target, symbol, EmitForm::Object);
-    if (!result.error.empty())
-        fail(function.name + ": " + result.error);
+std::string Jit::State::compileObject(const std::vector<NamedFunction> &functions,
+                                      std::string &error) {
+    CompilerResult result = compileFunctions(functions, *target, EmitForm::Object);
+    error = result.error;
     std::lock_guard lock(mutex);
-    ++statistics.compiled;
+    statistics.compiled += int(functions.size());
     statistics.secondsOptimising += result.secondsOptimising;
     statistics.secondsEmitting += result.secondsEmitting;
-    return result.error.empty() ? result.bytes : std::string();
+    return std::move(result.bytes);
 }
 
-ShaderFunction Jit::State::link(const std::string &object, const std::string &symbol) {
-    auto buffer = llvm::MemoryBuffer::getMemBufferCopy(object, symbol);
-    if (auto error = linker->addObjectFile(std::move(buffer))) {
-        fail(llvm::toString(std::move(error)));
-        return nullptr;
-    }
-    auto address = linker->lookup(symbol);
-    if (!address) {
-        fail(llvm::toString(address.takeError()));
-        return nullptr;
-    }
-    return address->toPtr<ShaderFunction>();
-}
-
-ShaderFunction Jit::State::make(const ir::Function &function, const std::string &key) {
-    const std::string symbol = "shader_" + key;
-    if (const auto stored = cache.load(key)) {
+Codes Jit::State::link(const std::string &object, const std::vector<NamedFunction> &functions,
+                       std::string &error) {
+    Codes codes;
+    const std::string end = runGuarded([&] {
+        std::string name;
         {
             std::lock_guard lock(mutex);
-            ++statistics.fromCache;
+            name = "object " + std::to_string(linked++);
         }
-        return link(*stored, symbol);
+        // A library of its own: what a bad object leaves behind is in nobody's way.
+        auto library = linker->createJITDylib(name);
+        if (!library)
+            return void(error = llvm::toString(library.takeError()));
+        auto buffer = llvm::MemoryBuffer::getMemBufferCopy(object, functions[0].symbol);
+        library->addToLinkOrder(linker->getMainJITDylib());
+        if (auto problem = linker->addObjectFile(*library, std::move(buffer)))
+            return void(error = llvm::toString(std::move(problem)));
+        for (const NamedFunction &each : functions) {
+            auto address = linker->lookup(*library, each.symbol);
+            if (!address)
+                return void(error = llvm::toString(address.takeError()));
+            codes.push_back(address->toPtr<ShaderFunction>());
+        }
+    });
+    if (error.empty())
+        error = end;
+    return error.empty() ? codes : Codes();
+}
+
+Codes Jit::State::make(Functions given, const std::string &key, DiagnosticSink &told) {
+    std::vector<NamedFunction> functions;
+    for (const ir::Function *function : given)
+        functions.push_back({function, "shader_" + key + "_" + std::to_string(functions.size())});
+    const auto stored = cache.load(key);
+    if (const std::string objection = cache.takeObjection(); !objection.empty())
+        sink.warning({}, objection);
+    std::string error;
+    if (stored) {
+        if (Codes codes = link(*stored, functions, error); !codes.empty()) {
+            std::lock_guard lock(mutex);
+            statistics.fromCache += int(codes.size());
+            return codes;
+        }
+        // Whatever has become of it: it can be made again.
+        cache.remove(key);
+        error.clear();
     }
-    const std::string object = compileObject(function, symbol);
-    if (object.empty())
-        return nullptr;
+    const std::string object = compileObject(functions, error);
+    Codes codes = error.empty() ? link(object, functions, error) : Codes();
+    if (codes.empty()) {
+        told.error({}, failure(given[0]->name, error));
+        return Codes(functions.size());
+    }
     cache.store(key, object);
-    return link(object, symbol);
+    return codes;
 }
 
 Jit::Jit(JitOptions options, DiagnosticSink &sink)
@@ -163,34 +203,40 @@ Jit::Jit(JitOptions options, DiagnosticSink &sink)
 Jit::~Jit() = default;
 
 ShaderFunction Jit::compile(const ir::Function &function) {
+    const ir::Function *one[] = {&function};
+    return compile(one, state_->sink)[0];
+}
+
+std::vector<ShaderFunction> Jit::compile(std::span<const ir::Function *const> functions,
+                                         DiagnosticSink &told) {
     State &state = *state_;
-    if (!state.linker)
-        return nullptr;
-    const std::string key = state.keyOf(function);
+    if (!state.linker || functions.empty())
+        return Codes(functions.size());
+    const std::string key = state.keyOf(functions);
     {
         std::unique_lock lock(state.mutex);
-        auto [entry, isNew] = state.functions.try_emplace(key);
+        auto [entry, isNew] = state.modules.try_emplace(key);
         if (!isNew) {
             state.made.wait(lock, [&] { return entry->second.has_value(); });
             return *entry->second;
         }
     }
-    const ShaderFunction code = state.make(function, key);
+    Codes codes = state.make(functions, key, told);
     {
         std::lock_guard lock(state.mutex);
-        state.functions[key] = code;
+        state.modules[key] = codes;
     }
     state.made.notify_all();
-    return code;
+    return codes;
 }
 
 std::string Jit::emit(const ir::Function &function, bool assembly) {
     if (!state_->target)
         return {};
-    CompilerResult result = compileFunction(function, *state_->target, "shader",
-                                            assembly ? EmitForm::Assembly : EmitForm::Ir);
+    CompilerResult result = compileFunctions({{&function, "shader"}}, *state_->target,
+                                             assembly ? EmitForm::Assembly : EmitForm::Ir);
     if (!result.error.empty())
-        state_->fail(function.name + ": " + result.error);
+        state_->sink.error({}, failure(function.name, result.error));
     return result.bytes;
 }
 

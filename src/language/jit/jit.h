@@ -9,7 +9,9 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace candela {
 
@@ -22,6 +24,7 @@ struct JitOptions {
     /// ~/.cache/candela. A folder that can't be written is done without.
     std::string cacheFolder;
     bool useCache = true;
+    int longestFunction = 0; ///< As CodeTarget has it; 0 = as CodeTarget has it by itself.
 };
 
 /// Compiles functions and keeps their code alive. Thread-safe.
@@ -30,9 +33,12 @@ public:
     Jit(JitOptions, DiagnosticSink &);
     ~Jit();
 
-    /// The function's code, from the cache where it is there; null (and a diagnostic) if LLVM
-    /// fails. The code lives as long as the Jit.
+    /// The function's code, from the cache where it is there; null (and an error that names the
+    /// function) if LLVM fails. The code lives as long as the Jit.
     ShaderFunction compile(const ir::Function &);
+    /// The same for functions that are compiled together, as one module: null for all of them if
+    /// any fails, which this sink is told.
+    std::vector<ShaderFunction> compile(std::span<const ir::Function *const>, DiagnosticSink &);
 
     /// LLVM IR after optimisation, or assembly, as `candela compile --emit llvm|asm` prints it.
     std::string emit(const ir::Function &, bool assembly);

@@ -94,7 +94,7 @@ LightLoop::Sample LightLoop::deltaSample() {
     const ir::Instruction &i = instruction_;
     Sample sample;
     sample.L = values_.get({i.operands[3], i.operands[4], i.operands[5]}, Rate::Varying);
-    sample.Cl = arguments_.color(offsetof(ShaderArgs, answers), i.immediate * colorSamples);
+    sample.Cl = arguments_.color(offsetof(ShaderArgs, answers), i.immediate * code_.colorSamples);
     auto *speaks = code_.masks.currentAnd(code_.lanes.asMask(delta_));
     sample.lanes = code_.lanes.kept(builder_.CreateAnd(speaks, anyNonZero(code_, sample.Cl)));
     return sample;
@@ -112,7 +112,7 @@ void LightLoop::findPlanes(Value *count) {
             };
             for (int k = 0; k < 3; ++k)
                 find(offsetof(ShaderArgs, sampleL), k);
-            for (int k = 0; k < colorSamples; ++k)
+            for (int k = 0; k < code_.colorSamples; ++k)
                 find(offsetof(ShaderArgs, sampleCl), k);
             return planes;
         });
@@ -130,7 +130,7 @@ LightLoop::Sample LightLoop::finiteSample(Value *number) {
     Sample sample;
     for (int k = 0; k < 3; ++k)
         sample.L.push_back(loadRow(samplePlanes_[k]));
-    for (int k = 0; k < colorSamples; ++k)
+    for (int k = 0; k < code_.colorSamples; ++k)
         sample.Cl.push_back(loadRow(samplePlanes_[3 + k]));
     auto *lanes = code_.masks.currentAnd(anyNonZero(code_, sample.Cl));
     const auto narrow = [&](Value *test) { lanes = builder_.CreateAnd(lanes, test); };
@@ -172,7 +172,7 @@ LightLoop::Sample LightLoop::sample(Value *number) {
     Sample merged;
     for (int k = 0; k < 3; ++k)
         merged.L.push_back(merge(fromDelta.L[k], fromFinite.L[k]));
-    for (int k = 0; k < colorSamples; ++k)
+    for (int k = 0; k < code_.colorSamples; ++k)
         merged.Cl.push_back(merge(fromDelta.Cl[k], fromFinite.Cl[k]));
     merged.lanes = merge(fromDelta.lanes, fromFinite.lanes);
     return merged;
@@ -192,7 +192,7 @@ std::vector<llvm::PHINode *> LightLoop::carry(const Values &initial, llvm::Basic
     for (std::size_t k = 0; k < initial.size(); ++k) {
         phis.push_back(builder_.CreatePHI(initial[k]->getType(), 2));
         phis[k]->addIncoming(initial[k], from);
-        values_.set(i.regions[0].arguments[3 + colorSamples + k], phis[k]);
+        values_.set(i.regions[0].arguments[3 + code_.colorSamples + k], phis[k]);
         values_.set(i.results[k], phis[k]);
     }
     return phis;
@@ -202,7 +202,7 @@ Values LightLoop::run(const Sample &light, const Values &carried, const EmitRegi
     const ir::Region &region = instruction_.regions[0];
     for (int k = 0; k < 3; ++k)
         values_.set(region.arguments[k], light.L[k]);
-    for (int k = 0; k < colorSamples; ++k)
+    for (int k = 0; k < code_.colorSamples; ++k)
         values_.set(region.arguments[3 + k], light.Cl[k]);
     MaskStack::Scope scope(code_.masks, light.lanes);
     emitRegion(region);

@@ -5,6 +5,7 @@
 
 #include "language/jit/lanes.h"
 
+#include <utility>
 #include <vector>
 
 namespace candela::codegen {
@@ -15,8 +16,17 @@ public:
 
     /// The lanes that run now.
     llvm::Value *current() const { return lanes_.asMask(masks_.back()); }
-    /// Is that all of a block's points, no control construct having narrowed it?
+    /// As an integer of 32 bits, lane 0 the lowest.
+    llvm::Value *currentBits() const {
+        return builder_.CreateZExt(lanes_.bits(current()), builder_.getInt32Ty());
+    }
+    /// Are these the lanes with which the machine function began, no control construct having
+    /// narrowed them?
     bool isWhole() const { return masks_.size() == 1; }
+
+    using Masks = std::vector<llvm::Value *>; ///< As they are kept, the narrowest last.
+    /// From here on code stands in another machine function; gives the masks until now.
+    Masks exchange(Masks masks) { return std::exchange(masks_, std::move(masks)); }
 
     llvm::Value *currentAnd(llvm::Value *test) const {
         return builder_.CreateAnd(current(), test, "mask");
@@ -42,7 +52,7 @@ public:
 private:
     llvm::IRBuilder<> &builder_;
     const Lanes &lanes_;
-    std::vector<llvm::Value *> masks_;
+    Masks masks_;
 };
 
 } // namespace candela::codegen

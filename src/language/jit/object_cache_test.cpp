@@ -127,6 +127,108 @@ TEST_F(ObjectCacheTest, CompilesAnewWhatIsDamaged) {
     EXPECT_EQ(jit.statistics().fromCache, 1);
 }
 
+/// The key of the one object in the folder.
+std::string onlyKey(const std::vector<fs::path> &files) { return files.at(0).stem().string(); }
+
+TEST_F(ObjectCacheTest, CompilesAnewWhatIsNoObjectOfTheKeyThoughItsChecksumIsRight) {
+    std::string other;
+    {
+        Jit jit(options(), diagnostics_);
+        expectAdds(jit.compile(adding(5)), 5);
+        const std::string key = onlyKey(files());
+        other = *ObjectCache(folder_).load(key);
+        fs::remove_all(folder_);
+    }
+    { Jit(options(), diagnostics_).compile(adding(6)); }
+    const std::string key = onlyKey(files());
+    const std::string good = *ObjectCache(folder_).load(key);
+    // Not an object; half of one; one whose symbol has another name; one that calls what isn't.
+    std::string calling = good;
+    for (std::size_t at; (at = calling.find("shader_" + key)) != std::string::npos;)
+        calling[at] = 'x';
+    for (const std::string &bad :
+         {std::string("not an object"), good.substr(0, good.size() / 2), other, calling}) {
+        ObjectCache(folder_).store(key, bad);
+        for (int round = 0; round < 2; ++round) {
+            Jit jit(options(), diagnostics_);
+            expectAdds(jit.compile(adding(6)), 6);
+            EXPECT_EQ(jit.statistics().compiled, round == 0 ? 1 : 0);
+            EXPECT_EQ(jit.statistics().fromCache, round);
+        }
+    }
+    EXPECT_EQ(diagnostics_.text(), "");
+}
+
+TEST_F(ObjectCacheTest, TakesNoOtherKeysObject) {
+    ObjectCache cache(folder_);
+    cache.store("one", "bytes");
+    fs::copy_file(folder_ / "one.object", folder_ / "two.object");
+    fs::permissions(folder_ / "two.object", fs::perms::owner_read);
+    EXPECT_TRUE(cache.load("one"));
+    EXPECT_FALSE(cache.load("two"));
+}
+
+TEST_F(ObjectCacheTest, IsTheUsersOwn) {
+    ObjectCache(folder_).store("key", "bytes");
+    EXPECT_EQ(fs::status(folder_).permissions(), fs::perms::owner_all);
+    EXPECT_EQ(fs::status(folder_ / "key.object").permissions(),
+              fs::perms::owner_read | fs::perms::owner_write);
+}
+
+TEST_F(ObjectCacheTest, IsNotUsedIfOthersMayWriteToIt) {
+    ObjectCache(folder_).store("key", "bytes");
+    for (const fs::perms open : {fs::perms::group_write, fs::perms::others_write}) {
+        fs::permissions(folder_, fs::perms::owner_all | open);
+        ObjectCache cache(folder_);
+        EXPECT_FALSE(cache.load("key"));
+        cache.store("new", "bytes");
+        EXPECT_NE(cache.takeObjection().find("can be written by others"), std::string::npos);
+        EXPECT_EQ(cache.takeObjection(), "");
+        EXPECT_EQ(files().size(), 1u);
+    }
+    fs::permissions(folder_, fs::perms::owner_all);
+    EXPECT_TRUE(ObjectCache(folder_).load("key"));
+    fs::permissions(folder_ / "key.object", fs::perms::owner_all | fs::perms::group_write);
+    EXPECT_FALSE(ObjectCache(folder_).load("key"));
+}
+
+TEST_F(ObjectCacheTest, FollowsNoLinks) {
+    const fs::path outside = folder_ / "outside";
+    ObjectCache(outside).store("key", "bytes");
+    ObjectCache cache(folder_ / "cache");
+    cache.store("other", "bytes");
+    fs::create_symlink(outside / "key.object", folder_ / "cache" / "key.object");
+    EXPECT_TRUE(ObjectCache(outside).load("key"));
+    EXPECT_FALSE(cache.load("key"));
+    cache.store("key", "new"); // In place of the link.
+    EXPECT_EQ(cache.load("key"), "new");
+    EXPECT_EQ(ObjectCache(outside).load("key"), "bytes");
+}
+
+TEST_F(ObjectCacheTest, WarnsOnceOfAFolderThatIsNotUsed) {
+    fs::create_directories(folder_);
+    fs::permissions(folder_, fs::perms::all);
+    Jit jit(options(), diagnostics_);
+    expectAdds(jit.compile(adding(7)), 7);
+    expectAdds(jit.compile(adding(8)), 8);
+    EXPECT_EQ(diagnostics_.count(Severity::Warning), 1);
+    EXPECT_TRUE(files().empty());
+}
+
+TEST_F(ObjectCacheTest, KeepsFunctionsThatAreCompiledTogether) {
+    const ir::Function two[] = {adding(1), adding(2)};
+    const ir::Function *const both[] = {&two[0], &two[1]};
+    for (int round = 0; round < 2; ++round) {
+        Jit jit(options(), diagnostics_);
+        const auto codes = jit.compile(both, diagnostics_);
+        ASSERT_EQ(codes.size(), 2u);
+        expectAdds(codes[0], 1);
+        expectAdds(codes[1], 2);
+        EXPECT_EQ(jit.statistics().fromCache, 2 * round);
+    }
+    EXPECT_EQ(files().size(), 1u);
+}
+
 TEST_F(ObjectCacheTest, IsDoneWithoutWhereTheFolderCannotBe) {
     fs::create_directories(folder_);
     std::ofstream(folder_ / "file") << "no folder";

@@ -6,6 +6,7 @@
 #include "language/ir/core/builder_effects.h"
 #include "language/ir/core/builder_light.h"
 #include "language/ir/core/builder_sources.h"
+#include "language/ir/core/op_info.h"
 #include "language/runtime/runtime_functions.h"
 
 #include <algorithm>
@@ -101,7 +102,7 @@ protected:
     }
     /// Of two of the floats.
     ir::ValueId comparison(const ir::Values &pool) {
-        return binary(b_, Op(int(Op::Less) + below(4)), pick(pool), pick(pool));
+        return binary(b_, comparisons_[below(int(comparisons_.size()))], pick(pool), pick(pool));
     }
     ir::Triple triple() { return {pick(pools_.floats), pick(pools_.floats), pick(pools_.floats)}; }
 
@@ -110,11 +111,9 @@ protected:
 
 private:
     ir::ValueId arithmetic(const ir::Values &pool) {
-        const int first = int(Op::Add);
-        const int last = int(oneLevel_ ? Op::Pow : Op::Sqrt);
-        const Op op = Op(first + below(last - first + 1));
-        const bool two =
-            op <= Op::Div || op == Op::Min || op == Op::Max || op == Op::Atan2 || op == Op::Pow;
+        const auto &all = oneLevel_ ? arithmetic_ : exactArithmetic_;
+        const Op op = all[below(int(all.size()))];
+        const bool two = ir::info(op).operands.size() == 2;
         return two ? binary(b_, op, pick(pool), pick(pool)) : unary(b_, op, pick(pool));
     }
     void logic() {
@@ -186,6 +185,19 @@ private:
                      pick(pools_.uniforms), pick(pools_.floats), pick(pools_.floats)});
     }
 
+    template <typename Test> static std::vector<Op> operations(Test test) {
+        std::vector<Op> result;
+        for (int op = 0; op < ir::opCount; ++op)
+            if (test(Op(op)))
+                result.push_back(Op(op));
+        return result;
+    }
+
+    /// Float to float, and of those what is the same at all levels.
+    const std::vector<Op> arithmetic_ = operations(ir::isFloatArithmetic);
+    const std::vector<Op> exactArithmetic_ =
+        operations([](Op op) { return ir::info(op).kind == ir::OpClass::Arithmetic; });
+    const std::vector<Op> comparisons_ = operations(ir::isFloatComparison);
     bool oneLevel_;
     std::vector<int> arrays_;
     int boolArray_ = 0;

@@ -117,7 +117,8 @@ private:
             b_, addRequest(b_, request), triple(), cones, initial,
             [&](const ir::Triple &L, const ir::Values &Cl, const ir::Values &carried) {
                 const RandomPools before = pools_;
-                pools_.keep({L[0], L[1], L[2], Cl[0], Cl[1], Cl[2], carried[0]});
+                pools_.keep({L[0], L[1], L[2], carried[0]});
+                pools_.keep(Cl);
                 pools_.bools.push_back(carried[1]);
                 const ir::Values yields = scoped(1 + below(5), depth - 1, [&] {
                     return ir::Values{add(b_, carried[0], pick(pools_.floats)), pick(pools_.bools)};
@@ -132,8 +133,9 @@ private:
 
 /// Unless it is for one instruction-set level alone, all of them give the same bits: there are no
 /// transcendentals then, and no gradient noise.
-inline ir::Function randomProgram(unsigned seed, bool oneLevel) {
+inline ir::Function randomProgram(unsigned seed, bool oneLevel, int colorSamples = 3) {
     ir::Function function;
+    function.colors = evenBasis(colorSamples);
     ir::Builder b(function);
     RandomProgram(b, seed, oneLevel).write("random" + std::to_string(seed));
     return function;

@@ -7,7 +7,8 @@ namespace candela::codegen {
 
 using ir::Rate;
 
-RuntimeCalls::RuntimeCalls(CodeFunction &code, const ShaderArguments &arguments, ValueTable &values)
+RuntimeCalls::RuntimeCalls(CodeFunction &code, const ShaderArguments &arguments, ValueTable &values,
+                           const FunctionPieces &pieces)
     : code_(code), builder_(code.builder), arguments_(arguments), values_(values) {
     std::map<std::string, int> offsets;
     for (const std::string &text : values.function().strings) {
@@ -16,18 +17,27 @@ RuntimeCalls::RuntimeCalls(CodeFunction &code, const ShaderArguments &arguments,
             strings_.append(text.c_str(), text.size() + 1);
         stringOffset_.push_back(known->second);
     }
-    pair(values.function().body);
+    pair(values.function().body, pieces);
 }
 
-void RuntimeCalls::pair(const ir::Region &region) {
+void RuntimeCalls::pair(const ir::Region &region, const FunctionPieces &pieces) {
+    const std::span<const ir::Instruction> body = region.body;
+    if (const auto cut = pieces.cut.find(&region); cut == pieces.cut.end())
+        pair(body);
+    else
+        for (const Piece &piece : cut->second)
+            pair(body.subspan(piece.begin, piece.end - piece.begin));
+    for (const ir::Instruction &i : body)
+        for (const ir::Region &inner : i.regions)
+            pair(inner, pieces);
+}
+
+void RuntimeCalls::pair(std::span<const ir::Instruction> together) {
     using Key = std::pair<int, std::vector<ir::ValueId>>;
     std::map<Key, const ir::Instruction *> calls;
-    for (const ir::Instruction &i : region.body) {
+    for (const ir::Instruction &i : together)
         if (i.op == ir::Op::Call)
             calls.emplace(Key(i.immediate, i.operands), &i);
-        for (const ir::Region &inner : i.regions)
-            pair(inner);
-    }
     for (const auto &[key, plain] : calls)
         if (const auto slopes = runtime::withSlopes(runtime::RuntimeFunction(key.first)))
             if (auto found = calls.find({int(*slopes), key.second}); found != calls.end())
@@ -61,29 +71,34 @@ llvm::FunctionCallee RuntimeCalls::runtimeFunction(const ir::Instruction &i, llv
     return callee;
 }
 
+/// Results are set where their own instruction stands, never sooner: only from there on their spill
+/// slots are theirs.
 void RuntimeCalls::call(const ir::Instruction &i) {
     const auto paired = withSlopes_.find(&i);
     const ir::Instruction &asked = paired == withSlopes_.end() ? i : *paired->second;
-    if (evaluated_.insert(&asked).second)
-        evaluate(asked);
-    for (std::size_t k = 0; k < i.results.size() && &asked != &i; ++k)
-        values_.set(i.results[k], values_.get(asked.results[k]));
+    Values &given = evaluated_[&asked];
+    if (given.empty())
+        given = evaluate(asked);
+    for (std::size_t k = 0; k < i.results.size(); ++k)
+        values_.set(i.results[k], given[k]);
 }
 
-void RuntimeCalls::evaluate(const ir::Instruction &i) {
+Values RuntimeCalls::evaluate(const ir::Instruction &i) {
     const Rate rate = values_.rate(i.results[0]);
     auto *type = code_.lanes.type(ir::Type::Float, rate);
     Values arguments = values_.get(i.operands, rate);
-    if (i.results.size() > 1) {
-        if (!outputs_)
-            outputs_ = code_.entryMemory(code_.lanes.varying(code_.floatType),
-                                         runtime::maxRuntimeOutputs - 1, "call_outputs");
-        arguments.push_back(outputs_);
-    }
-    values_.set(i.results[0], builder_.CreateCall(runtimeFunction(i, type), arguments));
+    if (i.results.size() == 1)
+        return {builder_.CreateCall(runtimeFunction(i, type), arguments)};
+    Value *&others = callMemory_[code_.function];
+    if (!others)
+        others = code_.entryMemory(code_.lanes.varying(code_.floatType),
+                                   runtime::maxRuntimeOutputs - 1, "call_outputs");
+    arguments.push_back(others);
+    Values given{builder_.CreateCall(runtimeFunction(i, type), arguments)};
     for (std::size_t k = 1; k < i.results.size(); ++k)
-        values_.set(i.results[k],
-                    builder_.CreateLoad(type, builder_.CreateConstGEP1_64(type, outputs_, k - 1)));
+        given.push_back(
+            builder_.CreateLoad(type, builder_.CreateConstGEP1_64(type, others, k - 1)));
+    return given;
 }
 
 /// candela_print(args, strings, types, operand count, cells, width, active lanes): all lanes'
@@ -105,11 +120,11 @@ void RuntimeCalls::print(const ir::Instruction &i) {
     auto *signature = llvm::FunctionType::get(
         builder_.getVoidTy(), {pointer, pointer, pointer, integer, pointer, integer, integer},
         false);
-    auto *active = builder_.CreateZExt(code_.lanes.bits(code_.masks.current()), integer);
     builder_.CreateCall(code_.external(printSymbol, signature, false),
                         {arguments_.pointer(), text(strings_), text(types),
                          builder_.getInt32(std::uint32_t(types.size())), cells,
-                         builder_.getInt32(std::uint32_t(code_.lanes.width())), active});
+                         builder_.getInt32(std::uint32_t(code_.lanes.width())),
+                         code_.masks.currentBits()});
 }
 
 /// candela_index_outside(args, file, line).

@@ -10,12 +10,13 @@
 
 namespace candela::codegen {
 
-ShaderArguments::ShaderArguments(CodeFunction &code)
-    : code_(code), builder_(code.builder), pointer_(code.function->getArg(0)) {}
+ShaderArguments::ShaderArguments(CodeFunction &code) : code_(code), builder_(code.builder) {
+    place_.pointer = code.function->getArg(0);
+}
 
 void ShaderArguments::enterBlock(llvm::BasicBlock *prepare, Value *firstPoint) {
-    prepare_ = prepare;
-    firstPoint_ = firstPoint;
+    place_.prepare = prepare;
+    place_.firstPoint = firstPoint;
 }
 
 Value *ShaderArguments::blockBits(Value *count) {
@@ -27,25 +28,26 @@ Value *ShaderArguments::blockBits(Value *count) {
     auto *load = code_.block("load_mask"), *join = code_.block("join_mask");
     builder_.CreateCondBr(builder_.CreateIsNull(given), join, load);
     builder_.SetInsertPoint(load);
-    auto *index = builder_.CreateLShr(firstPoint_, 4);
+    auto *index = builder_.CreateLShr(place_.firstPoint, 4);
     auto *loaded = code_.invariantLoad(word, builder_.CreateGEP(word, given, index));
     auto *shifted = builder_.CreateLShr(builder_.CreateZExt(loaded, integer),
-                                        builder_.CreateAnd(firstPoint_, 15));
+                                        builder_.CreateAnd(place_.firstPoint, 15));
     builder_.CreateBr(join);
     builder_.SetInsertPoint(join);
     auto *bits = builder_.CreatePHI(integer, 2);
     bits->addIncoming(builder_.getInt32(~0u), from);
     bits->addIncoming(shifted, load);
-    auto *left = builder_.CreateBinaryIntrinsic(
-        llvm::Intrinsic::umin, builder_.CreateSub(count, firstPoint_), builder_.getInt32(width));
+    auto *left = builder_.CreateBinaryIntrinsic(llvm::Intrinsic::umin,
+                                                builder_.CreateSub(count, place_.firstPoint),
+                                                builder_.getInt32(width));
     auto *inside = builder_.CreateLShr(builder_.getInt32((1u << width) - 1),
                                        builder_.CreateSub(builder_.getInt32(width), left));
     return builder_.CreateAnd(bits, inside);
 }
 
 Value *ShaderArguments::field(std::size_t offset, llvm::Type *type) {
-    return code_.invariantLoad(type,
-                               builder_.CreateConstGEP1_64(builder_.getInt8Ty(), pointer_, offset));
+    return code_.invariantLoad(
+        type, builder_.CreateConstGEP1_64(builder_.getInt8Ty(), place_.pointer, offset));
 }
 
 Value *ShaderArguments::fieldPointer(std::size_t offset) {
@@ -53,36 +55,38 @@ Value *ShaderArguments::fieldPointer(std::size_t offset) {
 }
 
 Value *ShaderArguments::plane(std::size_t tableField, int index) {
-    Value *&plane = planes_[{tableField, index}];
+    Value *&plane = place_.planes[{tableField, index}];
     if (!plane) {
         llvm::IRBuilder<>::InsertPointGuard guard(builder_);
-        builder_.SetInsertPoint(prepare_->getTerminator());
+        builder_.SetInsertPoint(place_.prepare->getTerminator());
         auto *entry = builder_.CreateConstGEP1_64(code_.pointerType, fieldPointer(tableField),
                                                   std::uint64_t(index));
         plane = code_.invariantLoad(code_.pointerType, entry);
     }
-    return builder_.CreateGEP(code_.floatType, plane, firstPoint_);
+    return builder_.CreateGEP(code_.floatType, plane, place_.firstPoint);
 }
 
 Value *ShaderArguments::planeHere(std::size_t tableField, int index) {
     auto *entry = builder_.CreateConstGEP1_64(code_.pointerType, fieldPointer(tableField),
                                               std::uint64_t(index));
     return builder_.CreateGEP(code_.floatType, code_.invariantLoad(code_.pointerType, entry),
-                              firstPoint_);
+                              place_.firstPoint);
 }
 
 Values ShaderArguments::color(std::size_t tableField, int first) {
     return code_.valuesIf(builder_.CreateIsNotNull(fieldPointer(tableField)), "load_color", [&] {
         Values loaded;
-        for (int k = 0; k < colorSamples; ++k)
+        for (int k = 0; k < code_.colorSamples; ++k)
             loaded.push_back(code_.lanes.load(code_.floatType, planeHere(tableField, first + k)));
         return loaded;
     });
 }
 
 Value *ShaderArguments::frameSlot(int slot, int slots) {
-    auto *group = builder_.CreateSExt(builder_.CreateLShr(firstPoint_, 4), builder_.getInt64Ty());
-    auto *lane = builder_.CreateSExt(builder_.CreateAnd(firstPoint_, 15), builder_.getInt64Ty());
+    auto *group =
+        builder_.CreateSExt(builder_.CreateLShr(place_.firstPoint, 4), builder_.getInt64Ty());
+    auto *lane =
+        builder_.CreateSExt(builder_.CreateAnd(place_.firstPoint, 15), builder_.getInt64Ty());
     auto *row = builder_.CreateAdd(builder_.CreateMul(group, builder_.getInt64(slots)),
                                    builder_.getInt64(slot));
     auto *index = builder_.CreateAdd(builder_.CreateMul(row, builder_.getInt64(16)), lane);

@@ -17,18 +17,28 @@ public:
     /// From here on code is about the block of points that begins with `firstPoint`. `prepare` runs
     /// once before the first block, if there is one.
     void enterBlock(llvm::BasicBlock *prepare, Value *firstPoint);
-    Value *firstPoint() const { return firstPoint_; }
+    Value *firstPoint() const { return place_.firstPoint; }
     /// A bit for each active lane of the block, of `count` points in all.
     Value *blockBits(Value *count);
 
-    Value *pointer() const { return pointer_; }
+    /// Where a machine function finds the arguments.
+    struct Place {
+        Value *pointer = nullptr;    ///< To ShaderArgs.
+        Value *firstPoint = nullptr; ///< Of the block.
+        llvm::BasicBlock *prepare = nullptr;
+        std::map<std::pair<std::size_t, int>, Value *> planes; ///< Looked up in `prepare`.
+    };
+    /// From here on code stands in another machine function; gives the place until now.
+    Place exchangePlace(Place place) { return std::exchange(place_, std::move(place)); }
+
+    Value *pointer() const { return place_.pointer; }
     /// A field of ShaderArgs, by its offset; fields and tables never change during a call.
     Value *field(std::size_t offset, llvm::Type *);
     Value *fieldPointer(std::size_t offset);
     /// Where the block's lanes stand in plane `index` of a table. The plane is looked up before the
     /// loop over blocks, where the table can't be null.
     Value *plane(std::size_t tableField, int index);
-    /// colorSamples planes from `first` on of a table that may be null: black then.
+    /// A colour's planes, from `first` on of a table that may be null: black then.
     Values color(std::size_t tableField, int first);
     /// A slot of the frame, which has `slots` for each group of 16 points.
     Value *frameSlot(int slot, int slots);
@@ -41,10 +51,7 @@ private:
 
     CodeFunction &code_;
     llvm::IRBuilder<> &builder_;
-    Value *pointer_;
-    Value *firstPoint_ = nullptr;
-    llvm::BasicBlock *prepare_ = nullptr;
-    std::map<std::pair<std::size_t, int>, Value *> planes_; ///< Looked up in prepare_.
+    Place place_;
 };
 
 } // namespace candela::codegen

@@ -52,7 +52,8 @@ protected:
 };
 
 TEST_P(EachFunction, WidthsAgreeBitByBitOnAnyInputAndV3WithV4) {
-    const auto [name, inputs, outputs] = info(which());
+    const char *const name = info(which()).name;
+    const int inputs = info(which()).inputs, outputs = info(which()).outputs;
     const float special[] = {NAN,    INFINITY, -INFINITY, 3e38f,       -3e38f, 1e-40f, -0.0f,
                              0,      1e9f,     -1e9f,     16777216.0f, -1,     1,      0.999999940f,
                              -1e-8f, 2.5e9f};
@@ -95,7 +96,8 @@ TEST_P(EachFunction, WidthsAgreeBitByBitOnAnyInputAndV3WithV4) {
 }
 
 TEST_P(EachFunction, LevelsDifferByRoundingAlone) {
-    const auto [name, inputs, outputs] = info(which());
+    const char *const name = info(which()).name;
+    const int outputs = info(which()).outputs;
     std::mt19937 bits(17);
     for (int i = 0; i < 500; ++i) {
         const auto lanes = point(bits, 100, 64);

@@ -8,28 +8,19 @@
 namespace candela::runtime {
 
 static constexpr RuntimeFunctionInfo table[] = {
-#define RUNTIME_FUNCTION(name, inputs, outputs, meaning) {#name, inputs, outputs},
+#define RUNTIME_FUNCTION(name, inputs, outputs, coordinates, slopes, purity, cost, meaning)        \
+    {#name, inputs, outputs, coordinates, RuntimeFunction::slopes, RuntimePurity::purity, cost},
 #include "language/runtime/functions.def"
 #undef RUNTIME_FUNCTION
 };
 
-RuntimeFunctionInfo info(RuntimeFunction function) { return table[int(function)]; }
+const RuntimeFunctionInfo &info(RuntimeFunction function) { return table[int(function)]; }
 
-// In functions.def noise without slopes comes first, noise with slopes in the same order after it,
-// cell noise last; in both halves functions without periods come first.
-static constexpr int plainFunctions = int(RuntimeFunction::noise1_slopes);
-
-int coordinatesOf(RuntimeFunction function) {
-    if (function >= RuntimeFunction::cellnoise1)
-        return 0;
-    const bool periodic = int(function) % plainFunctions >= int(RuntimeFunction::pnoise1);
-    return info(function).inputs / (periodic ? 2 : 1);
-}
+int coordinatesOf(RuntimeFunction function) { return info(function).coordinates; }
 
 std::optional<RuntimeFunction> withSlopes(RuntimeFunction function) {
-    if (int(function) >= plainFunctions)
-        return std::nullopt;
-    return RuntimeFunction(int(function) + plainFunctions);
+    const RuntimeFunction slopes = info(function).slopes;
+    return slopes == RuntimeFunction::NoSlopes ? std::nullopt : std::optional(slopes);
 }
 
 static NoiseCode noiseCode(RuntimeFunction function, int width, IsaLevel level) {
@@ -52,7 +43,7 @@ const void *registerCode(RuntimeFunction function, int width, IsaLevel level) {
 
 void callScalar(RuntimeFunction function, const float *const *inputs, float *const *outputs) {
     static const IsaLevel level = hostIsaLevel();
-    const RuntimeFunctionInfo facts = info(function);
+    const RuntimeFunctionInfo &facts = info(function);
     std::array<float, maxRuntimeInputs> inputBlock;
     std::array<float, maxRuntimeOutputs> outputBlock;
     for (int k = 0; k < facts.inputs; ++k)

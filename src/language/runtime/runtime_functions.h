@@ -10,21 +10,31 @@
 namespace candela::runtime {
 
 enum class RuntimeFunction {
-#define RUNTIME_FUNCTION(name, inputs, outputs, meaning) name,
+#define RUNTIME_FUNCTION(name, inputs, outputs, coordinates, slopes, purity, cost, meaning) name,
 #include "language/runtime/functions.def"
 #undef RUNTIME_FUNCTION
-    Count
+    Count,
+    NoSlopes = Count
 };
 
+enum class RuntimePurity {
+    Pure ///< The same inputs give the same outputs, nothing else happens.
+};
+
+/// As functions.def explains them.
 struct RuntimeFunctionInfo {
     const char *name;
     int inputs, outputs;
+    int coordinates;
+    RuntimeFunction slopes;
+    RuntimePurity purity;
+    int cost;
 };
 
 /// No function of functions.def has more inputs or outputs than these.
 inline constexpr int maxRuntimeInputs = 8, maxRuntimeOutputs = 15;
 
-RuntimeFunctionInfo info(RuntimeFunction);
+const RuntimeFunctionInfo &info(RuntimeFunction);
 
 /// How many of the inputs values change with smoothly; the others are periods. 0: they jump.
 int coordinatesOf(RuntimeFunction);

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "foundation/base/planes.h"
+#include "foundation/units/color_basis.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -69,8 +70,9 @@ struct ShaderArgs {
     /// as it was.
     float *const *outputs = nullptr;
 
+    /// Colours have as many planes as ir::Function::colors has samples ("N" below).
     /// Light samples, `sampleCount` of them, each a row of `sampleStride` lanes: L (3 planes, from
-    /// P to the light, any length) and Cl (colorSamples planes; zero = no light).
+    /// P to the light, any length) and Cl (N planes; zero = no light).
     const float *const *sampleL = nullptr;
     const float *const *sampleCl = nullptr;
     std::int32_t sampleStride = 0;
@@ -84,9 +86,9 @@ struct ShaderArgs {
     /// `scatter`: the light request that is answered with 1 in this lane: the number of a delta
     /// request, or finiteRequests = all finite ones get the sample along Input sampleL.
     const std::int32_t *answeredRequest = nullptr;
-    /// `shade`: traced answers, planes [request * colorSamples + channel]; null = all black.
+    /// `shade`: traced answers, planes [request * N + channel]; null = all black.
     const float *const *answers = nullptr;
-    /// ambient(): colorSamples planes; null = black. irradiance(): likewise, W m^-2.
+    /// ambient(): N planes; null = black. irradiance(): likewise, W m^-2.
     const float *const *ambient = nullptr;
     const float *const *irradiance = nullptr;
 

@@ -144,9 +144,7 @@ bool lightStatementAllowed(const ast::Stmt &s, const Surroundings &here) {
     std::string word = wordFor(s.kind);
     ShaderKind kind = here.names.shaderKind();
     bool gathers = s.kind == ast::StmtKind::Illuminance;
-    bool light = kind == ShaderKind::Light;
-    bool receives = kind == ShaderKind::Surface || kind == ShaderKind::Volume;
-    if (gathers ? !receives : !light) {
+    if (lightUseOf(kind) != (gathers ? LightUse::Receives : LightUse::Gives)) {
         here.reporter.error(s.where, word + " stands only in " +
                                          (gathers ? "surface and volume" : "light") +
                                          " shaders, not in a " + nameOf(kind) + " shader");

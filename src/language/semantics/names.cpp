@@ -66,7 +66,7 @@ void Names::declareExternal(const ast::Variable &v) {
 }
 
 std::string Names::variableSuggestion(const std::string &name) const {
-    for (int kind = 0; kind <= int(ShaderKind::Filter); ++kind)
+    for (int kind = 0; kind < shaderKindCount; ++kind)
         if (findPredefined(name, ShaderKind(kind)))
             return std::string(" in a ") + nameOf(shaderKind()) + " shader; " +
                    nameOf(ShaderKind(kind)) + " shaders have it";

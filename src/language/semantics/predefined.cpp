@@ -3,18 +3,16 @@
 
 namespace candela::sl {
 
-// The letters of ShaderKind's enumerators, in their order.
-static constexpr std::string_view kindLetters = "SLVDITF";
-
-static constexpr unsigned maskOf(std::string_view letters) {
+static unsigned maskOf(std::string_view letters) {
     unsigned mask = 0;
-    for (char letter : letters)
-        mask |= 1u << kindLetters.find(letter);
+    for (int kind = 0; kind < shaderKindCount; ++kind)
+        if (letters.find(letterOf(ShaderKind(kind))) != std::string_view::npos)
+            mask |= 1u << kind;
     return mask;
 }
 
-static constexpr PredefinedVariable table[] = {
-#define SL_PREDEFINED(name, type, detail, readable, writable, scope, doc)                          \
+static const PredefinedVariable table[] = {
+#define SL_PREDEFINED(name, type, detail, readable, writable, scope, start, doc)                   \
     {PredefinedId::name,                                                                           \
      #name,                                                                                        \
      {BaseType::type, Detail::detail, 0},                                                          \

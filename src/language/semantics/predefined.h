@@ -12,7 +12,7 @@ namespace candela::sl {
 
 /// One enumerator a variable, spelled as the variable: PredefinedId::dPdu.
 enum class PredefinedId {
-#define SL_PREDEFINED(name, type, detail, readable, writable, scope, doc) name,
+#define SL_PREDEFINED(name, type, detail, readable, writable, scope, start, doc) name,
 #include "language/semantics/predefined.def"
 #undef SL_PREDEFINED
 };

@@ -11,11 +11,24 @@ const char *nameOf(BaseType type) {
 
 const char *nameOf(Detail detail) { return detail == Detail::Uniform ? "uniform" : "varying"; }
 
-const char *nameOf(ShaderKind kind) {
-    static constexpr const char *names[] = {"surface", "light",          "volume", "displacement",
-                                            "imager",  "transformation", "filter"};
-    return names[int(kind)];
-}
+namespace {
+struct KindRow {
+    char letter;
+    const char *text;
+    LightUse light;
+};
+constexpr KindRow kinds[] = {
+#define SHADER_KIND(name, letter, text, light, outputs) {letter, text, LightUse::light},
+#include "language/syntax/kinds.def"
+#undef SHADER_KIND
+};
+} // namespace
+
+const char *nameOf(ShaderKind kind) { return kinds[int(kind)].text; }
+
+LightUse lightUseOf(ShaderKind kind) { return kinds[int(kind)].light; }
+
+char letterOf(ShaderKind kind) { return kinds[int(kind)].letter; }
 
 const char *nameOf(BinaryOp op) {
     static constexpr const char *names[] = {".",  "*", "/",  "^",  "+",  "-",  "<",
@@ -31,7 +44,7 @@ std::optional<BaseType> baseTypeNamed(std::string_view word) {
 }
 
 std::optional<ShaderKind> shaderKindNamed(std::string_view word) {
-    for (int i = 0; i <= int(ShaderKind::Filter); ++i)
+    for (int i = 0; i < shaderKindCount; ++i)
         if (word == nameOf(ShaderKind(i)))
             return ShaderKind(i);
     return std::nullopt;

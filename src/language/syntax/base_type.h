@@ -13,7 +13,24 @@ inline constexpr int baseTypeCount = 8;
 /// uniform: one value for all points that are shaded together; varying: one each.
 enum class Detail { Uniform, Varying };
 
-enum class ShaderKind { Surface, Light, Volume, Displacement, Imager, Transformation, Filter };
+/// The rows of kinds.def.
+enum class ShaderKind {
+#define SHADER_KIND(name, letter, text, light, outputs) name,
+#include "language/syntax/kinds.def"
+#undef SHADER_KIND
+};
+inline constexpr int shaderKindCount = 0
+#define SHADER_KIND(name, letter, text, light, outputs) +1
+#include "language/syntax/kinds.def"
+#undef SHADER_KIND
+    ;
+
+/// Which light statements a kind of shader may have.
+enum class LightUse {
+    None,
+    Receives, ///< illuminance()
+    Gives     ///< illuminate(), solar()
+};
 
 /// By precedence class in RI order; see operators.h for the table.
 enum class BinaryOp {
@@ -37,6 +54,9 @@ enum class BinaryOp {
 const char *nameOf(BaseType);
 const char *nameOf(Detail);
 const char *nameOf(ShaderKind);
+LightUse lightUseOf(ShaderKind);
+/// The letter that stands for it in tables.
+char letterOf(ShaderKind);
 /// The operator as the language spells it: ".", "*"...
 const char *nameOf(BinaryOp);
 

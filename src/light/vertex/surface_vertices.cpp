@@ -59,17 +59,18 @@ void beginCones(int count, const ir::SurfaceFacts &facts, float *const *outputs,
                 std::vector<ConePlanes> &cones) {
     cones.clear();
     for (const ir::ConeSlot &cone : facts.cones) {
-        float *const *out = outputs + cone.output;
-        std::fill_n(out[5], count, 0.0f); // Lanes that do not reach the request leave it.
-        lanes::fill(count, 180.0f, out[3]);
+        float *const *axis = outputs + cone.axis, *angle = outputs[cone.angle];
+        float *importance = outputs[cone.importance];
+        std::fill_n(importance, count, 0.0f); // Lanes that do not reach the request leave it.
+        lanes::fill(count, 180.0f, angle);
         for (int c = 0; c < 3 && !facts.affine; ++c)
-            std::fill_n(out[c], count, 0.0f); // Gathering asks whether there is an axis.
+            std::fill_n(axis[c], count, 0.0f); // Gathering asks whether there is an axis.
         const bool first = cones.empty() || cones.back().request != cone.request;
-        const float *kindAngle = first ? out[3] : cones.back().kindAngle;
-        cones.push_back({{out[0], out[1], out[2]},
-                         out[3],
-                         out[4],
-                         out[5],
+        const float *kindAngle = first ? angle : cones.back().kindAngle;
+        cones.push_back({{axis[0], axis[1], axis[2]},
+                         angle,
+                         outputs[cone.exponent],
+                         importance,
                          kindAngle,
                          cone.request,
                          first,
@@ -127,8 +128,8 @@ void SurfaceVertices::prepare(const float *const *ambient) {
     args.outputs = outputs;
     args.frame = storage_.frame[0];
     args.ambient = ambient;
-    question.code(&args);
-    const int Oi = question.output("Oi"), Ca = question.output("Ca");
+    question.ask(args);
+    const int Oi = question.output(ir::OutputKind::Oi), Ca = question.output(ir::OutputKind::Ca);
     for (int c = 0; c < colorSamples; ++c) {
         clampOpacities(points.count, outputs[Oi + c]);
         prepared_.Oi[c] = outputs[Oi + c];
@@ -146,7 +147,7 @@ void SurfaceVertices::scatter(const ConstVec3Planes &direction, const std::int32
     args.frame = storage_.frame[0];
     args.answeredRequest = answered;
     args.sampleLight = light;
-    question.code(&args);
+    question.ask(args);
 }
 
 void SurfaceVertices::shade(int sampleCount, float *const *L, float *const *Cl,
@@ -158,8 +159,8 @@ void SurfaceVertices::shade(int sampleCount, float *const *L, float *const *Cl,
     for (std::size_t slot = 0; slot < outputs.size(); ++slot)
         outputs[slot] = storage_.shadeOutputs[int(slot)];
     for (int c = 0; c < colorSamples; ++c) {
-        outputs[question.output("Ci") + c] = Ci[c];
-        outputs[question.output("Oi") + c] = Oi[c];
+        outputs[question.output(ir::OutputKind::Ci) + c] = Ci[c];
+        outputs[question.output(ir::OutputKind::Oi) + c] = Oi[c];
     }
     ShaderArgs args = arguments();
     args.outputs = outputs.data();
@@ -169,7 +170,7 @@ void SurfaceVertices::shade(int sampleCount, float *const *L, float *const *Cl,
     args.sampleStride = capacity_;
     args.sampleLight = light;
     args.ambient = ambient;
-    question.code(&args);
+    question.ask(args);
 }
 
 } // namespace candela

@@ -15,7 +15,7 @@ namespace {
 void addSurfaceEmission(const SceneState &state, int code, ShadingPoints &points,
                         float *const *radiance) {
     const QuestionCode &question = state.points.codes[code].code->question(ir::Question::Emit);
-    int Ce = question.output("Ce");
+    int Ce = question.output(ir::OutputKind::Ce);
     if (!question.code || Ce < 0)
         return;
     thread_local Scratch<float> storage;

@@ -80,10 +80,10 @@ void osOpacity(const ShaderArgs *args) {
     forLanes(args, [](Lane lane) { lane.out(0, lane.vec3(ShaderInput::Os)); });
 }
 
-QuestionCode makeQuestion(std::initializer_list<const char *> outputs, ShaderFunction code) {
+QuestionCode makeQuestion(std::initializer_list<ir::OutputKind> outputs, ShaderFunction code) {
     QuestionCode question;
     question.function.inputsRead.assign(int(ShaderInput::Count), true);
-    for (const char *name : outputs)
+    for (ir::OutputKind name : outputs)
         for (int c = 0; c < 3; ++c)
             question.function.outputs.push_back({name, c});
     question.code = code;
@@ -109,25 +109,20 @@ ir::LoweredShader lowered(const std::string &name, const std::set<std::string> &
 
 } // namespace
 
-int QuestionCode::output(std::string_view name) const {
-    for (std::size_t i = 0; i < function.outputs.size(); ++i)
-        if (function.outputs[i].name == name)
-            return int(i);
-    return -1;
-}
+int QuestionCode::output(ir::OutputKind kind) const { return ir::slotOf(function.outputs, kind); }
 
-ShaderCode::ShaderCode(ir::LoweredShader shader, ir::LightRule, std::shared_ptr<Jit> jit,
+ShaderCode::ShaderCode(ir::LoweredShader shader, ir::LightRule rule, std::shared_ptr<Jit> jit,
                        std::shared_ptr<const ShaderMessages>)
-    : shader_(std::move(shader)), jit_(std::move(jit)) {
+    : shader_(std::move(shader)), rule_(rule), jit_(std::move(jit)) {
     facts_.emits = name() == "glow";
     facts_.opaqueIfOsIs1 = name() != "glass";
-    auto set = [&](ir::Question question, std::initializer_list<const char *> outputs,
+    auto set = [&](ir::Question question, std::initializer_list<ir::OutputKind> outputs,
                    ShaderFunction code) {
         questions_[int(question)].answer = makeQuestion(outputs, code);
     };
-    set(ir::Question::Opacity, {"Oi"}, osOpacity);
-    set(ir::Question::Emit, {"Ce"}, glowEmits);
-    set(ir::Question::Light, {"L", "Cl"},
+    set(ir::Question::Opacity, {ir::OutputKind::Oi}, osOpacity);
+    set(ir::Question::Emit, {ir::OutputKind::Ce}, glowEmits);
+    set(ir::Question::Light, {ir::OutputKind::L, ir::OutputKind::Cl},
         name() == "pointlight"     ? pointLight
         : name() == "spotlight"    ? spotLight
         : name() == "distantlight" ? distantLight
@@ -162,6 +157,7 @@ struct ShaderLibrary::State {
 ShaderLibrary::ShaderLibrary(ShaderLibrarySettings, DiagnosticSink &)
     : state_(std::make_unique<State>()) {}
 ShaderLibrary::~ShaderLibrary() = default;
+void ShaderLibrary::makeReady() {}
 
 std::optional<std::vector<ShaderLookup::ParameterType>>
 ShaderLibrary::parametersOf(ShaderKind, const std::string &, const Options &,

@@ -32,9 +32,9 @@ void LightBatch::ask(const SceneState &state, const ShaderCode &code, const std:
     outputs.assign(question.function.outputs.size(), answers[0]);
     for (std::size_t slot = 0; slot < outputs.size(); ++slot) {
         const ir::OutputSlot &output = question.function.outputs[slot];
-        if (output.name == "L")
+        if (output.name == ir::OutputKind::L)
             outputs[slot] = L[output.component];
-        else if (output.name == "Cl")
+        else if (output.name == ir::OutputKind::Cl)
             outputs[slot] = Cl[output.component];
     }
     ShaderArgs args;

@@ -90,6 +90,16 @@ static void addCameraSystems(const Camera &camera, const CameraRecord &record,
     systems["depth"] = scaling(1, 1, record.far - record.near) * translation(0, 0, record.near);
 }
 
+/// Compiles all shaders. Some may have become others then, which read other inputs.
+static void makeReady(ShaderLibrary &library, PointTables &points) {
+    library.makeReady();
+    for (SurfaceCode &code : points.codes)
+        if (code.code->isStandIn()) {
+            code.wanted.add(*code.code);
+            code.fromElements = false;
+        }
+}
+
 void SceneCompiler::worldEnd() {
     DeclaredWorld declared = std::move(state_->declared);
     state_->declared = {};
@@ -107,6 +117,7 @@ void SceneCompiler::worldEnd() {
     start = std::chrono::steady_clock::now();
     LightBuilder lights(*state, state_->library);
     lights.declare(declared.lights);
+    makeReady(state_->library, state->points);
     lights.attachShapes(geometry);
     lights.bindCategories(state_->library);
     leaveOutRefusedLights(*state);

@@ -75,7 +75,7 @@ Walk &walkFor(int capacity) {
 /// Opacities at the hits of `order`: walk.points and walk.opacity.
 void askOpacity(const Scene &scene, int code, Walk &walk) {
     const QuestionCode &question = scene.code(code).question(ir::Question::Opacity);
-    const int count = int(walk.order.size()), Oi = question.output("Oi");
+    const int count = int(walk.order.size()), Oi = question.output(ir::OutputKind::Oi);
     scene.shadingPoints(walk.rays, walk.hits, walk.order.data(), count, walk.points);
     float *outputs[64] = {};
     for (int c = 0; c < colorSamples; ++c) {

@@ -1,33 +1,82 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/shading/shader_code.h"
+
 #include "language/ir/transform/light_rule.h"
+#include <algorithm>
 
 namespace candela {
 
-int QuestionCode::output(std::string_view name) const {
-    for (std::size_t slot = 0; slot < function.outputs.size(); ++slot)
-        if (function.outputs[slot].name == name && function.outputs[slot].component == 0)
-            return int(slot);
-    return -1;
-}
+int QuestionCode::output(ir::OutputKind kind) const { return ir::slotOf(function.outputs, kind); }
 
 ShaderCode::ShaderCode(ir::LoweredShader shader, ir::LightRule rule, std::shared_ptr<Jit> jit,
                        std::shared_ptr<const ShaderMessages> messages)
-    : shader_(std::move(shader)), jit_(std::move(jit)), messages_(std::move(messages)) {
-    if (shader_.kind == "surface") {
-        shader_.whole = ir::applyLightRule(shader_.whole, rule);
-        facts_ = ir::surfaceFacts(shader_.whole);
+    : shader_(std::move(shader)), rule_(rule), jit_(std::move(jit)),
+      messages_(std::move(messages)) {
+    readText();
+}
+
+void ShaderCode::readText() {
+    if (shader_.kind == sl::ShaderKind::Surface) {
+        shader_.whole = ir::applyLightRule(shader_.whole, rule_);
+        plan_ = ir::makePlan(shader_.whole);
+        facts_ = ir::surfaceFacts(*plan_);
     }
     categories_ = LightCategories(shader_.whole.requests);
+}
+
+ir::Function ShaderCode::slice(ir::Question which) const {
+    return plan_ ? ir::slice(*plan_, which) : ir::slice(shader_.whole, which);
 }
 
 const QuestionCode &ShaderCode::question(ir::Question which) const {
     CompiledQuestion &compiled = questions_[int(which)];
     std::call_once(compiled.once, [&] {
-        compiled.answer.function = ir::slice(shader_.whole, which);
+        compiled.answer.function = slice(which);
         compiled.answer.code = jit_->compile(compiled.answer.function);
     });
     return compiled.answer;
+}
+
+/// As the stages of integrators ask them (light/path/stages.h).
+std::vector<ir::Question> ShaderCode::questionsAsked() const {
+    using ir::Question;
+    if (!plan_)
+        return {Question::Light};
+    std::vector<Question> asked{Question::Prepare, Question::Scatter, Question::Opacity};
+    const bool classic = rule_ == ir::LightRule::Classic;
+    if (classic || !facts_.affine)
+        asked.push_back(Question::Shade);
+    if (!classic && facts_.emits)
+        asked.push_back(Question::Emit);
+    return asked;
+}
+
+bool ShaderCode::compileAll(DiagnosticSink &diagnostics) {
+    const std::vector<ir::Question> asked = questionsAsked();
+    std::vector<QuestionCode> answers(asked.size());
+    std::vector<const ir::Function *> functions;
+    for (std::size_t k = 0; k < asked.size(); ++k) {
+        answers[k].function = slice(asked[k]);
+        functions.push_back(&answers[k].function);
+    }
+    const std::vector<ShaderFunction> codes = jit_->compile(functions, diagnostics);
+    if (std::ranges::count(codes, nullptr) > 0)
+        return false;
+    for (std::size_t k = 0; k < asked.size(); ++k) {
+        CompiledQuestion &compiled = questions_[int(asked[k])];
+        std::call_once(compiled.once, [&] {
+            compiled.answer = std::move(answers[k]);
+            compiled.answer.code = codes[k];
+        });
+    }
+    return true;
+}
+
+void ShaderCode::become(ir::LoweredShader other) {
+    other.name = shader_.name; // Messages are about the shader that the user knows.
+    shader_ = std::move(other);
+    isStandIn_ = true;
+    readText();
 }
 
 std::int32_t ShaderCode::addBlock(const std::vector<float> &values) {

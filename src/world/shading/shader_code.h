@@ -5,6 +5,7 @@
 #pragma once
 
 #include "interface/ri/attributes.h"
+#include "language/ir/interpret/interpreter.h"
 #include "language/ir/lower/lower.h"
 #include "language/ir/questions/questions.h"
 #include "language/ir/transform/light_rule.h"
@@ -25,10 +26,13 @@ namespace candela {
 /// What a wave must allocate and bind to ask one question.
 struct QuestionCode {
     ir::Function function;
-    ShaderFunction code = nullptr;
+    ShaderFunction code = nullptr; ///< Null if LLVM failed (reported).
 
-    /// Index of the first output plane of that name; -1 if the question doesn't have it.
-    int output(std::string_view name) const;
+    /// By the code; without it by interpreting the function, which takes long.
+    void ask(const ShaderArgs &args) const { code ? code(&args) : ir::interpret(function, args); }
+
+    /// Index of the output's first plane; -1 if the question doesn't have it.
+    int output(ir::OutputKind) const;
     bool reads(ShaderInput input) const { return function.inputsRead[int(input)]; }
 };
 
@@ -39,10 +43,20 @@ public:
 
     const std::string &name() const { return shader_.name; }
     const ir::LoweredShader &shader() const { return shader_; }
+    ir::LightRule lightRule() const { return rule_; }
     /// Surface shaders only.
     const ir::SurfaceFacts &facts() const { return facts_; }
-    /// Compiled on first use, once; thread-safe. Null code if LLVM failed (reported).
+    /// Compiled on first use, once; thread-safe.
     const QuestionCode &question(ir::Question) const;
+
+    /// Compiles, as one module, the questions that rendering asks. Before any is asked, by one
+    /// thread a shader; false if there is no code for them.
+    bool compileAll(DiagnosticSink &);
+    /// Takes the text of another shader of its kind that reads no parameters, and that one's facts.
+    void become(ir::LoweredShader);
+    /// It has become another shader.
+    bool isStandIn() const { return isStandIn_; }
+
     /// True if any question that the facts allow reads the input.
     bool reads(ShaderInput input) const { return shader_.whole.inputsRead[int(input)]; }
     /// Primitive variables that stand in for parameters: planes of ShaderArgs::variables.
@@ -65,8 +79,15 @@ private:
         std::once_flag once;
         QuestionCode answer;
     };
+    void readText();
+    ir::Function slice(ir::Question) const;
+    std::vector<ir::Question> questionsAsked() const;
+
     ir::LoweredShader shader_;
+    ir::LightRule rule_;
+    std::shared_ptr<const ir::Plan> plan_; ///< Of surfaces.
     ir::SurfaceFacts facts_;
+    bool isStandIn_ = false;
     std::shared_ptr<Jit> jit_;
     std::shared_ptr<const ShaderMessages> messages_;
     std::vector<float> blocks_;

@@ -4,11 +4,13 @@
 #include "language/ir/transform/fold.h"
 #include "language/ir/transform/light_rule.h"
 
+#include "foundation/base/parallel.h"
 #include "interface/ri/search_path.h"
 #include "world/shading/instance_values.h"
 #include "world/shading/shader_source.h"
 
 #include <cstring>
+#include <utility>
 
 namespace candela {
 
@@ -28,9 +30,13 @@ struct ShaderLibrary::State {
     std::map<const ir::LoweredShader *, std::vector<int>> steering;  ///< Of those.
     std::map<std::string, std::shared_ptr<ShaderCode>> codes;        ///< And by folded values.
     std::vector<std::shared_ptr<ShaderCode>> inOrder;
+    std::size_t ready = 0; ///< How many of these have been compiled.
 
     const sl::TypedShader *find(ShaderKind, const ShaderRecord &, const Options &, ir::LightRule);
     const sl::TypedShader *fromLibrary(const std::string &surface);
+    /// The default surface with all its parameters at their defaults; none without a library.
+    std::optional<ir::LoweredShader> standIn(ir::LightRule);
+    void replace(ShaderCode &);
     const ir::LoweredShader *lowerOnce(const sl::TypedShader &, const ShaderRecord &,
                                        const Options &, const std::set<std::string> &variables,
                                        std::string &key);
@@ -175,6 +181,48 @@ std::optional<ShaderInstance> ShaderLibrary::instance(ShaderKind kind, const Sha
         state_->inOrder.push_back(code);
     }
     return ShaderInstance{code, code->addBlock(block)};
+}
+
+std::optional<ir::LoweredShader> ShaderLibrary::State::standIn(ir::LightRule rule) {
+    const sl::TypedShader *shader = fromLibrary(defaultSurface(rule));
+    auto lowered = shader ? ir::lower(*shader, {}, {}, diagnostics) : std::nullopt;
+    if (!lowered)
+        return std::nullopt;
+    const std::vector<float> block = parameterBlock(*lowered, {}, {}, diagnostics);
+    std::vector<ir::FoldedValue> folded;
+    for (int slot = 0; slot < int(block.size()); ++slot)
+        folded.push_back({slot, block[slot]});
+    lowered->whole = ir::fold(lowered->whole, folded);
+    return lowered;
+}
+
+void ShaderLibrary::State::replace(ShaderCode &code) {
+    const bool isSurface = code.shader().kind == sl::ShaderKind::Surface;
+    diagnostics.error(
+        {}, "shader \"" + code.name() + "\" has no code, so " +
+                (isSurface ? "its surfaces get the default surface" : "its lights give no light"));
+    auto other = isSurface ? standIn(code.lightRule()) : std::nullopt;
+    if (!other)
+        return;
+    code.become(std::move(*other));
+    code.compileAll(diagnostics);
+}
+
+void ShaderLibrary::makeReady() {
+    const std::size_t first = std::exchange(state_->ready, state_->inOrder.size());
+    const std::size_t count = state_->ready - first;
+    // What is said is passed on in the shaders' order, whichever is compiled first.
+    std::vector<DiagnosticList> said(count);
+    std::vector<char> compiled(count);
+    parallelFor(count, [&](std::size_t k) {
+        compiled[k] = state_->inOrder[first + k]->compileAll(said[k]);
+    });
+    for (std::size_t k = 0; k < count; ++k) {
+        for (const Diagnostic &diagnostic : said[k].all())
+            state_->diagnostics.report(diagnostic);
+        if (!compiled[k])
+            state_->replace(*state_->inOrder[first + k]);
+    }
 }
 
 std::vector<std::shared_ptr<ShaderCode>> ShaderLibrary::all() const { return state_->inOrder; }

@@ -43,6 +43,10 @@ public:
     std::optional<ShaderInstance> instance(ShaderKind, const ShaderRecord &, const Options &,
                                            ir::LightRule, const std::set<std::string> &variables);
 
+    /// Compiles all specialisations that are new, on all threads. A surface for which there is no
+    /// code becomes the library's default surface, a light gives no light; an error names them.
+    void makeReady();
+
     /// All specialisations so far, for binding spaces and categories.
     std::vector<std::shared_ptr<ShaderCode>> all() const;
     Jit::Statistics statistics() const;

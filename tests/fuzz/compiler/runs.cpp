@@ -131,8 +131,9 @@ float Batch::makeEqual(int slot) {
 
 void Batch::fit(const ir::Function &function) {
     Chance chance(seed_);
-    ambient_ = randomPlanes(2 * colorSamples, points_.padded(), chance);
-    answers_ = randomPlanes(function.requests.size() * colorSamples, points_.padded(), chance);
+    const auto samples = std::size_t(function.colors.samples);
+    ambient_ = randomPlanes(2 * samples, points_.padded(), chance);
+    answers_ = randomPlanes(function.requests.size() * samples, points_.padded(), chance);
 }
 
 RunResult Batch::run(const ir::Function &function, const Code &code, Light light) {
@@ -145,7 +146,7 @@ RunResult Batch::run(const ir::Function &function, const Code &code, Light light
             args.sampleCount = 0;
         } else {
             args.ambient = ambient.data();
-            args.irradiance = ambient.data() + colorSamples;
+            args.irradiance = ambient.data() + function.colors.samples;
             args.answers = answers.data();
         }
         code(function, args);

@@ -12,22 +12,12 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <span>
 
 namespace candela::fuzz {
 
 namespace {
 
 using ir::Question;
-
-constexpr const char *questionNames[] = {"Shade",   "Surface", "View",    "Prepare",
-                                         "Scatter", "Emit",    "Opacity", "Light"};
-const char *nameOf(Question question) { return questionNames[int(question)]; }
-
-constexpr std::array surfaceQuestions{Question::Shade,   Question::Surface, Question::View,
-                                      Question::Prepare, Question::Scatter, Question::Emit,
-                                      Question::Opacity};
-constexpr std::array lightQuestions{Question::Light};
 
 /// A whole text after folding and the light rule, its slices and a batch of points.
 class ShaderTrial {
@@ -41,9 +31,8 @@ public:
             monitor_.enter(Stage::Facts, "surfaceFacts");
             ir::surfaceFacts(whole_);
         }
-        const auto all = isSurface_ ? std::span<const Question>(surfaceQuestions)
-                                    : std::span<const Question>(lightQuestions);
-        for (const Question question : all) {
+        const auto kind = isSurface_ ? sl::ShaderKind::Surface : sl::ShaderKind::Light;
+        for (const Question question : ir::questionsOf(kind)) {
             monitor_.enter(Stage::Slice, nameOf(question));
             const ir::Function &function =
                 slices_.emplace(question, ir::slice(whole_, question)).first->second;
@@ -144,7 +133,7 @@ std::string tryFolded(const ir::Function &whole, const ir::Function &folded, Bat
 std::string tryUnder(ir::LightRule rule, const ir::LoweredShader &shader, Chance &chance,
                      const TrialSettings &settings, Monitor &monitor) {
     const bool all = settings.thoroughness == Thoroughness::All;
-    const bool isSurface = shader.kind == "surface";
+    const bool isSurface = shader.kind == sl::ShaderKind::Surface;
     Batch batch(shader, chance);
     monitor.enter(Stage::Facts, "fold");
     const auto values = steeringValues(shader.whole, batch);

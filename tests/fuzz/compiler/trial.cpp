@@ -75,7 +75,11 @@ std::string tryShader(const sl::TypedShader &shader, Listener &listener, Chance 
         return "prints as nothing";
     monitor.enter(Stage::Lower, shader.name);
     const auto strings = stringsFor(shader, chance);
-    const auto lowered = ir::lower(shader, strings, overriddenIn(shader, chance), listener);
+    ir::LoweringOptions options;
+    if (chance.oneIn(2))
+        options.colors = evenBasis(chance.pick(std::array{1, 4, 8}));
+    const auto lowered =
+        ir::lower(shader, strings, overriddenIn(shader, chance), listener, options);
     if (std::string problem = listener.judge(lowered.has_value()); !problem.empty())
         return problem;
     if (!lowered)

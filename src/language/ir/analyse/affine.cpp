@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/ir/analyse/affine.h"
 
-#include "foundation/units/color.h"
-#include "language/ir/core/op_info.h"
+#include "language/ir/core/dataflow.h"
 
 #include <algorithm>
 #include <map>
@@ -32,39 +31,9 @@ Form unlit() { return {true, false, 0, true, 0, noCarry}; }
 Form nothing() { return {true, false, 0, false, 0, noCarry}; }
 Form lightOf(int channel) { return {true, false, 0, false, 1u << channel, noCarry}; }
 
-/// Forms only rise (zero, unlit, linear, broken), so sweeping until nothing rises ends.
-class AffineSweep {
-public:
-    explicit AffineSweep(const Function &function)
-        : forms_(function.values.size()), arrays_(function.arrays.size()) {
-        do {
-            changed_ = false;
-            sweep(function.body);
-        } while (changed_);
-        for (auto [slot, v] : outputs_)
-            check(function.outputs[slot], forms_[v]);
-    }
-    AffineProof proof_;
-
-private:
-    void check(const OutputSlot &slot, const Form &form) {
-        if (slot.name != "Ci" || !proof_.affine)
-            return;
-        if (form.broken || (form.channels & ~(1u << slot.component)))
-            proof_ = {false, form.line};
-    }
-
-    const Form &form(const Instruction &i, int operand) const {
-        return forms_[i.operands[operand]];
-    }
-
-    void set(Form &known, const Form &to) {
-        if (!known.broken && !(known == to)) {
-            known = to;
-            changed_ = true;
-        }
-    }
-    void set(ValueId v, const Form &to) { set(forms_[v], to); }
+/// Forms only rise: zero, unlit, linear, broken; what is broken stays so, with its first line.
+struct AffineAnalysis : ForwardAnalysis<Form> {
+    using ForwardAnalysis::ForwardAnalysis;
 
     /// What is one or the other, by a choice that light does not make.
     static Form either(const Form &a, const Form &b, int line) {
@@ -112,118 +81,95 @@ private:
         return a.lit() ? scaled(a, line) : b.lit() ? scaled(b, line) : unlit();
     }
 
-    void sweep(const Region &region) {
-        for (const Instruction &i : region.body)
-            sweep(i);
+    bool anyLit(std::span<const ValueId> values) const {
+        return std::any_of(values.begin(), values.end(), [&](ValueId v) { return at(v).lit(); });
     }
 
-    void sweep(const Instruction &i) {
-        switch (i.op) {
-        case Op::If: return sweepIf(i);
-        case Op::Loop: return sweepLoop(i);
-        case Op::LightLoop: return sweepLightLoop(i);
-        case Op::Output: outputs_[i.immediate] = i.operands[0]; return;
-        case Op::ArrayStore: {
-            Form stored = form(i, 0).lit() ? brokenAt(i.line) : form(i, 1);
-            Form &array = arrays_[i.immediate];
-            return set(array, either(array, scaled(stored, i.line), i.line));
-        }
-        case Op::Answer:
-        case Op::Ambient:
-        case Op::Irradiance:
-            for (std::size_t k = 0; k < i.results.size(); ++k)
-                set(i.results[k], anyLit(i.operands) ? brokenAt(i.line) : lightOf(int(k)));
-            return;
-        default:
-            for (ValueId v : i.results)
-                set(v, formOf(i));
-        }
+    Form result(const Instruction &i, std::size_t k, const Enclosing *) const {
+        if (at(i.results[k]).broken)
+            return at(i.results[k]);
+        if (isAnswer(i.op))
+            return anyLit(i.operands) ? brokenAt(i.line) : lightOf(int(k));
+        return formOf(i);
     }
 
-    bool anyLit(const std::vector<ValueId> &values) const {
-        return std::any_of(values.begin(), values.end(),
-                           [&](ValueId v) { return forms_[v].lit(); });
+    Form array(const Instruction &i, const Enclosing *) const {
+        if (!hasEffect(i.op))
+            return arrayOf(i);
+        const Form stored = at(i, 0).lit() ? brokenAt(i.line) : at(i, 1);
+        return either(arrayOf(i), scaled(stored, i.line), i.line);
     }
 
     Form formOf(const Instruction &i) const {
-        switch (i.op) {
-        case Op::ConstFloat: return i.number == 0 ? nothing() : unlit();
-        case Op::Add: return sum(form(i, 0), form(i, 1), i.line);
-        case Op::Sub: {
-            Form right = scaled(form(i, 1), i.line);
-            return sum(form(i, 0), right, i.line);
-        }
-        case Op::Neg: return scaled(form(i, 0), i.line);
-        case Op::Mul: return product(form(i, 0), form(i, 1), i.line);
-        case Op::Div:
-            if (!form(i, 0).known || form(i, 0).zero())
-                return form(i, 0);
-            if (form(i, 1).lit())
-                return form(i, 1).broken ? form(i, 1) : brokenAt(i.line);
-            return form(i, 0).lit() ? scaled(form(i, 0), i.line) : unlit();
-        case Op::Select:
-            if (form(i, 0).lit() && i.operands[1] != i.operands[2])
-                return form(i, 0).broken ? form(i, 0) : brokenAt(i.line);
-            return either(form(i, 1), form(i, 2), i.line);
-        case Op::ArrayLoad: return form(i, 0).lit() ? brokenAt(i.line) : arrays_[i.immediate];
+        if (i.op == Op::ConstFloat)
+            return i.number == 0 ? nothing() : unlit();
+        if (i.op == Op::ArrayLoad)
+            return at(i, 0).lit() ? brokenAt(i.line) : arrayOf(i);
+        switch (info(i.op).slope) {
+        case SlopeRule::Sum: return sum(at(i, 0), at(i, 1), i.line);
+        case SlopeRule::Difference: return sum(at(i, 0), scaled(at(i, 1), i.line), i.line);
+        case SlopeRule::Negation: return scaled(at(i, 0), i.line);
+        case SlopeRule::Product: return product(at(i, 0), at(i, 1), i.line);
+        case SlopeRule::Quotient: return quotient(at(i, 0), at(i, 1), i.line);
+        case SlopeRule::Choice:
+            return i.operands[1] == i.operands[2] ? at(i, 1)
+                                                  : choice(at(i, 0), at(i, 1), at(i, 2), i.line);
         default: break;
         }
         for (ValueId v : i.operands)
-            if (forms_[v].lit())
-                return forms_[v].broken ? forms_[v] : brokenAt(i.line);
+            if (at(v).lit())
+                return at(v).broken ? at(v) : brokenAt(i.line);
         return unlit();
     }
 
-    void sweepIf(const Instruction &i) {
-        for (const Region &region : i.regions)
-            sweep(region);
-        for (std::size_t k = 0; k < i.results.size(); ++k) {
-            ValueId a = i.regions[0].yields[k], b = i.regions[1].yields[k];
-            if (form(i, 0).lit() && a != b)
-                set(i.results[k], form(i, 0).broken ? form(i, 0) : brokenAt(i.line));
-            else
-                set(i.results[k], either(forms_[a], forms_[b], i.line));
-        }
+    static Form quotient(const Form &a, const Form &b, int line) {
+        if (!a.known || a.zero())
+            return a;
+        if (b.lit())
+            return b.broken ? b : brokenAt(line);
+        return a.lit() ? scaled(a, line) : unlit();
     }
 
-    void sweepLoop(const Instruction &i) {
-        const Region &region = i.regions[0];
-        for (std::size_t k = 0; k < i.results.size(); ++k) {
-            ValueId argument = region.arguments[k];
-            Form joined = either(forms_[i.operands[k]], forms_[argument], i.line);
-            joined = either(joined, forms_[region.yields[k]], i.line);
-            if (forms_[region.arguments[0]].lit() && region.yields[k] != argument)
-                joined = brokenAt(i.line);
-            set(argument, joined);
-            set(i.results[k], joined);
-        }
-        sweep(region);
+    static Form choice(const Form &condition, const Form &a, const Form &b, int line) {
+        if (condition.lit())
+            return condition.broken ? condition : brokenAt(line);
+        return either(a, b, line);
     }
 
-    void sweepLightLoop(const Instruction &i) {
-        const Region &region = i.regions[0];
-        std::size_t fixed = i.operands.size() - i.results.size();
-        for (int k = 0; k < 3; ++k)
-            set(region.arguments[k], unlit());
-        for (int k = 0; k < colorSamples; ++k)
-            set(region.arguments[3 + k], lightOf(k));
-        for (std::size_t k = 0; k < i.results.size(); ++k) {
-            ValueId argument = region.arguments[3 + colorSamples + k];
-            set(argument, Form{true, false, 0, false, 0, int(argument)});
-        }
-        sweep(region);
-        bool conesLit = anyLit({i.operands.begin() + 3, i.operands.begin() + fixed});
-        for (std::size_t k = 0; k < i.results.size(); ++k) {
-            ValueId argument = region.arguments[3 + colorSamples + k];
-            Form added = forms_[region.yields[k]];
-            const Form &initial = forms_[i.operands[fixed + k]];
-            if (conesLit)
-                added = brokenAt(i.line);
-            else if (!added.broken && (added.carry != int(argument) || added.offset))
-                added = brokenAt(lineOf(region, region.yields[k], i.line));
-            added.carry = noCarry;
-            set(i.results[k], added.broken ? added : sum(initial, added, i.line));
-        }
+    Form flow(const ValueFlow &flow, const Enclosing *) const {
+        const Form &known = at(flow.to);
+        const Instruction &i = flow.owner;
+        if (known.broken)
+            return known;
+        const bool goesIn = flow.to != i.results[flow.index];
+        if (i.op == Op::LightLoop)
+            return goesIn ? Form{true, false, 0, false, 0, int(flow.to)} : gathered(flow);
+        if (flow.from.size() == 1)
+            return at(flow.from[0]);
+        const Form &a = at(flow.from[0]), &b = at(flow.from[1]);
+        if (i.op == Op::If)
+            return flow.from[0] == flow.from[1] ? a : choice(at(i, 0), a, b, i.line);
+        // A carried value that no turn changes does not depend on how many there are.
+        if (flow.from[1] != flow.to && at(*conditionOf(i)).lit())
+            return brokenAt(i.line);
+        return either(either(a, known, i.line), b, i.line);
+    }
+
+    /// What a light loop adds to what it starts from.
+    Form gathered(const ValueFlow &flow) const {
+        const Instruction &i = flow.owner;
+        const auto carry = int(argumentOf(i, flow.index));
+        Form added = at(flow.from[1]);
+        if (anyLit({i.operands.begin() + 3, fixedOperands(i) - 3}))
+            added = brokenAt(i.line);
+        else if (!added.broken && (added.carry != carry || added.offset))
+            added = brokenAt(lineOf(i.regions[0], flow.from[1], i.line));
+        added.carry = noCarry;
+        return added.broken ? added : sum(at(flow.from[0]), added, i.line);
+    }
+
+    Form given(const Instruction &, std::size_t k) const {
+        return k < 3 ? unlit() : lightOf(int(k) - 3);
     }
 
     static int lineOf(const Region &region, ValueId v, int otherwise) {
@@ -232,14 +178,26 @@ private:
                 return i.line;
         return otherwise;
     }
-
-    std::vector<Form> forms_, arrays_;
-    std::map<int, ValueId> outputs_;
-    bool changed_ = false;
 };
 
 } // namespace
 
-AffineProof proveAffine(const Function &whole) { return AffineSweep(whole).proof_; }
+AffineProof proveAffine(const Function &whole) {
+    AffineAnalysis analysis(whole);
+    solve(analysis);
+    std::map<int, ValueId> outputs; // The last one to a slot counts.
+    forEachInstruction(whole.body, [&](const Instruction &i) {
+        if (i.op == Op::Output)
+            outputs[i.immediate] = i.operands[0];
+    });
+    for (auto [slot, v] : outputs) {
+        const OutputSlot &output = whole.outputs[slot];
+        const Form &form = analysis.at(v);
+        if (output.name == OutputKind::Ci &&
+            (form.broken || (form.channels & ~(1u << output.component))))
+            return {false, form.line};
+    }
+    return {};
+}
 
 } // namespace candela::ir

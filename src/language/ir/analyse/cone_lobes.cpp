@@ -28,7 +28,7 @@ public:
     std::vector<Cone> run(const Cone &whole) {
         std::vector<Cone> cones;
         for (const Cone::Weight &weight : whole.weights) {
-            ValueId carried = body_.arguments[3 + colorSamples + weight.result];
+            ValueId carried = body_.arguments[3 + text_.colors.samples + weight.result];
             std::vector<Product> products = expand(body_.yields[weight.result]);
             if (products.size() > mostProducts)
                 return {};
@@ -174,7 +174,7 @@ private:
 
     bool isCl(ValueId v) const {
         auto first = body_.arguments.begin() + 3;
-        return std::find(first, first + colorSamples, v) != first + colorSamples;
+        return std::find(first, first + text_.colors.samples, v) != first + text_.colors.samples;
     }
 
     /// A power shapes the lobe more than a plain cosine does.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/ir/analyse/cones.h"
 
-#include "foundation/units/color.h"
 #include "language/ir/analyse/cone_lobes.h"
+#include "language/ir/core/dataflow.h"
 
 #include <algorithm>
 
@@ -10,65 +10,28 @@ namespace candela::ir {
 
 namespace {
 
-/// Which values of a light loop's body depend on Cl, by data or control.
-class LightTaint {
-public:
-    LightTaint(const Function &text, const Instruction &loop)
-        : text_(text), tainted_(text.values.size()) {
-        for (int k = 0; k < colorSamples; ++k)
-            tainted_[loop.regions[0].arguments[3 + k]] = true;
-        do {
-            changed_ = false;
-            sweepCarried(loop, 3 + colorSamples);
-        } while (changed_);
-    }
-    bool has(ValueId v) const { return tainted_[v]; }
-
-private:
-    bool any(const std::vector<ValueId> &values) const {
-        for (ValueId v : values)
-            if (tainted_[v])
-                return true;
-        return false;
-    }
-    void taint(ValueId v) {
-        if (!tainted_[v])
-            tainted_[v] = changed_ = true;
-    }
-    void sweepCarried(const Instruction &i, int firstArgument) {
-        const Region &region = i.regions[0];
-        sweep(region);
-        bool condition = i.op == Op::Loop && tainted_[region.arguments[0]];
-        for (std::size_t k = 0; k < i.results.size(); ++k)
-            if (condition || tainted_[region.yields[k]]) {
-                taint(region.arguments[firstArgument + k]);
-                taint(i.results[k]);
-            }
-    }
-    void sweep(const Region &region) {
-        for (const Instruction &i : region.body) {
-            if (i.op == Op::Loop || i.op == Op::LightLoop)
-                sweepCarried(i, i.op == Op::Loop ? 0 : 3 + colorSamples);
-            bool from = any(i.operands) || (i.op == Op::ArrayLoad && arraysTainted_);
-            arraysTainted_ |= i.op == Op::ArrayStore && from;
-            for (std::size_t k = 0; k < i.results.size(); ++k) {
-                bool yielded = false;
-                if (i.op == Op::If)
-                    for (const Region &inner : i.regions)
-                        yielded |= tainted_[inner.yields[k]];
-                if (from || yielded)
-                    taint(i.results[k]);
-            }
-            if (i.op == Op::If)
-                for (const Region &inner : i.regions)
-                    sweep(inner);
-        }
+/// Which values of a light loop's body depend on its Cl, by data or control.
+struct LightTaint : ForwardAnalysis<bool> {
+    LightTaint(const Function &text, const Instruction &loop) : ForwardAnalysis(text), loop(loop) {
+        Dataflow(*this).run(loop);
     }
 
-    const Function &text_;
-    std::vector<bool> tainted_;
-    bool arraysTainted_ = false;
-    bool changed_ = false;
+    bool any(std::span<const ValueId> all) const {
+        return std::any_of(all.begin(), all.end(), [&](ValueId v) { return at(v); });
+    }
+    bool result(const Instruction &i, std::size_t, const Enclosing *) const {
+        return any(i.operands) || (isArrayAccess(i.op) && arrayOf(i));
+    }
+    bool array(const Instruction &i, const Enclosing *) const {
+        return arrayOf(i) || (hasEffect(i.op) && any(i.operands));
+    }
+    bool flow(const ValueFlow &flow, const Enclosing *) const {
+        const auto condition = conditionOf(flow.owner);
+        return any(flow.from) || (condition && at(*condition));
+    }
+    bool given(const Instruction &i, std::size_t k) const { return &i == &loop && k >= 3; }
+
+    const Instruction &loop;
 };
 
 Cone wholeLoop(const Function &text, const Instruction &loop) {
@@ -80,8 +43,7 @@ Cone wholeLoop(const Function &text, const Instruction &loop) {
     }
     LightTaint taint(text, loop);
     for (std::size_t k = 0; k < loop.results.size(); ++k)
-        if (text.values[loop.results[k]].type == Type::Float &&
-            taint.has(loop.regions[0].yields[k]))
+        if (text.values[loop.results[k]].type == Type::Float && taint.at(loop.regions[0].yields[k]))
             cone.weights.push_back({int(k), {}});
     return cone;
 }

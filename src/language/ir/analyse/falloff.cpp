@@ -3,204 +3,148 @@
 // direction kept, multiplies it by k^p. Degrees follow from those of the operands.
 #include "language/ir/analyse/falloff.h"
 
-#include "foundation/units/color.h"
-
-#include <map>
-#include <set>
+#include "language/ir/core/dataflow.h"
 
 namespace candela::ir {
+
 namespace {
 
-class Degrees {
-public:
-    Degrees(const Function &function, const Triple &L)
-        : function_(function), L_(L), degrees_(function.values.size()) {
-        // Loops start from what they carry at first; a second sweep sees what they come to.
-        visit(function.body);
-        do {
-            changed_ = false;
-            visit(function.body);
-        } while (changed_);
-    }
-
-    /// The common degree of output Cl.
-    std::optional<float> ofCl() const {
-        std::optional<Degree> all;
-        collect(function_.body, all);
-        if (!all || all->kind == Degree::Unknown)
-            return std::nullopt;
-        return all->kind == Degree::Zero ? 0 : all->power;
-    }
-
-private:
+struct Degree {
     /// Zero is the number 0, which has every degree.
-    struct Degree {
-        enum Kind { Undefined, Zero, Power, Unknown } kind = Undefined;
-        float power = 0;
-        bool operator==(const Degree &) const = default;
-    };
-    static Degree power(float p) { return {Degree::Power, p}; }
+    enum Kind { Undefined, Zero, Power, Unknown } kind = Undefined;
+    float power = 0;
 
-    static Degree merged(Degree a, Degree b) {
-        if (a.kind == Degree::Undefined || (a.kind == Degree::Zero && b.kind != Degree::Undefined))
-            return b;
-        if (b.kind == Degree::Undefined || b.kind == Degree::Zero || a == b)
-            return a;
-        return {Degree::Unknown, 0};
+    /// What a decision on it comes to does not change when L is stretched.
+    bool isSteady() const { return kind == Zero || (kind == Power && power == 0); }
+    bool operator==(const Degree &) const = default;
+};
+
+constexpr Degree unknown{Degree::Unknown, 0};
+constexpr Degree steady{Degree::Power, 0};
+
+Degree merged(Degree a, Degree b) {
+    if (a.kind == Degree::Undefined || (a.kind == Degree::Zero && b.kind != Degree::Undefined))
+        return b;
+    if (b.kind == Degree::Undefined || b.kind == Degree::Zero || a == b)
+        return a;
+    return unknown;
+}
+
+/// Of a product, `sign` 1, or a quotient, -1.
+Degree product(Degree a, Degree b, float sign) {
+    if (a.kind == Degree::Zero || (b.kind == Degree::Zero && sign > 0))
+        return {Degree::Zero, 0};
+    if (a.kind == Degree::Power && b.kind == Degree::Power)
+        return {Degree::Power, a.power + sign * b.power};
+    return unknown;
+}
+
+struct DegreeAnalysis : ForwardAnalysis<Degree> {
+    DegreeAnalysis(const Function &function, const Triple &L)
+        : ForwardAnalysis(function), L(L), definition(function.values.size()) {
+        forEachInstruction(function.body, [&](const Instruction &i) {
+            for (ValueId v : i.results)
+                definition[v] = &i;
+        });
     }
 
-    Degree degree(ValueId v) const { return degrees_[v]; }
-    void set(ValueId v, Degree d) {
-        if (v == L_[0] || v == L_[1] || v == L_[2])
-            d = power(1);
-        if (!(degrees_[v] == d)) {
-            degrees_[v] = d;
-            changed_ = true;
+    bool isL(ValueId v) const { return v == L[0] || v == L[1] || v == L[2]; }
+
+    Degree result(const Instruction &i, std::size_t k, const Enclosing *) const {
+        return isL(i.results[k]) ? Degree{Degree::Power, 1} : degreeOf(i);
+    }
+    Degree array(const Instruction &, const Enclosing *) const { return unknown; }
+    Degree given(const Instruction &, std::size_t) const { return unknown; }
+
+    Degree flow(const ValueFlow &flow, const Enclosing *) const {
+        if (isL(flow.to))
+            return {Degree::Power, 1};
+        const auto condition = conditionOf(flow.owner);
+        if (!condition)
+            return unknown;
+        // A loop starts from what it carries at first; a second sweep sees what it comes to.
+        const Degree decides = at(*condition);
+        const bool isFirst = decides.kind == Degree::Undefined && at(flow.owner, 0).isSteady();
+        // What loops carry only rises; what an If gives follows the latest that its sides are.
+        Degree all = flow.owner.op == Op::Loop ? at(flow.to) : Degree{};
+        for (ValueId v : flow.from)
+            all = merged(all, at(v));
+        return isFirst || decides.isSteady() ? all : unknown;
+    }
+
+    Degree degreeOf(const Instruction &i) const {
+        if (i.op == Op::ConstFloat)
+            return i.number == 0 ? Degree{Degree::Zero, 0} : steady;
+        if (i.op == Op::Input) { // Ps moves when L is stretched.
+            const int component = i.immediate - int(ShaderInput::Ps);
+            return component >= 0 && component < 3 ? unknown : steady;
+        }
+        if (!isPure(i.op) || info(i.op).kind == OpClass::Random)
+            return unknown;
+        if (isFloatComparison(i.op)) // Both sides grow alike.
+            return merged(at(i, 0), at(i, 1)).kind == Degree::Unknown ? unknown : steady;
+        if (i.op == Op::Sqrt)
+            return at(i, 0).kind == Degree::Power ? Degree{Degree::Power, at(i, 0).power / 2}
+                                                  : at(i, 0);
+        switch (info(i.op).slope) {
+        case SlopeRule::Sum:
+        case SlopeRule::Difference:
+        case SlopeRule::Least:
+        case SlopeRule::Greatest: return merged(at(i, 0), at(i, 1));
+        case SlopeRule::Negation:
+        case SlopeRule::Magnitude: return at(i, 0);
+        case SlopeRule::Product: return product(at(i, 0), at(i, 1), 1);
+        case SlopeRule::Quotient: return product(at(i, 0), at(i, 1), -1);
+        case SlopeRule::Choice: return chosen(i);
+        case SlopeRule::Power: return raised(i);
+        default: return steadyIfOperandsAre(i);
         }
     }
 
-    void visit(const Region &region) {
-        for (const Instruction &i : region.body)
-            visit(i);
-    }
-
-    /// Whether a decision cannot change when L is stretched.
-    bool isSteady(ValueId condition) const {
-        const Degree d = degree(condition);
-        return d.kind == Degree::Zero || (d.kind == Degree::Power && d.power == 0);
-    }
-
-    void visit(const Instruction &i) {
-        switch (i.op) {
-        case Op::If:
-            for (const Region &region : i.regions)
-                visit(region);
-            for (size_t k = 0; k < i.results.size(); ++k)
-                set(i.results[k], isSteady(i.operands[0]) ? merged(degree(i.regions[0].yields[k]),
-                                                                   degree(i.regions[1].yields[k]))
-                                                          : Degree{Degree::Unknown, 0});
-            break;
-        case Op::Loop: visitLoop(i); break;
-        default:
-            for (ValueId result : i.results)
-                set(result, plain(i));
-        }
-    }
-
-    void visitLoop(const Instruction &i) {
-        const Region &body = i.regions[0];
-        const bool steady =
-            isSteady(i.operands[0]) &&
-            (degree(body.arguments[0]).kind == Degree::Undefined || isSteady(body.arguments[0]));
-        for (size_t k = 0; k < i.results.size(); ++k) {
-            const Degree d = merged(degree(i.operands[k]),
-                                    body.yields.empty() ? Degree{} : degree(body.yields[k]));
-            const Degree carried = steady ? d : Degree{Degree::Unknown, 0};
-            set(body.arguments[k], merged(degree(body.arguments[k]), carried));
-            set(i.results[k], merged(degree(i.results[k]), carried));
-        }
-        visit(body);
-    }
-
-    bool sideIsZero(const Instruction &i) const {
-        return degree(i.operands[0]).kind == Degree::Zero ||
-               degree(i.operands[1]).kind == Degree::Zero;
-    }
-
-    Degree sum(const Instruction &i) const {
-        return merged(degree(i.operands[0]), degree(i.operands[1]));
-    }
-
-    /// Of a product, `sign` 1, or a quotient, -1.
-    Degree product(const Instruction &i, float sign) const {
-        const Degree a = degree(i.operands[0]), b = degree(i.operands[1]);
-        if (a.kind == Degree::Zero || (b.kind == Degree::Zero && sign > 0))
-            return {Degree::Zero, 0};
-        if (a.kind == Degree::Power && b.kind == Degree::Power)
-            return power(a.power + sign * b.power);
-        return {Degree::Unknown, 0};
-    }
-
-    /// Of anything else: steady if its operands are.
-    Degree steady(const Instruction &i) const {
+    Degree steadyIfOperandsAre(const Instruction &i) const {
         for (ValueId operand : i.operands)
-            if (!isSteady(operand))
-                return {Degree::Unknown, 0};
-        return power(0);
+            if (!at(operand).isSteady())
+                return unknown;
+        return steady;
     }
 
-    Degree plain(const Instruction &i) {
-        switch (i.op) {
-        case Op::ConstFloat:
-            constants_[i.results[0]] = i.number;
-            return i.number == 0 ? Degree{Degree::Zero, 0} : power(0);
-        case Op::Input: // Ps moves when L is stretched.
-            if (i.immediate >= int(ShaderInput::Ps) && i.immediate < int(ShaderInput::Ps) + 3)
-                return {Degree::Unknown, 0};
-            return power(0);
-        case Op::Add:
-        case Op::Sub:
-        case Op::Min:
-        case Op::Max: return sum(i);
-        case Op::Neg:
-        case Op::Abs: return degree(i.operands[0]);
-        case Op::Mul: return product(i, 1);
-        case Op::Div: return product(i, -1);
-        case Op::Sqrt: {
-            const Degree d = degree(i.operands[0]);
-            return d.kind == Degree::Power ? power(d.power / 2) : d;
-        }
-        case Op::Equal:
-            if (sideIsZero(i))
-                zeroTests_.insert(i.results[0]);
-            [[fallthrough]];
-        case Op::Less:
-        case Op::LessEqual:
-        case Op::NotEqual: // Both sides grow alike.
-            return sum(i).kind == Degree::Unknown ? Degree{Degree::Unknown, 0} : power(0);
-        case Op::Select:
-            if (zeroTests_.contains(i.operands[0])) // Guards a division; holds almost nowhere.
-                return degree(i.operands[2]);
-            return isSteady(i.operands[0]) ? merged(degree(i.operands[1]), degree(i.operands[2]))
-                                           : Degree{Degree::Unknown, 0};
-        case Op::Pow: return raised(i);
-        case Op::ArrayLoad:
-        case Op::Random:
-        case Op::LightLoop:
-        case Op::Answer: return {Degree::Unknown, 0};
-        default: return steady(i);
-        }
+    /// Something is 0: guards a division, and holds almost nowhere.
+    bool testsForZero(ValueId condition) const {
+        const Instruction *i = definition[condition];
+        return i && i->op == Op::Equal &&
+               (at(*i, 0).kind == Degree::Zero || at(*i, 1).kind == Degree::Zero);
+    }
+
+    Degree chosen(const Instruction &i) const {
+        if (testsForZero(i.operands[0]))
+            return at(i, 2);
+        return at(i, 0).isSteady() ? merged(at(i, 1), at(i, 2)) : unknown;
     }
 
     Degree raised(const Instruction &i) const {
-        const Degree base = degree(i.operands[0]);
-        const auto exponent = constants_.find(i.operands[1]);
-        if (base.kind == Degree::Power && exponent != constants_.end())
-            return power(base.power * exponent->second);
-        return steady(i);
+        const Instruction *exponent = definition[i.operands[1]];
+        if (at(i, 0).kind == Degree::Power && exponent && exponent->op == Op::ConstFloat)
+            return {Degree::Power, at(i, 0).power * exponent->number};
+        return steadyIfOperandsAre(i);
     }
 
-    void collect(const Region &region, std::optional<Degree> &all) const {
-        for (const Instruction &i : region.body) {
-            if (i.op == Op::Output && function_.outputs[size_t(i.immediate)].name == "Cl")
-                all = merged(all.value_or(Degree{}), degree(i.operands[0]));
-            for (const Region &inner : i.regions)
-                collect(inner, all);
-        }
-    }
-
-    const Function &function_;
-    const Triple L_;
-    std::vector<Degree> degrees_;
-    std::map<ValueId, float> constants_;
-    std::set<ValueId> zeroTests_; ///< Bools that say whether something is 0.
-    bool changed_ = false;
+    const Triple L;
+    std::vector<const Instruction *> definition; ///< Null for arguments of regions.
 };
 
 } // namespace
 
 std::optional<float> powerOfDistance(const Function &function, const Triple &L) {
-    return Degrees(function, L).ofCl();
+    DegreeAnalysis degrees(function, L);
+    solve(degrees);
+    std::optional<Degree> all;
+    forEachInstruction(function.body, [&](const Instruction &i) {
+        if (i.op == Op::Output && function.outputs[size_t(i.immediate)].name == OutputKind::Cl)
+            all = merged(all.value_or(Degree{}), degrees.at(i, 0));
+    });
+    if (!all || all->kind == Degree::Unknown)
+        return std::nullopt;
+    return all->kind == Degree::Zero ? 0 : all->power;
 }
 
 } // namespace candela::ir

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/ir/analyse/trip_count.h"
 
+#include "language/ir/core/evaluate.h"
 #include "language/ir/core/op_info.h"
 
 namespace candela::ir {
@@ -63,21 +64,22 @@ private:
         if (!a || !b)
             return;
         float &result = known_[i.results[0]];
+        if (isFloatComparison(i.op))
+            result = evaluateCompare(i.op, *a, *b);
+        else if (isFloatArithmetic(i.op))
+            result = evaluateFloat(i.op, *a, *b);
+        else
+            runLogic(i, *a, *b, result);
+    }
+
+    void runLogic(const Instruction &i, Known a, Known b, Known &result) {
         switch (i.op) {
-        case Op::Less:
-        case Op::LessEqual:
-        case Op::Equal:
-        case Op::NotEqual: result = evaluateCompare(i.op, *a, *b); break;
-        case Op::And: result = *a != 0 && *b != 0; break;
-        case Op::Or: result = *a != 0 || *b != 0; break;
-        case Op::Not: result = *a == 0; break;
+        case Op::And: result = a != 0 && b != 0; break;
+        case Op::Or: result = a != 0 || b != 0; break;
+        case Op::Not: result = a == 0; break;
         case Op::Select:
-        case Op::FloatFromBool: result = *a; break;
-        default:
-            if (isFloatArithmetic(i.op))
-                result = evaluateFloat(i.op, *a, *b);
-            else
-                known_.erase(i.results[0]);
+        case Op::FloatFromBool: result = a; break;
+        default: known_.erase(i.results[0]);
         }
     }
 

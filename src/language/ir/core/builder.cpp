@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/ir/core/builder.h"
 
-#include "foundation/units/color.h"
 #include "language/ir/core/builder_fold.h"
 #include "language/ir/core/op_info.h"
 #include "language/ir/core/rates.h"
@@ -39,24 +38,29 @@ const Values *Builder::find(const Key &key) const {
 
 namespace {
 
-Values makeResults(Function &function, Op op, const Values &operands, int immediate) {
-    Rate rate = info(op).varying ? Rate::Varying : Rate::Uniform;
+Rate rateOfResults(const Function &function, Op op, const Values &operands) {
+    Rate rate = info(op).uniformity == ResultUniformity::Varying ? Rate::Varying : Rate::Uniform;
     for (ValueId v : operands)
         if (function.values[v].rate == Rate::Varying)
             rate = Rate::Varying;
-    if (op == Op::Call || op == Op::Answer || op == Op::Ambient || op == Op::Irradiance) {
-        Values floats(op == Op::Call ? runtime::info(runtime::RuntimeFunction(immediate)).outputs
-                                     : colorSamples);
-        for (ValueId &v : floats)
-            v = function.addValue(Type::Float, rate);
-        return floats;
-    }
-    Type same = op == Op::ArrayLoad ? function.arrays[immediate].type
-                : operands.empty()  ? Type::Float
-                                    : function.values[operands.back()].type;
+    return rate;
+}
+
+Values makeResults(Function &function, Op op, const Values &operands, int immediate) {
+    const Rate rate = rateOfResults(function, op, operands);
     Values results;
+    const auto make = [&](Type type, int count) {
+        for (int k = 0; k < count; ++k)
+            results.push_back(function.addValue(type, rate));
+    };
+    const Type same = isArrayAccess(op)  ? function.arrays[immediate].type
+                      : operands.empty() ? Type::Float
+                                         : function.values[operands.back()].type;
     for (char letter : info(op).results)
-        results.push_back(function.addValue(letter == '.' ? same : typeOf(letter), rate));
+        if (letter == '*')
+            make(Type::Float, runtime::info(runtime::RuntimeFunction(immediate)).outputs);
+        else
+            make(letter == '.' ? same : typeOf(letter), countOf(letter, function.colors.samples));
     return results;
 }
 

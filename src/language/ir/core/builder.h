@@ -48,6 +48,7 @@ public:
     void finish();
 
     Function &function() { return function_; }
+    const ColorBasis &colors() const { return function_.colors; }
     Type type(ValueId v) const { return function_.values[v].type; }
     /// What is known so far; a loop's carried values may turn out varying later.
     Rate rate(ValueId v) const { return function_.values[v].rate; }

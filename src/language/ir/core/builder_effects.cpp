@@ -17,15 +17,14 @@ void arrayStore(Builder &b, int array, ValueId index, ValueId value) {
     b.emit(Op::ArrayStore, {index, value}, array);
 }
 
-void output(Builder &b, const std::string &slot, int component, ValueId value) {
+void output(Builder &b, const OutputName &name, int component, ValueId value) {
     auto &slots = b.function().outputs;
-    std::size_t index = 0;
-    while (index < slots.size() &&
-           (slots[index].name != slot || slots[index].component != component))
-        ++index;
-    if (index == slots.size())
-        slots.push_back({slot, component});
-    b.emit(Op::Output, {value}, int(index));
+    int slot = slotOf(slots, name, component);
+    if (slot < 0) {
+        slot = int(slots.size());
+        slots.push_back({name, component});
+    }
+    b.emit(Op::Output, {value}, slot);
 }
 
 void printValues(Builder &b, const std::string &format, const Values &values) {

@@ -13,7 +13,7 @@ ValueId arrayLoad(Builder &, int array, ValueId index);
 void arrayStore(Builder &, int array, ValueId index, ValueId value);
 
 /// The function gets the slot if it has none of that name and component yet.
-void output(Builder &, const std::string &slot, int component, ValueId);
+void output(Builder &, const OutputName &, int component, ValueId);
 void printValues(Builder &, const std::string &format, const Values &);
 
 } // namespace candela::ir

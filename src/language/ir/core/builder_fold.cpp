@@ -2,7 +2,9 @@
 #include "language/ir/core/builder_fold.h"
 
 #include "language/ir/core/builder_sources.h"
+#include "language/ir/core/evaluate.h"
 #include "language/ir/core/op_info.h"
+#include "language/ir/core/regions.h"
 
 #include <cmath>
 
@@ -27,6 +29,11 @@ Folded foldArithmetic(Builder &b, Op op, const std::vector<ValueId> &operands) {
     return {};
 }
 
+Folded foldComparison(Builder &b, Op op, ValueId left, ValueId right) {
+    const float *x = constantFloat(b, left), *y = constantFloat(b, right);
+    return x && y ? Folded(boolean(b, evaluateCompare(op, *x, *y))) : Folded{};
+}
+
 Folded foldLogic(Builder &b, Op op, ValueId left, ValueId right) {
     auto decided = op == Op::And ? false : true; // The operand that decides alone.
     for (auto [one, other] : {std::pair{left, right}, std::pair{right, left}})
@@ -41,30 +48,14 @@ Folded foldSelect(Builder &b, ValueId condition, ValueId yes, ValueId no) {
     return yes == no ? Folded(yes) : Folded{};
 }
 
-void markRegion(const Region &region, std::vector<bool> &read) {
-    for (const Instruction &i : region.body) {
-        if (i.op == Op::Input)
-            read[i.immediate] = true;
-        if (i.op == Op::Random)
-            read[std::size_t(ShaderInput::seed)] = true;
-        for (const Region &inner : i.regions)
-            markRegion(inner, read);
-    }
-}
-
 } // namespace
 
 std::optional<ValueId> foldOperation(Builder &b, Op op, const std::vector<ValueId> &operands) {
     if (isFloatArithmetic(op))
         return foldArithmetic(b, op, operands);
+    if (isFloatComparison(op))
+        return foldComparison(b, op, operands[0], operands[1]);
     switch (op) {
-    case Op::Less:
-    case Op::LessEqual:
-    case Op::Equal:
-    case Op::NotEqual: {
-        const float *left = constantFloat(b, operands[0]), *right = constantFloat(b, operands[1]);
-        return left && right ? Folded(boolean(b, evaluateCompare(op, *left, *right))) : Folded{};
-    }
     case Op::And:
     case Op::Or: return foldLogic(b, op, operands[0], operands[1]);
     case Op::Not: {
@@ -91,7 +82,12 @@ std::optional<ValueId> foldOperation(Builder &b, Op op, const std::vector<ValueI
 
 void markInputsRead(Function &function) {
     function.inputsRead.assign(std::size_t(ShaderInput::Count), false);
-    markRegion(function.body, function.inputsRead);
+    forEachInstruction(function.body, [&](const Instruction &i) {
+        if (i.op == Op::Input)
+            function.inputsRead[i.immediate] = true;
+        if (i.op == Op::Random)
+            function.inputsRead[std::size_t(ShaderInput::seed)] = true;
+    });
 }
 
 } // namespace candela::ir

@@ -24,7 +24,7 @@ Values lightLoop(Builder &b, int request, const Triple &position, const Values &
     Values Cl, carried, arguments;
     for (ValueId &v : L)
         arguments.push_back(v = b.newValue(Type::Float, Rate::Varying));
-    for (int k = 0; k < colorSamples; ++k) {
+    for (int k = 0; k < b.colors().samples; ++k) {
         Cl.push_back(b.newValue(Type::Float, Rate::Varying));
         arguments.push_back(Cl.back());
     }

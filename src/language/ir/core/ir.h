@@ -13,6 +13,8 @@
 #pragma once
 
 #include "foundation/base/diagnostics.h"
+#include "foundation/units/color_basis.h"
+#include "language/ir/core/outputs.h"
 #include "language/runtime/shader_abi.h"
 
 #include <cstdint>
@@ -79,6 +81,14 @@ struct LightRequest {
     int line = 0;
 };
 
+/// Where illuminate() or solar() of a light shader's text sends light; EmissionCone carries its
+/// number as immediate.
+struct Emission {
+    bool distant = false;  ///< solar(): light without a position, from its direction everywhere.
+    bool repeated = false; ///< In a loop: it may be stated again and again.
+    int line = 0;
+};
+
 /// A local array in memory.
 struct Array {
     Type type = Type::Float;
@@ -92,20 +102,16 @@ struct ParameterSlot {
     int component = 0;
 };
 
-/// What an output plane holds: "Ci" 0..2, "cone 0 axis" 0..2, ...
-struct OutputSlot {
-    std::string name;
-    int component = 0;
-};
-
 /// One function to interpret or compile: one question to one shader (or, before slicing, the
 /// whole text).
 struct Function {
     std::string name;
+    ColorBasis colors;         ///< Every colour in it has these samples.
     std::vector<Value> values; ///< By ValueId.
     Region body;               ///< No arguments, no yields: results leave through Output.
     std::vector<Array> arrays;
     std::vector<LightRequest> requests;
+    std::vector<Emission> emissions;       ///< Of light shaders, in the order of the text.
     std::vector<std::string> strings;      ///< By ConstString's immediate.
     std::vector<std::string> files;        ///< Source files, by Instruction::file.
     std::vector<std::string> spaces;       ///< Named coordinate systems, by Space's immediate.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What ops.def says, as data.
+// What ops.def says, as data. An operation that lacks a fact does not compile: passes ask here and
+// have no lists of operations of their own.
 #pragma once
 
 #include "language/ir/core/ir.h"
@@ -8,32 +9,187 @@
 
 namespace candela::ir {
 
-struct OpInfo {
-    const char *name;
-    std::string_view operands; ///< Letters of ops.def, without blanks.
-    std::string_view results;
-    bool varying; ///< The results vary whatever the operands.
+enum class OpClass : std::uint8_t {
+    Constant,
+    Source,         ///< What the caller gives.
+    Arithmetic,     ///< Floats to float, exactly as IEEE 754 has it.
+    Transcendental, ///< Floats to float, by a library.
+    Comparison,
+    Logic,
+    Choice,
+    Conversion,
+    Memory, ///< Local arrays.
+    Call,   ///< Runtime functions.
+    Random,
+    Control, ///< Owns regions.
+    Light,   ///< Asks for light, or about it.
+    Frame,   ///< Takes from the frame of an earlier function.
+    Effect,  ///< Leaves something behind.
 };
 
-const OpInfo &info(Op);
-/// What a letter of ops.def stands for: f, b, i or s.
-Type typeOf(char letter);
-inline constexpr int opCount = int(Op::CategoryAccepts) + 1;
+/// What Instruction::immediate is: an index into a table of the function or of the runtime, or a
+/// number.
+enum class Immediate : std::uint8_t {
+    None,
+    Number,
+    String,
+    Input, ///< A plane, counted over the components of shader_inputs.def.
+    Parameter,
+    Variable,
+    Space,
+    Array,
+    RuntimeFunction,
+    Site, ///< Tells places in the text apart.
+    Request,
+    RequestOrFinite, ///< A request, or finiteRequests.
+    Category,
+    Emission,
+    Output,
+    Frame,
+};
 
-/// ConstFloat, ConstBool, ConstInteger, ConstString.
-bool isConstant(Op);
-/// Same operands, same results, nothing else: may be shared, moved and left out. Not so are
-/// memory, light, control and effects.
-bool isPure(Op);
-/// Must stay even if nobody uses its results.
-bool hasEffect(Op);
-/// Float to float, one or two operands.
-bool isFloatArithmetic(Op);
+/// Where results vary from lane to lane.
+enum class ResultUniformity : std::uint8_t {
+    Uniform,
+    Operands, ///< Where an operand does.
+    Varying,
+    Array,   ///< Where an operand or the array does.
+    Regions, ///< Where what the regions yield does, or what decides among them.
+};
 
-/// The one definition of scalar arithmetic, for the interpreter and for folding.
-float evaluateFloat(Op, float a, float b);
-bool evaluateCompare(Op, float a, float b);
-/// Truncated; saturating; NaN gives 0.
-int integerFromFloat(float);
+enum class Purity : std::uint8_t {
+    Pure,    ///< Same operands, same results, nothing else: may be shared, moved and left out.
+    Reads,   ///< May be left out, but not moved across effects.
+    Effect,  ///< Stays even if nobody uses its results.
+    Regions, ///< As what its regions hold.
+};
+
+/// Whether it may be computed though nobody may want the result.
+enum class Speculation : std::uint8_t {
+    Always, ///< Costs less than a branch around it.
+    Cheap,  ///< May leave its branch, but does not replace one.
+    Never,  ///< Stays behind its conditions.
+};
+
+/// How a derivative follows from the operands' derivatives.
+enum class SlopeRule : std::uint8_t {
+    None,   ///< No number that changes smoothly.
+    Step,   ///< 0 almost everywhere.
+    Source, ///< What the caller says of the source.
+    Sum,
+    Difference,
+    Product,
+    Quotient,
+    Negation,
+    Magnitude,
+    Least,
+    Greatest,
+    Choice, ///< That of the chosen operand.
+    Chain,  ///< The one operand's, times a factor of operand and result.
+    Angle,  ///< Of atan2.
+    Power,
+    Memory, ///< An array of slopes beside the array.
+    Call,   ///< functions.def names a function that gives slopes.
+    Control,
+};
+
+/// How a range follows from the operands' ranges.
+enum class BoundRule : std::uint8_t {
+    Unknown, ///< Anything.
+    Constant,
+    Source, ///< What the caller says of the source.
+    Sum,
+    Difference,
+    Product,
+    Quotient,
+    Negation,
+    Magnitude,
+    Least,
+    Greatest,
+    Increasing, ///< Of one operand, never falls.
+    Decreasing, ///< Of one operand, never rises.
+    Periodic,
+    Angle, ///< Of atan2.
+    Power,
+    Comparison, ///< Known only if the ranges do not overlap.
+    Logic,
+    Union,    ///< Of all that may be chosen, stored or converted.
+    Fraction, ///< [0,1).
+    Call,     ///< functions.def.
+    Control,
+    Effect, ///< No results.
+};
+
+struct OpInfo {
+    const char *name;
+    std::string_view operands, results; ///< Letters of ops.def.
+    int regions;
+    OpClass kind;
+    Immediate immediate;
+    ResultUniformity uniformity;
+    Purity purity;
+    Speculation speculation;
+    /// Of computing it again where its operands stand, in units of an addition. 0: nothing to
+    /// compute, or (Call) functions.def says.
+    int cost;
+    SlopeRule slope;
+    BoundRule bound;
+};
+
+inline constexpr OpInfo opTable[] = {
+#define IR_OP(name, operands, results, regions, kind, immediate, uniformity, purity, speculation,  \
+              cost, slope, bound, meaning)                                                         \
+    {#name,                                                                                        \
+     operands,                                                                                     \
+     results,                                                                                      \
+     regions,                                                                                      \
+     OpClass::kind,                                                                                \
+     Immediate::immediate,                                                                         \
+     ResultUniformity::uniformity,                                                                 \
+     Purity::purity,                                                                               \
+     Speculation::speculation,                                                                     \
+     cost,                                                                                         \
+     SlopeRule::slope,                                                                             \
+     BoundRule::bound},
+#include "language/ir/core/ops.def"
+#undef IR_OP
+};
+inline constexpr int opCount = int(std::size(opTable));
+
+constexpr const OpInfo &info(Op op) { return opTable[int(op)]; }
+
+/// What a letter of ops.def stands for; not of "*" and ".".
+constexpr Type typeOf(char letter) {
+    return letter == 'b'   ? Type::Bool
+           : letter == 'i' ? Type::Integer
+           : letter == 's' ? Type::String
+                           : Type::Float;
+}
+/// How many values a letter stands for in a function with so many color samples; not of "*".
+constexpr int countOf(char letter, int colorSamples) {
+    return letter == 'c' ? colorSamples : letter == 'm' ? 16 : 1;
+}
+
+constexpr bool isConstant(Op op) { return info(op).kind == OpClass::Constant; }
+constexpr bool isPure(Op op) { return info(op).purity == Purity::Pure; }
+constexpr bool hasEffect(Op op) { return info(op).purity == Purity::Effect; }
+/// Float to float, one or two operands: evaluateFloat() has it.
+constexpr bool isFloatArithmetic(Op op) {
+    return info(op).kind == OpClass::Arithmetic || info(op).kind == OpClass::Transcendental;
+}
+/// Two floats to bool: evaluateCompare() has it.
+constexpr bool isFloatComparison(Op op) {
+    return info(op).kind == OpClass::Comparison && info(op).operands == "ff";
+}
+/// Loads and stores of local arrays.
+constexpr bool isArrayAccess(Op op) { return info(op).kind == OpClass::Memory; }
+
+/// Light that comes from outside of the text: answers, ambient(), irradiance().
+constexpr bool isAnswer(Op op) {
+    return info(op).kind == OpClass::Light && info(op).results == "c";
+}
+
+/// As OpInfo::cost, with that of the runtime function that a Call calls.
+int costOf(const Instruction &);
 
 } // namespace candela::ir

@@ -38,8 +38,14 @@ public:
 
     std::string run() {
         line("function {} frame {}", function_.name, function_.frameSlots);
+        if (!function_.colors.isRgb())
+            line("colors of {} samples", function_.colors.samples);
         for (std::size_t i = 0; i < function_.requests.size(); ++i)
             printRequest(int(i), function_.requests[i]);
+        for (std::size_t i = 0; i < function_.emissions.size(); ++i)
+            line("emission {} {}{} line {}", i,
+                 function_.emissions[i].distant ? "distant" : "local",
+                 function_.emissions[i].repeated ? " repeated" : "", function_.emissions[i].line);
         for (std::size_t i = 0; i < function_.arrays.size(); ++i)
             line("array {} {} {} [{}]", i, rateName(function_.arrays[i].rate),
                  typeName(function_.arrays[i].type), function_.arrays[i].size);
@@ -82,37 +88,37 @@ private:
         return text;
     }
     static std::string slot(const std::vector<OutputSlot> &slots, int index) {
-        return fmt::format("\"{}\".{}", slots[index].name, slots[index].component);
+        return fmt::format("\"{}\".{}", slots[index].name.text(), slots[index].component);
     }
 
     std::string immediate(const Instruction &i) const {
-        switch (i.op) {
-        case Op::ConstFloat: return fmt::format(" {:a} ({})", i.number, i.number);
-        case Op::ConstBool: return i.immediate ? " true" : " false";
-        case Op::ConstInteger: return fmt::format(" {}", i.immediate);
-        case Op::ConstString: return fmt::format(" \"{}\"", function_.strings[i.immediate]);
-        case Op::Input: return " " + inputText(i.immediate);
-        case Op::Space:
-        case Op::SpaceInverse: return fmt::format(" \"{}\"", function_.spaces[i.immediate]);
-        case Op::Output: return " " + slot(function_.outputs, i.immediate);
-        case Op::Call:
+        if (i.op == Op::ConstFloat)
+            return fmt::format(" {:a} ({})", i.number, i.number);
+        if (i.op == Op::ConstBool)
+            return i.immediate ? " true" : " false";
+        switch (info(i.op).immediate) {
+        case Immediate::None: return "";
+        case Immediate::String: return fmt::format(" \"{}\"", function_.strings[i.immediate]);
+        case Immediate::Input: return " " + inputText(i.immediate);
+        case Immediate::Space: return fmt::format(" \"{}\"", function_.spaces[i.immediate]);
+        case Immediate::Output: return " " + slot(function_.outputs, i.immediate);
+        case Immediate::RuntimeFunction:
             return fmt::format(" {}", runtime::info(runtime::RuntimeFunction(i.immediate)).name);
-        case Op::Parameter: {
+        case Immediate::Parameter: {
             const ParameterSlot &known = function_.parameters[i.immediate];
             return fmt::format(" {} \"{}\".{}", i.immediate, known.name, known.component);
         }
-        case Op::Variable:
-        case Op::ArrayLoad:
-        case Op::ArrayStore:
-        case Op::Random:
-        case Op::LightLoop:
-        case Op::Answer:
-        case Op::FrameStore:
-        case Op::FrameLoad:
-        case Op::AnsweredRequest:
-        case Op::CategoryAccepts: return fmt::format(" {}", i.immediate);
-        default: return "";
+        case Immediate::Number:
+        case Immediate::Variable:
+        case Immediate::Array:
+        case Immediate::Site:
+        case Immediate::Request:
+        case Immediate::RequestOrFinite:
+        case Immediate::Category:
+        case Immediate::Emission:
+        case Immediate::Frame: return fmt::format(" {}", i.immediate);
         }
+        return "";
     }
 
     void print(const Region &region, int depth) {

@@ -1,93 +1,61 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/ir/core/rates.h"
 
-#include "language/ir/core/op_info.h"
+#include "language/ir/core/dataflow.h"
+
+#include <algorithm>
 
 namespace candela::ir {
 
 namespace {
 
-/// Rates only ever rise, so sweeping until nothing rises ends.
-class RateInference {
-public:
-    explicit RateInference(Function &function) : function_(function) {}
+struct RateAnalysis : ForwardAnalysis<Rate> {
+    using ForwardAnalysis::ForwardAnalysis;
 
-    void run() {
-        for (Value &v : function_.values)
-            v.rate = Rate::Uniform;
-        for (Array &a : function_.arrays)
-            a.rate = Rate::Uniform;
-        do {
-            changed_ = false;
-            sweep(function_.body, false);
-        } while (changed_);
+    bool anyVaries(std::span<const ValueId> all) const {
+        return std::any_of(all.begin(), all.end(),
+                           [&](ValueId v) { return at(v) == Rate::Varying; });
+    }
+    static Rate varyingIf(bool varies) { return varies ? Rate::Varying : Rate::Uniform; }
+
+    /// Whether lanes may disagree on what runs within the owner.
+    bool diverges(const Instruction &owner) const {
+        const auto condition = conditionOf(owner);
+        return !condition || at(*condition) == Rate::Varying;
     }
 
-private:
-    bool varies(ValueId v) const { return function_.values[v].rate == Rate::Varying; }
-    void raise(Rate &rate, bool varying) {
-        if (varying && rate == Rate::Uniform) {
-            rate = Rate::Varying;
-            changed_ = true;
+    Rate result(const Instruction &i, std::size_t, const Enclosing *) const {
+        switch (info(i.op).uniformity) {
+        case ResultUniformity::Uniform: return Rate::Uniform;
+        case ResultUniformity::Varying: return Rate::Varying;
+        case ResultUniformity::Array:
+            return varyingIf(arrayOf(i) == Rate::Varying || anyVaries(i.operands));
+        default: return varyingIf(anyVaries(i.operands));
         }
     }
-    void raise(ValueId v, bool varying) { raise(function_.values[v].rate, varying); }
-
-    void sweep(Region &region, bool divergent) {
-        for (Instruction &i : region.body)
-            sweep(i, divergent);
+    Rate array(const Instruction &i, const Enclosing *around) const {
+        if (!hasEffect(i.op))
+            return arrayOf(i);
+        bool divergent = false;
+        for (; around; around = around->outer)
+            divergent |= diverges(*around->owner);
+        return varyingIf(divergent || arrayOf(i) == Rate::Varying || anyVaries(i.operands));
     }
-
-    void sweep(Instruction &i, bool divergent) {
-        switch (i.op) {
-        case Op::If: return sweepIf(i, divergent);
-        case Op::Loop: return sweepLoop(i, divergent);
-        case Op::LightLoop:
-            for (ValueId v : i.regions[0].arguments)
-                raise(v, true);
-            for (ValueId v : i.results)
-                raise(v, true);
-            return sweep(i.regions[0], true);
-        case Op::ArrayStore:
-            return raise(function_.arrays[i.immediate].rate,
-                         divergent || varies(i.operands[0]) || varies(i.operands[1]));
-        default: break;
-        }
-        bool varying = info(i.op).varying;
-        if (i.op == Op::ArrayLoad)
-            varying |= function_.arrays[i.immediate].rate == Rate::Varying;
-        for (ValueId v : i.operands)
-            varying |= varies(v);
-        for (ValueId v : i.results)
-            raise(v, varying);
+    Rate flow(const ValueFlow &flow, const Enclosing *) const {
+        return varyingIf(diverges(flow.owner) || anyVaries(flow.from));
     }
-
-    void sweepIf(Instruction &i, bool divergent) {
-        bool varying = varies(i.operands[0]);
-        for (Region &region : i.regions) {
-            sweep(region, divergent || varying);
-            for (std::size_t k = 0; k < i.results.size(); ++k)
-                raise(i.results[k], varying || varies(region.yields[k]));
-        }
-    }
-
-    void sweepLoop(Instruction &i, bool divergent) {
-        Region &region = i.regions[0];
-        for (std::size_t k = 0; k < i.results.size(); ++k) {
-            bool varying = varies(i.operands[k]) || varies(region.arguments[0]) ||
-                           (!region.yields.empty() && varies(region.yields[k]));
-            raise(region.arguments[k], varying);
-            raise(i.results[k], varying);
-        }
-        sweep(region, divergent || varies(region.arguments[0]));
-    }
-
-    Function &function_;
-    bool changed_ = false;
+    Rate given(const Instruction &, std::size_t) const { return Rate::Varying; }
 };
 
 } // namespace
 
-void inferRates(Function &function) { RateInference(function).run(); }
+void inferRates(Function &function) {
+    RateAnalysis rates(function, Rate::Uniform);
+    solve(rates);
+    for (std::size_t v = 0; v < function.values.size(); ++v)
+        function.values[v].rate = rates.values[v].fact;
+    for (std::size_t a = 0; a < function.arrays.size(); ++a)
+        function.arrays[a].rate = rates.arrays[a].fact;
+}
 
 } // namespace candela::ir

@@ -90,8 +90,8 @@ private:
     }
 
     bool checkRegionCount(const Instruction &i) {
-        std::size_t count = i.op == Op::If ? 2 : i.op == Op::Loop || i.op == Op::LightLoop ? 1 : 0;
-        return expect(i, i.regions.size() == count, fmt::format("has not {} regions", count));
+        const int count = info(i.op).regions;
+        return expect(i, int(i.regions.size()) == count, fmt::format("has not {} regions", count));
     }
 
     bool checkImmediate(const Instruction &i) {
@@ -99,26 +99,26 @@ private:
             return expect(i, i.immediate >= 0 && std::size_t(i.immediate) < size,
                           fmt::format("immediate {} is out of range", i.immediate));
         };
-        switch (i.op) {
-        case Op::ConstString: return below(function_.strings.size());
-        case Op::Input: return below(std::size_t(ShaderInput::Count));
-        case Op::Parameter: return below(function_.parameters.size());
-        case Op::Variable: return below(function_.variables.size());
-        case Op::Space:
-        case Op::SpaceInverse: return below(function_.spaces.size());
-        case Op::ArrayLoad:
-        case Op::ArrayStore: return below(function_.arrays.size());
-        case Op::Call: return below(std::size_t(runtime::RuntimeFunction::Count));
-        case Op::LightLoop:
-        case Op::Answer: return below(function_.requests.size());
-        case Op::Output: return below(function_.outputs.size());
-        case Op::FrameStore:
-        case Op::FrameLoad: return below(std::size_t(std::max(function_.frameSlots, 0)));
-        case Op::AnsweredRequest:
+        switch (info(i.op).immediate) {
+        case Immediate::None:
+        case Immediate::Number:
+        case Immediate::Site: return true;
+        case Immediate::String: return below(function_.strings.size());
+        case Immediate::Input: return below(std::size_t(ShaderInput::Count));
+        case Immediate::Parameter: return below(function_.parameters.size());
+        case Immediate::Variable: return below(function_.variables.size());
+        case Immediate::Space: return below(function_.spaces.size());
+        case Immediate::Array: return below(function_.arrays.size());
+        case Immediate::RuntimeFunction: return below(std::size_t(runtime::RuntimeFunction::Count));
+        case Immediate::Request: return below(function_.requests.size());
+        case Immediate::RequestOrFinite:
             return i.immediate == finiteRequests || below(function_.requests.size());
-        case Op::CategoryAccepts: return below(function_.categories.size());
-        default: return true;
+        case Immediate::Emission: return below(function_.emissions.size());
+        case Immediate::Category: return below(function_.categories.size());
+        case Immediate::Output: return below(function_.outputs.size());
+        case Immediate::Frame: return below(std::size_t(std::max(function_.frameSlots, 0)));
         }
+        return false;
     }
 
     bool checkTypes(const Instruction &i) {
@@ -130,10 +130,6 @@ private:
             auto known = runtime::info(runtime::RuntimeFunction(i.immediate));
             return checkAll(i, i.operands, known.inputs) && checkAll(i, i.results, known.outputs);
         }
-        case Op::Answer:
-        case Op::Irradiance:
-            return checkAll(i, i.operands, 6) && checkAll(i, i.results, colorSamples);
-        case Op::Ambient: return checkAll(i, i.operands, 0) && checkAll(i, i.results, colorSamples);
         case Op::FrameStore:
             return expect(i, i.operands.size() == 1 && i.results.empty(), "wrong arity") &&
                    expect(i, type(i.operands[0]) != Type::String, "saves a string");
@@ -155,25 +151,24 @@ private:
 
     bool checkLetters(const Instruction &i) {
         const OpInfo &table = info(i.op);
-        if (!expect(i,
-                    i.operands.size() == table.operands.size() &&
-                        i.results.size() == table.results.size(),
-                    "wrong arity"))
+        const Type same = isArrayAccess(i.op)  ? function_.arrays[i.immediate].type
+                          : i.operands.empty() ? Type::Float
+                                               : type(i.operands.back());
+        return checkLetters(i, table.operands, i.operands, same, "operand") &&
+               checkLetters(i, table.results, i.results, same, "result");
+    }
+
+    bool checkLetters(const Instruction &i, std::string_view letters,
+                      const std::vector<ValueId> &values, Type same, const char *what) {
+        std::vector<Type> types;
+        for (char letter : letters)
+            types.insert(types.end(), countOf(letter, function_.colors.samples),
+                         letter == '.' ? same : typeOf(letter));
+        if (!expect(i, values.size() == types.size(), "wrong arity"))
             return false;
-        Type same = i.op == Op::ArrayLoad || i.op == Op::ArrayStore
-                        ? function_.arrays[i.immediate].type
-                    : i.operands.empty() ? Type::Float
-                                         : type(i.operands.back());
-        auto matches = [&](char letter, ValueId v) {
-            return type(v) == (letter == '.' ? same : typeOf(letter));
-        };
-        for (std::size_t k = 0; k < i.operands.size(); ++k)
-            if (!expect(i, matches(table.operands[k], i.operands[k]),
-                        fmt::format("operand {} is of the wrong type", k)))
-                return false;
-        for (std::size_t k = 0; k < i.results.size(); ++k)
-            if (!expect(i, matches(table.results[k], i.results[k]),
-                        fmt::format("result {} is of the wrong type", k)))
+        for (std::size_t k = 0; k < values.size(); ++k)
+            if (!expect(i, type(values[k]) == types[k],
+                        fmt::format("{} {} is of the wrong type", what, k)))
                 return false;
         return true;
     }
@@ -216,12 +211,12 @@ private:
         if (request.form != ConeForm::Everywhere)
             fixed += std::size_t(perCone * request.coneCount);
         if (!sameTypes(i, i.operands, i.results, fixed, "operands") ||
-            !sameTypes(i, region.arguments, i.results, 3 + colorSamples, "arguments") ||
+            !sameTypes(i, region.arguments, i.results, 3 + function_.colors.samples, "arguments") ||
             !sameTypes(i, region.yields, i.results, 0, "yields"))
             return false;
         std::vector<ValueId> floats(i.operands.begin(), i.operands.begin() + fixed);
         floats.insert(floats.end(), region.arguments.begin(),
-                      region.arguments.begin() + 3 + colorSamples);
+                      region.arguments.begin() + 3 + function_.colors.samples);
         return checkAll(i, floats, int(floats.size()));
     }
 

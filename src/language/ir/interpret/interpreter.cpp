@@ -2,6 +2,7 @@
 #include "language/ir/interpret/interpreter.h"
 
 #include "foundation/units/color.h"
+#include "language/ir/core/evaluate.h"
 #include "language/ir/core/op_info.h"
 #include "language/ir/core/print_format.h"
 #include "language/runtime/runtime_functions.h"
@@ -32,7 +33,8 @@ Vector normalize(const Vector &a) {
     return {a[0] * inverse, a[1] * inverse, a[2] * inverse};
 }
 
-using Color = std::array<float, colorSamples>;
+/// As many samples as the function's colours have; zero beyond.
+using Color = std::array<float, maximumColorSamples>;
 
 /// The values of a lane, by ValueId.
 class Cells {
@@ -72,8 +74,9 @@ private:
 /// What the caller gives and takes, as one lane sees it.
 class LaneArguments {
 public:
-    LaneArguments(const ShaderArgs &args, int frameSlots, int lane)
-        : args_(args), frameSlots_(frameSlots), lane_(lane) {}
+    LaneArguments(const ShaderArgs &args, const Function &function, int lane)
+        : args_(args), colorSamples_(function.colors.samples), frameSlots_(function.frameSlots),
+          lane_(lane) {}
 
     float input(int plane) const { return args_.inputs[plane][lane_]; }
     float parameter(int slot) const {
@@ -105,10 +108,10 @@ public:
             std::size_t row = std::size_t(s) * args_.sampleStride + lane_;
             if (!acceptsRow(category, row))
                 continue;
-            LightSample sample;
+            LightSample sample{};
             for (int k = 0; k < 3; ++k)
                 sample.L[k] = args_.sampleL[k][row];
-            for (int k = 0; k < colorSamples; ++k)
+            for (int k = 0; k < colorSamples_; ++k)
                 sample.Cl[k] = args_.sampleCl[k][row];
             visit(sample);
         }
@@ -125,8 +128,8 @@ private:
     /// Black where the caller gave none.
     Color colorOf(const float *const *planes, int index) const {
         Color color{};
-        for (int k = 0; planes && k < colorSamples; ++k)
-            color[k] = planes[index * colorSamples + k][lane_];
+        for (int k = 0; planes && k < colorSamples_; ++k)
+            color[k] = planes[index * colorSamples_ + k][lane_];
         return color;
     }
     bool acceptsRow(int category, std::size_t row) const {
@@ -137,15 +140,14 @@ private:
     }
 
     const ShaderArgs &args_;
-    int frameSlots_, lane_;
+    int colorSamples_, frameSlots_, lane_;
 };
 
 /// Runs the function in one lane.
 class Lane {
 public:
     Lane(const Function &function, const ShaderArgs &args, int lane)
-        : function_(function), args_(args, function.frameSlots, lane),
-          cells_(function.values.size()) {
+        : function_(function), args_(args, function, lane), cells_(function.values.size()) {
         for (const Array &array : function.arrays)
             arrays_.emplace_back(array.size, Cell{0});
     }
@@ -238,6 +240,7 @@ private:
         }
         case Op::Output: args_.output(i.immediate) = number(i, 0); return true;
         case Op::Print: print(i); return true;
+        case Op::EmissionCone: return true; // For Question::Emission.
         default: return false;
         }
     }
@@ -308,10 +311,10 @@ private:
         const Region &region = i.regions[0];
         for (int k = 0; k < 3; ++k)
             cells_[region.arguments[k]].number = sample.L[k];
-        for (int k = 0; k < colorSamples; ++k)
+        const int samples = function_.colors.samples;
+        for (int k = 0; k < samples; ++k)
             cells_[region.arguments[3 + k]].number = sample.Cl[k];
-        cells_.copy(i.results,
-                    {region.arguments.begin() + 3 + colorSamples, region.arguments.end()});
+        cells_.copy(i.results, {region.arguments.begin() + 3 + samples, region.arguments.end()});
         run(region);
         cells_.copy(region.yields, i.results);
     }

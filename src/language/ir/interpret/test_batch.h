@@ -20,7 +20,7 @@ using TestPlane = std::vector<float>;
 struct TestSamples {
     int rows = 0;
     std::array<TestPlane, 3> L;
-    std::array<TestPlane, colorSamples> Cl;
+    std::vector<TestPlane> Cl;       ///< By colour sample.
     std::vector<std::int32_t> light; ///< That each is from; empty = indirect.
     /// As ShaderArgs has them; empty = all categories accept all lights.
     std::vector<std::uint8_t> categoryAccepts;
@@ -38,6 +38,7 @@ public:
     using Plane = TestPlane;
 
     TestBatch(const Function &function, int count, unsigned seed) : count(count) {
+        samples.Cl.resize(std::size_t(function.colors.samples));
         std::mt19937 bits(seed);
         std::uniform_real_distribution<float> number(-1, 1);
         auto fill = [&](std::vector<Plane> &planes, std::size_t howMany) {
@@ -49,9 +50,9 @@ public:
         fill(inputs, std::size_t(ShaderInput::Count));
         for (float &x : inputs[int(ShaderInput::seed)])
             x = std::bit_cast<float>(std::uint32_t(bits() & 0x7f7fffffu));
-        fill(answers.traced, function.requests.size() * colorSamples);
-        fill(answers.ambient, colorSamples);
-        fill(answers.irradiance, colorSamples);
+        fill(answers.traced, function.requests.size() * std::size_t(function.colors.samples));
+        fill(answers.ambient, std::size_t(function.colors.samples));
+        fill(answers.irradiance, std::size_t(function.colors.samples));
         fill(variables, function.variables.size());
         parameters.resize(function.parameters.size() * padded());
         for (float &x : parameters)

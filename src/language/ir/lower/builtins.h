@@ -44,11 +44,11 @@ BuiltinLowering textBuiltin(sl::BuiltinId);
 /// A call of any of them.
 Components builtin(Lowering &, const sl::Expr &);
 
-/// A value of current space (of "rgb" for colors) that the text gives in another.
+/// A point, vector, normal or matrix of current space that the text gives in another.
 Components fromSpace(Lowering &, sl::BaseType, const Components &, const std::string &space,
                      const sl::Place &);
-/// Colour from the named colour space to another; reports unknown names.
-Components convertColor(Lowering &, const Components &, const std::string &from,
-                        const std::string &to, const sl::Place &);
+/// The three numbers of a colour, from the named colour space to another; reports unknown names.
+Triple convertColor(Lowering &, const Triple &, const std::string &from, const std::string &to,
+                    const sl::Place &);
 
 } // namespace candela::ir

@@ -28,11 +28,11 @@ template <class Factor> Components gather(BuiltinCall &call, const char *categor
     cone.push_back(number(b, std::numbers::pi_v<float> / 2));
     return lightLoop(b, addRequest(b, request),
                      tripleOf(call.lowering.variables.load(sl::PredefinedId::P)), cone,
-                     Components(colorSamples, number(b, 0)),
+                     Components(b.colors().samples, number(b, 0)),
                      [&](const Triple &L, const Components &Cl, const Components &carried) {
                          const ValueId weight = factor(normalize(b, L));
                          Components sum;
-                         for (int c = 0; c < colorSamples; ++c)
+                         for (int c = 0; c < b.colors().samples; ++c)
                              sum.push_back(add(b, carried[c], mul(b, Cl[c], weight)));
                          return sum;
                      });
@@ -63,9 +63,9 @@ Components specular(BuiltinCall &call) {
 
 Components specularbrdf(BuiltinCall &call) {
     Builder &b = call.b;
-    return Components(colorSamples, highlight(call.lowering, normalize(b, call.triple(0)),
-                                              normalize(b, call.triple(1)),
-                                              normalize(b, call.triple(2)), call.number(3)));
+    return Components(b.colors().samples, highlight(call.lowering, normalize(b, call.triple(0)),
+                                                    normalize(b, call.triple(1)),
+                                                    normalize(b, call.triple(2)), call.number(3)));
 }
 
 Components phong(BuiltinCall &call) {

@@ -119,7 +119,7 @@ Components mix(BuiltinCall &call) {
 
 Components random(BuiltinCall &call) {
     Components result;
-    for (int i = 0; i < componentCount(call.result()); ++i)
+    for (int i = 0; i < componentCount(call.b, call.result()); ++i)
         result.push_back(random(call.b, call.lowering.variables.cells[call.lowering.turn]));
     return result;
 }

@@ -2,6 +2,7 @@
 // noise(), pnoise() and cellnoise(): calls of the runtime's lattice functions.
 #include "language/ir/core/builder_arithmetic.h"
 #include "language/ir/lower/builtins.h"
+#include "language/ir/lower/color.h"
 #include "language/runtime/runtime_functions.h"
 
 namespace candela::ir {
@@ -16,7 +17,8 @@ Components lattice(BuiltinCall &call, RuntimeFunction ofNumber, RuntimeFunction 
     for (const Components &argument : call.arguments)
         coordinates.insert(coordinates.end(), argument.begin(), argument.end());
     const auto first = call.result() == sl::BaseType::Float ? ofNumber : ofTriple;
-    return callRuntime(call.b, int(first) + dimensions - 1, coordinates);
+    const Components values = callRuntime(call.b, int(first) + dimensions - 1, coordinates);
+    return call.result() == sl::BaseType::Color ? colorOf(call.b, tripleOf(values)) : values;
 }
 
 int coordinatesOf(const BuiltinCall &call) {

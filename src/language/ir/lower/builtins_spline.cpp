@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // spline([basis,] x, knots): a cubic through or near values at even steps (RI 3.2 section 15.1).
 #include "language/ir/core/builder_arithmetic.h"
+#include "language/ir/core/builder_effects.h"
 #include "language/ir/core/builder_sources.h"
 #include "language/ir/lower/builtins.h"
 #include "language/semantics/spellings.h"
@@ -46,12 +47,46 @@ const Basis *findBasis(const std::string &name) {
 }
 
 /// values[index], index a whole number from 0 to values.size() - 1.
-ValueId pick(Builder &b, const Components &values, ValueId index) {
+ValueId pickOf(Builder &b, const Components &values, ValueId index) {
     ValueId result = values.back();
     for (int i = int(values.size()) - 2; i >= 0; --i)
         result = select(b, less(b, index, number(b, float(i) + 0.5f)), values[i], result);
     return result;
 }
+
+/// More knots than this wait in memory: choosing among so many values is more code than storing
+/// them all.
+constexpr int mostChosenKnots = 48;
+
+/// Picks knot segment * step + k, for k from 0 to 3, of one component of the curve.
+class Knots {
+public:
+    Knots(Builder &b, const Components &knots, int step) : b_(b), knots_(knots), step_(step) {
+        if (int(knots.size()) <= mostChosenKnots)
+            return;
+        memory_ = addArray(b, Type::Float, int(knots.size()));
+        for (int k = 0; k < int(knots.size()); ++k)
+            arrayStore(b, memory_, integer(b, k), knots[size_t(k)]);
+    }
+
+    ValueId pick(ValueId segment, int k) const {
+        if (memory_ >= 0) {
+            const ValueId place =
+                add(b_, mul(b_, segment, number(b_, float(step_))), number(b_, float(k)));
+            return arrayLoad(b_, memory_, unary(b_, Op::IntegerFromFloat, place));
+        }
+        Components choices;
+        for (size_t at = size_t(k); at + 3 - size_t(k) < knots_.size(); at += size_t(step_))
+            choices.push_back(knots_[at]);
+        return pickOf(b_, choices, segment);
+    }
+
+private:
+    Builder &b_;
+    const Components &knots_;
+    int step_;
+    int memory_ = -1;
+};
 
 ValueId polynomial(Builder &b, const float (&coefficients)[4], ValueId t) {
     ValueId sum = number(b, coefficients[0]);
@@ -69,16 +104,13 @@ ValueId polynomial(Builder &b, const float (&coefficients)[4], ValueId t) {
 
 /// One component of the curve; `knots` are that component of all knots.
 ValueId curve(Builder &b, const Basis &basis, const Components &knots, ValueId segment, ValueId t) {
-    const int segments = (int(knots.size()) - 4) / basis.step + 1;
+    const Knots choice(b, knots, basis.step);
     std::optional<ValueId> sum;
     for (int k = 0; k < 4; ++k) {
         const auto &weights = basis.weights[k];
         if (std::all_of(std::begin(weights), std::end(weights), [](float w) { return w == 0; }))
             continue;
-        Components choices;
-        for (int s = 0; s < segments; ++s)
-            choices.push_back(knots[s * basis.step + k]);
-        const ValueId term = mul(b, polynomial(b, weights, t), pick(b, choices, segment));
+        const ValueId term = mul(b, polynomial(b, weights, t), choice.pick(segment, k));
         sum = sum ? add(b, *sum, term) : term;
     }
     return *sum;
@@ -88,7 +120,7 @@ Components spline(BuiltinCall &call) {
     Builder &b = call.b;
     const int first = call.isText(0) ? 1 : 0;
     const std::string name = first ? call.text(0, "the basis of a spline") : "catmull-rom";
-    const size_t width = size_t(componentCount(call.result()));
+    const size_t width = size_t(componentCount(b, call.result()));
     const Components none(width, number(b, 0));
     const Basis *basis = findBasis(name);
     if (!basis) {

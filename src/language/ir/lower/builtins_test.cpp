@@ -323,6 +323,22 @@ TEST(LowerBuiltins, SplineOfArrays) {
         EXPECT_EQ(list[c][0], spread[c][0]);
 }
 
+/// Knots that lie on a line give the line, and many of them are not chosen one by one.
+TEST(LowerBuiltins, SplinesOfManyKnotsStaySmall) {
+    constexpr int knots = 1003; // 1000 segments.
+    for (const std::string basis : {"catmull-rom", "bspline", "linear"}) {
+        std::string text = "result = spline(\"" + basis + "\", abs(u)";
+        for (int k = 0; k < knots; ++k)
+            text += ", " + std::to_string(k);
+        ShaderRun run(surfaceWith("float", text + ");"));
+        ASSERT_TRUE(run.lowered) << run.diagnostics.text();
+        EXPECT_LT(run.lowered->whole.body.body.size(), std::size_t(4 * knots));
+        const auto result = run.run().at("result")[0];
+        for (int lane = 0; lane < run.batch->count; ++lane)
+            EXPECT_NEAR(result[lane], 1 + 1000 * std::fabs(run.input(ShaderInput::u, lane)), 1e-3);
+    }
+}
+
 /// Semantics sees what the text says; this is about what only the lowering can know: strings that
 /// are folded in.
 TEST(LowerBuiltins, ErrorsOfFoldedStrings) {

@@ -5,6 +5,7 @@
 #include "language/ir/core/builder_sources.h"
 #include "language/ir/core/print_format.h"
 #include "language/ir/lower/builtins.h"
+#include "language/ir/lower/color.h"
 #include "language/ir/lower/regular_expression.h"
 #include "language/semantics/print_pattern.h"
 
@@ -54,7 +55,9 @@ std::optional<Expansion> expand(BuiltinCall &call) {
             continue;
         }
         result.pattern += piece.conversion();
-        result.values.insert(result.values.end(), argument.begin(), argument.end());
+        const bool isColor = call.expr.operands[next - 1]->type.base == sl::BaseType::Color;
+        const Components shown = isColor ? componentsOf(rgbOf(call.b, argument)) : argument;
+        result.values.insert(result.values.end(), shown.begin(), shown.end());
     }
     return result;
 }

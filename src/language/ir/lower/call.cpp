@@ -33,7 +33,8 @@ public:
                 store(lowering_, *arguments_[i].target,
                       lowering_.variables.load(lowering_.variables.storageOf(*function.formals[i])),
                       call_.operands[i]->where);
-        return lowering_.variables.inCells(result, componentCount(function.result.base));
+        return lowering_.variables.inCells(result,
+                                           componentCount(lowering_.b, function.result.base));
     }
 
 private:

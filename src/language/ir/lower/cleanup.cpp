@@ -3,6 +3,8 @@
 #include "language/ir/lower/cleanup.h"
 
 #include "language/ir/core/builder.h"
+#include "language/ir/core/op_info.h"
+#include "language/ir/core/regions.h"
 #include "language/ir/transform/dead_code.h"
 
 #include <map>
@@ -33,14 +35,6 @@ private:
     std::map<int, int> numbers_;
 };
 
-template <class Visitor> void forEachInstruction(Region &region, Visitor visit) {
-    for (Instruction &i : region.body) {
-        visit(i);
-        for (Region &inner : i.regions)
-            forEachInstruction(inner, visit);
-    }
-}
-
 struct Tables {
     Renumbering values, arrays, strings, spaces, variables, requests, categories;
 
@@ -59,14 +53,19 @@ struct Tables {
         }
         renumber(region.yields);
     }
+    /// The tables whose entries are renumbered; the rest of an instruction's immediates stay.
+    Renumbering *tableOf(Immediate kind) {
+        switch (kind) {
+        case Immediate::Array: return &arrays;
+        case Immediate::String: return &strings;
+        case Immediate::Space: return &spaces;
+        case Immediate::Variable: return &variables;
+        case Immediate::Request: return &requests;
+        default: return nullptr;
+        }
+    }
     void renumberImmediate(Instruction &i) {
-        Renumbering *table = i.op == Op::ArrayLoad || i.op == Op::ArrayStore ? &arrays
-                             : i.op == Op::ConstString                       ? &strings
-                             : i.op == Op::Space || i.op == Op::SpaceInverse ? &spaces
-                             : i.op == Op::Variable                          ? &variables
-                             : i.op == Op::LightLoop || i.op == Op::Answer   ? &requests
-                                                                             : nullptr;
-        if (table)
+        if (Renumbering *table = tableOf(info(i.op).immediate))
             i.immediate = (*table)(i.immediate);
     }
 };

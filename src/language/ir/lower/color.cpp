@@ -6,14 +6,13 @@
 #include "language/ir/core/builder_sources.h"
 #include "language/ir/core/builder_vectors.h"
 #include "language/ir/lower/builtins.h"
+#include "language/ir/lower/color.h"
 #include "language/semantics/spellings.h"
 
 #include <string_view>
 
 namespace candela::ir {
 namespace {
-
-static_assert(colorSamples == 3, "the named colour spaces are defined over red, green and blue");
 
 using Weights = float[3][3];
 
@@ -154,38 +153,72 @@ Components ctransform(BuiltinCall &call) {
     const size_t last = call.count() - 1;
     const std::string from = last == 2 ? call.text(0, "the name of a colour space") : "rgb";
     const std::string to = call.text(last - 1, "the name of a colour space");
-    return convertColor(call.lowering, call.arguments[last], from, to, call.expr.where);
+    const Triple numbers = rgbOf(call.b, call.arguments[last]);
+    return colorOf(call.b, convertColor(call.lowering, numbers, from, to, call.expr.where));
 }
 
-ValueId luminanceOf(Builder &b, const Triple &c) {
-    const auto &w = luminanceWeights;
-    return dot(b, triple(b, w[0], w[1], w[2]), c);
+/// By samples: the factor is the same for all.
+Components scaled(BuiltinCall &call, float factor) {
+    Components result;
+    for (const ValueId sample : call.arguments[0])
+        result.push_back(mul(call.b, sample, number(call.b, factor)));
+    return result;
 }
 
-Components photometric(BuiltinCall &call) {
-    return componentsOf(scale(call.b, call.triple(0), number(call.b, luminousEfficacy)));
-}
+Components photometric(BuiltinCall &call) { return scaled(call, luminousEfficacy); }
 
-Components radiometric(BuiltinCall &call) {
-    return componentsOf(scale(call.b, call.triple(0), number(call.b, 1 / luminousEfficacy)));
-}
+Components radiometric(BuiltinCall &call) { return scaled(call, 1 / luminousEfficacy); }
 
 Components totalluminance(BuiltinCall &call) {
     Builder &b = call.b;
-    return {mul(b, luminanceOf(b, call.triple(0)), number(b, luminousEfficacy))};
+    return {mul(b, luminanceOf(b, call.arguments[0]), number(b, luminousEfficacy))};
 }
 
-/// The mean: one unit of each sample is one W m^-2 sr^-1 over the whole band.
+/// The mean: one unit of each primary is one W m^-2 sr^-1 over the whole band.
 Components totalradiance(BuiltinCall &call) {
     Builder &b = call.b;
-    const Triple c = call.triple(0);
-    return {div(b, add(b, add(b, c[0], c[1]), c[2]), number(b, float(colorSamples)))};
+    const Triple c = rgbOf(b, call.arguments[0]);
+    return {div(b, add(b, add(b, c[0], c[1]), c[2]), number(b, 3))};
 }
 
 } // namespace
 
-Components convertColor(Lowering &lowering, const Components &value, const std::string &from,
-                        const std::string &to, const sl::Place &where) {
+Triple rgbOf(Builder &b, const Components &samples) {
+    const ColorBasis &basis = b.colors();
+    if (basis.isRgb())
+        return tripleOf(samples);
+    Triple rgb;
+    for (int primary = 0; primary < 3; ++primary) {
+        const auto &weights = basis.rgbFromSamples[primary];
+        rgb[primary] = mul(b, samples[0], number(b, weights[0]));
+        for (size_t k = 1; k < samples.size(); ++k)
+            rgb[primary] = add(b, rgb[primary], mul(b, samples[k], number(b, weights[k])));
+    }
+    return rgb;
+}
+
+Components colorOf(Builder &b, const Triple &rgb) {
+    const ColorBasis &basis = b.colors();
+    if (basis.isRgb())
+        return componentsOf(rgb);
+    Components samples;
+    for (const auto &weights : basis.samplesFromRgb)
+        samples.push_back(dot(b, triple(b, weights[0], weights[1], weights[2]), rgb));
+    return samples;
+}
+
+ValueId luminanceOf(Builder &b, const Components &value) {
+    if (value.size() == 1 && b.colors().samples != 1)
+        return value[0];
+    const std::vector<float> weights = b.colors().luminance();
+    ValueId sum = mul(b, value[0], number(b, weights[0]));
+    for (size_t k = 1; k < value.size(); ++k)
+        sum = add(b, sum, mul(b, value[k], number(b, weights[k])));
+    return sum;
+}
+
+Triple convertColor(Lowering &lowering, const Triple &value, const std::string &from,
+                    const std::string &to, const sl::Place &where) {
     const ColorSpace *source = findColorSpace(from), *target = findColorSpace(to);
     if (!source || !target) {
         lowering.messages.error(where, "there is no colour space \"" + (source ? to : from) +
@@ -195,7 +228,7 @@ Components convertColor(Lowering &lowering, const Components &value, const std::
     if (source == target)
         return value;
     Builder &b = lowering.b;
-    return componentsOf(target->fromRgb(b, source->toRgb(b, tripleOf(value))));
+    return target->fromRgb(b, source->toRgb(b, value));
 }
 
 BuiltinLowering colorBuiltin(sl::BuiltinId id) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/ir/lower/components.h"
 
-#include "foundation/units/color.h"
 #include "language/ir/core/builder_arithmetic.h"
 #include "language/ir/core/builder_sources.h"
 
@@ -9,12 +8,12 @@
 
 namespace candela::ir {
 
-int componentCount(sl::BaseType base) {
+int componentCount(sl::BaseType base, int samples) {
     switch (base) {
     case sl::BaseType::Void: return 0;
     case sl::BaseType::Float:
     case sl::BaseType::String: return 1;
-    case sl::BaseType::Color: return colorSamples;
+    case sl::BaseType::Color: return samples;
     case sl::BaseType::Matrix: return 16;
     default: return 3;
     }
@@ -32,7 +31,7 @@ Components componentsOf(const Triple &t) { return {t.begin(), t.end()}; }
 Components componentsOf(const Matrix &m) { return {m.begin(), m.end()}; }
 
 Components zero(Builder &b, sl::BaseType base, int length) {
-    const int count = componentCount(base) * std::max(1, length);
+    const int count = componentCount(b, base) * std::max(1, length);
     return Components(count, base == sl::BaseType::String ? text(b, "") : number(b, 0));
 }
 

@@ -10,7 +10,11 @@ namespace candela::ir {
 /// The scalar components of a value; an array's elements one after another.
 using Components = Values;
 
-int componentCount(sl::BaseType);
+/// Scalars in a value of the type, where colours have `samples`.
+int componentCount(sl::BaseType, int samples);
+inline int componentCount(const Builder &b, sl::BaseType base) {
+    return componentCount(base, b.colors().samples);
+}
 Triple tripleOf(const Components &);
 Matrix matrixOf(const Components &);
 Components componentsOf(const Triple &);

@@ -140,7 +140,8 @@ CarriedCells carriedCells(const Lowering &lowering, const sl::Stmt &loop) {
     }
     if (effects.returns) {
         carried.flags.push_back(frame.returned);
-        const int count = frame.function ? componentCount(frame.function->result.base) : 0;
+        const int count =
+            frame.function ? componentCount(lowering.b, frame.function->result.base) : 0;
         for (int i = 0; i < count; ++i)
             carried.results.push_back(frame.result + i);
     }

@@ -3,6 +3,8 @@
 
 #include "language/ir/core/builder_effects.h"
 #include "language/ir/core/builder_sources.h"
+#include "language/ir/core/op_info.h"
+#include "language/ir/core/regions.h"
 #include "language/ir/interpret/interpreter.h"
 #include "language/ir/lower/cleanup.h"
 #include "language/ir/lower/control.h"
@@ -23,7 +25,7 @@ struct SpacedDefault {
 SpacedDefault splitSpace(const sl::Expr &expr) {
     const sl::Expr *inner = &expr;
     while (inner->kind == sl::ExprKind::Convert &&
-           componentCount(inner->type.base) == componentCount(inner->operands[0]->type.base))
+           inner->operands[0]->type.base != sl::BaseType::Float)
         inner = inner->operands[0].get();
     if (inner->kind == sl::ExprKind::FromSpace && inner->type.base != sl::BaseType::Color)
         return {inner->operands[0].get(), inner->operands[1].get()};
@@ -31,21 +33,12 @@ SpacedDefault splitSpace(const sl::Expr &expr) {
 }
 
 bool needsRenderer(const Region &region) {
-    return std::any_of(region.body.begin(), region.body.end(), [](const Instruction &i) {
-        switch (i.op) {
-        case Op::Input:
-        case Op::Parameter:
-        case Op::Variable:
-        case Op::Space:
-        case Op::SpaceInverse:
-        case Op::Object:
-        case Op::ObjectInverse:
-        case Op::Random:
-        case Op::LightLoop:
-        case Op::Answer:
-        case Op::Ambient:
-        case Op::Irradiance: return true;
-        default: return std::any_of(i.regions.begin(), i.regions.end(), needsRenderer);
+    return anyInstruction(region, [](const Instruction &i) {
+        switch (info(i.op).kind) {
+        case OpClass::Source:
+        case OpClass::Random:
+        case OpClass::Light: return true;
+        default: return i.op == Op::LightLoop;
         }
     });
 }
@@ -69,8 +62,8 @@ std::vector<float> runConstant(const Function &function) {
 class Defaults {
 public:
     Defaults(const sl::TypedShader &shader, const std::vector<StringValue> &strings,
-             DiagnosticSink &sink)
-        : shader_(shader), strings_(strings), sink_(sink) {}
+             const ColorBasis &colors, DiagnosticSink &sink)
+        : shader_(shader), strings_(strings), colors_(colors), sink_(sink) {}
 
     bool add(const sl::Parameter &parameter) {
         const sl::Symbol &symbol = *parameter.symbol;
@@ -132,6 +125,7 @@ private:
         const sl::Symbol &symbol = *parameter.symbol;
         Function function;
         function.name = shader_.name;
+        function.colors = colors_;
         Lowering lowering(shader_, {}, function, sink_);
         lowering.spaces.allowShaderOnly();
         declareEarlier(lowering);
@@ -169,6 +163,7 @@ private:
 
     const sl::TypedShader &shader_;
     const std::vector<StringValue> &strings_;
+    const ColorBasis &colors_;
     DiagnosticSink &sink_;
 };
 
@@ -176,8 +171,9 @@ private:
 
 std::optional<std::vector<ShaderParameter>> parametersOf(const sl::TypedShader &shader,
                                                          const std::vector<StringValue> &strings,
+                                                         const ColorBasis &colors,
                                                          DiagnosticSink &sink) {
-    Defaults defaults(shader, strings, sink);
+    Defaults defaults(shader, strings, colors, sink);
     bool good = true;
     for (const sl::Parameter &parameter : shader.parameters)
         good = defaults.add(parameter) && good;

@@ -12,7 +12,8 @@ namespace candela::ir {
 /// The shader's parameters, all firstSlot -1. A default may call functions and read the parameters
 /// before it, whose defaults (for strings: the values given) it sees. One that is not a constant
 /// is reported; nothing is returned then.
-std::optional<std::vector<ShaderParameter>>
-parametersOf(const sl::TypedShader &, const std::vector<StringValue> &strings, DiagnosticSink &);
+std::optional<std::vector<ShaderParameter>> parametersOf(const sl::TypedShader &,
+                                                         const std::vector<StringValue> &strings,
+                                                         const ColorBasis &, DiagnosticSink &);
 
 } // namespace candela::ir

@@ -3,6 +3,7 @@
 
 #include "language/ir/core/builder_arithmetic.h"
 #include "language/ir/core/builder_sources.h"
+#include "language/ir/core/op_info.h"
 #include "language/runtime/runtime_functions.h"
 
 #include <algorithm>
@@ -191,33 +192,19 @@ private:
 } // namespace
 
 std::vector<ValueId> differentiableOperands(const Instruction &i) {
-    switch (i.op) {
-    case Op::Add:
-    case Op::Sub:
-    case Op::Mul:
-    case Op::Div:
-    case Op::Neg:
-    case Op::Abs:
-    case Op::Min:
-    case Op::Max:
-    case Op::Sqrt:
-    case Op::Sin:
-    case Op::Cos:
-    case Op::Tan:
-    case Op::Asin:
-    case Op::Acos:
-    case Op::Atan:
-    case Op::Atan2:
-    case Op::Exp:
-    case Op::Log:
-    case Op::Pow: return i.operands;
-    case Op::Select: return {i.operands[1], i.operands[2]};
-    case Op::Call:
+    switch (info(i.op).slope) {
+    case SlopeRule::None:
+    case SlopeRule::Step:
+    case SlopeRule::Source:
+    case SlopeRule::Memory:
+    case SlopeRule::Control: return {};
+    case SlopeRule::Choice: return {i.operands[1], i.operands[2]};
+    case SlopeRule::Call:
         if (i.immediate < 0)
             return {};
         return {i.operands.begin(),
                 i.operands.begin() + runtime::coordinatesOf(RuntimeFunction(i.immediate))};
-    default: return {};
+    default: return i.operands;
     }
 }
 

@@ -6,6 +6,7 @@
 #include "language/ir/core/builder_vectors.h"
 #include "language/ir/lower/builtins.h"
 #include "language/ir/lower/call.h"
+#include "language/ir/lower/color.h"
 #include "language/ir/lower/control.h"
 #include "language/ir/lower/matrix.h"
 #include "language/ir/lower/scan.h"
@@ -123,8 +124,15 @@ Components arithmetic(Lowering &lowering, const sl::Expr &expr) {
 
 Components convert(Lowering &lowering, const sl::Expr &expr) {
     const Components value = evaluate(lowering, *expr.operands[0]);
-    const size_t wanted = size_t(componentCount(expr.type.base));
-    if (value.size() == wanted)
+    const sl::BaseType from = expr.operands[0]->type.base, to = expr.type.base;
+    const size_t wanted = size_t(componentCount(lowering.b, to));
+    if (from != sl::BaseType::Float && from != to) {
+        if (from == sl::BaseType::Color)
+            return componentsOf(rgbOf(lowering.b, value));
+        if (to == sl::BaseType::Color)
+            return colorOf(lowering.b, tripleOf(value));
+    }
+    if (from != sl::BaseType::Float || value.size() == wanted)
         return value;
     if (wanted == 16) {
         Components result(16, number(lowering.b, 0));
@@ -133,6 +141,28 @@ Components convert(Lowering &lowering, const sl::Expr &expr) {
         return result;
     }
     return Components(wanted, value[0]);
+}
+
+Components evaluateTuple(Lowering &lowering, const sl::Expr &expr) {
+    Components result;
+    for (const sl::ExprPtr &operand : expr.operands)
+        result.push_back(evaluateFloat(lowering, *operand));
+    return result;
+}
+
+/// What is given in a named space.
+Components spaced(Lowering &lowering, const sl::Expr &expr) {
+    Builder &b = lowering.b;
+    const sl::Expr &given = *expr.operands[0];
+    const Components value = given.kind == sl::ExprKind::Tuple ? evaluateTuple(lowering, given)
+                                                               : evaluate(lowering, given);
+    const ValueId name = evaluate(lowering, *expr.operands[1])[0];
+    const std::string space =
+        requiredText(lowering, name, expr.operands[1]->where, "the name of a space");
+    if (expr.type.base != sl::BaseType::Color)
+        return fromSpace(lowering, expr.type.base, value, space, expr.where);
+    const Triple numbers = given.kind == sl::ExprKind::Tuple ? tripleOf(value) : rgbOf(b, value);
+    return colorOf(b, convertColor(lowering, numbers, space, "rgb", expr.where));
 }
 
 } // namespace
@@ -161,10 +191,8 @@ Components evaluate(Lowering &lowering, const sl::Expr &expr) {
     case sl::ExprKind::Number: return {number(b, float(expr.number))};
     case sl::ExprKind::Text: return {text(b, expr.text)};
     case sl::ExprKind::Tuple: {
-        Components result;
-        for (const sl::ExprPtr &operand : expr.operands)
-            result.push_back(evaluateFloat(lowering, *operand));
-        return result;
+        const Components tuple = evaluateTuple(lowering, expr);
+        return expr.type.base == sl::BaseType::Color ? colorOf(b, tripleOf(tuple)) : tuple;
     }
     case sl::ExprKind::Variable:
         return lowering.variables.load(lowering.variables.storageOf(*expr.symbol));
@@ -190,14 +218,7 @@ Components evaluate(Lowering &lowering, const sl::Expr &expr) {
     }
     case sl::ExprKind::TargetValue: return lowering.targetValues.back();
     case sl::ExprKind::Convert: return convert(lowering, expr);
-    case sl::ExprKind::FromSpace: {
-        const Components value = evaluate(lowering, *expr.operands[0]);
-        const ValueId name = evaluate(lowering, *expr.operands[1])[0];
-        return fromSpace(
-            lowering, expr.type.base, value,
-            requiredText(lowering, name, expr.operands[1]->where, "the name of a space"),
-            expr.where);
-    }
+    case sl::ExprKind::FromSpace: return spaced(lowering, expr);
     case sl::ExprKind::Call: return call(lowering, expr);
     case sl::ExprKind::Builtin: return builtin(lowering, expr);
     default: return arithmetic(lowering, expr);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/ir/lower/light.h"
 
-#include "foundation/units/color.h"
 #include "language/ir/core/builder_arithmetic.h"
 #include "language/ir/core/builder_light.h"
 #include "language/ir/core/builder_sources.h"
 #include "language/ir/core/builder_vectors.h"
+#include "language/ir/lower/color.h"
 #include "language/ir/lower/control.h"
 #include "language/ir/lower/expression.h"
 #include "language/ir/lower/statement.h"
@@ -17,16 +17,7 @@
 namespace candela::ir {
 namespace {
 
-/// Of a float or a color, as the importance of a cone.
-ValueId luminanceOf(Builder &b, const Components &value) {
-    if (value.size() == 1)
-        return value[0];
-    ValueId sum = mul(b, value[0], number(b, luminanceWeights[0]));
-    for (int c = 1; c < colorSamples; ++c)
-        sum = add(b, sum, mul(b, value[c], number(b, luminanceWeights[c])));
-    return sum;
-}
-
+/// A cone of the text, angles in degrees.
 struct ConeValues {
     Triple axis;
     ValueId angle, exponent, importance;
@@ -129,7 +120,7 @@ void lowerIlluminance(Lowering &lowering, const sl::Stmt &statement) {
         variables.setCells(carried, arguments);
         variables.store(sl::PredefinedId::L, componentsOf(L));
         variables.store(sl::PredefinedId::Cl, Cl);
-        variables.store(sl::PredefinedId::Ol, Components(colorSamples, number(b, 1)));
+        variables.store(sl::PredefinedId::Ol, Components(b.colors().samples, number(b, 1)));
         lowering.frames.back().loops.push_back({&statement, broken, continued});
         whereLive(lowering, [&] { lower(lowering, statement.body); });
         lowering.frames.back().loops.pop_back();
@@ -173,6 +164,34 @@ Triple directionInCone(Builder &b, const Triple &axis, ValueId angle, ValueId xi
                    scale(b, y, mul(b, sine, unary(b, Op::Sin, turn)))));
 }
 
+bool isInLoop(const Lowering &lowering) {
+    for (const Frame &frame : lowering.frames)
+        for (const OpenLoop &loop : frame.loops)
+            if (loop.statement->kind == sl::StmtKind::Loop)
+                return true;
+    return false;
+}
+
+ConeValues classicCone(Builder &b, const Triple &axis, ValueId halfAngle) {
+    const ValueId degrees = mul(b, halfAngle, number(b, 360 / std::numbers::pi_v<float>));
+    return {axis, min(b, degrees, number(b, 360)), number(b, 0), number(b, 1)};
+}
+
+/// Says for Question::Emission where light is sent.
+void stateEmission(Lowering &lowering, const sl::Stmt &statement, const Triple &position,
+                   const std::vector<ConeValues> &cones) {
+    Builder &b = lowering.b;
+    auto &emissions = b.function().emissions;
+    const bool distant = statement.kind == sl::StmtKind::Solar;
+    for (const ConeValues &cone : cones) {
+        Components operands = componentsOf(position);
+        operands.insert(operands.end(), cone.axis.begin(), cone.axis.end());
+        operands.insert(operands.end(), {cone.angle, cone.exponent, cone.importance});
+        b.emit(Op::EmissionCone, operands, int(emissions.size()));
+        emissions.push_back({distant, isInLoop(lowering), statement.where.line});
+    }
+}
+
 void openLight(Lowering &lowering, const Triple &L) {
     if (!lowering.light.direction)
         lowering.light.direction = L;
@@ -188,9 +207,12 @@ void lowerIlluminate(Lowering &lowering, const sl::Stmt &statement) {
     const Triple position = tripleOf(evaluate(lowering, *light.position));
     const Triple L = sub(b, tripleOf(lowering.variables.load(sl::PredefinedId::Ps)), position);
     ValueId lit = boolean(b, true);
+    std::vector<ConeValues> cones{
+        classicCone(b, triple(b, 0, 0, 1), number(b, std::numbers::pi_v<float>))};
     if (light.form == sl::ConeForm::Classic) {
         const Triple axis = normalize(b, tripleOf(evaluate(lowering, *light.axis)));
         const ValueId angle = evaluateFloat(lowering, *light.angle);
+        cones = {classicCone(b, axis, angle)};
         const ValueId cosine =
             unary(b, Op::Cos, min(b, angle, number(b, std::numbers::pi_v<float>)));
         lit = lessEqual(b, cosine, dot(b, axis, normalize(b, L)));
@@ -198,8 +220,9 @@ void lowerIlluminate(Lowering &lowering, const sl::Stmt &statement) {
             known && *known >= std::numbers::pi_v<float>)
             lit = boolean(b, true);
     } else if (light.form == sl::ConeForm::Extended) {
-        evaluateCones(lowering, light);
+        cones = evaluateCones(lowering, light);
     }
+    stateEmission(lowering, statement, position, cones);
     openLight(lowering, L);
     branch(
         lowering, lit, [&] { lowerBodyOf(lowering, statement); }, [] {});
@@ -213,11 +236,12 @@ void lowerSolar(Lowering &lowering, const sl::Stmt &statement) {
     Triple axis = triple(b, 0, 0, 1);
     ValueId angle = number(b, std::numbers::pi_v<float>);
     ValueId xi = input(b, ShaderInput::lightSample, 0);
+    std::vector<ConeValues> cones;
     if (light.form == sl::ConeForm::Classic) {
         axis = tripleOf(evaluate(lowering, *light.axis));
         angle = evaluateFloat(lowering, *light.angle);
     } else if (light.form == sl::ConeForm::Extended) {
-        const std::vector<ConeValues> cones = evaluateCones(lowering, light);
+        cones = evaluateCones(lowering, light);
         const ValueId halfDegree = number(b, std::numbers::pi_v<float> / 360);
         ValueId total = number(b, 0);
         for (const ConeValues &cone : cones)
@@ -232,6 +256,9 @@ void lowerSolar(Lowering &lowering, const sl::Stmt &statement) {
             sum = add(b, sum, cones[i].importance);
         }
     }
+    if (light.form != sl::ConeForm::Extended)
+        cones = {classicCone(b, axis, angle)};
+    stateEmission(lowering, statement, triple(b, 0, 0, 0), cones);
     openLight(lowering, directionInCone(b, axis, angle, xi));
     lowerBodyOf(lowering, statement);
 }

@@ -51,20 +51,43 @@ void declareParameters(Lowering &lowering, LoweredShader &lowered,
     }
 }
 
+/// An output and the variable that holds it in the end.
+struct KindOutput {
+    OutputKind name;
+    sl::PredefinedId variable;
+};
+
+/// What functions of the kind write; nothing if it is not compiled.
+std::vector<KindOutput> outputsOf(sl::ShaderKind kind) {
+    switch (kind) {
+#define SHADER_OUTPUT(name) {OutputKind::name, sl::PredefinedId::name},
+#define SHADER_KIND(name, letter, text, light, outputs)                                            \
+    case sl::ShaderKind::name:                                                                     \
+        return {outputs};
+#include "language/syntax/kinds.def"
+#undef SHADER_KIND
+#undef SHADER_OUTPUT
+    }
+    return {};
+}
+
+std::string compiledKinds() {
+    std::string names;
+    for (int kind = 0; kind < sl::shaderKindCount; ++kind)
+        if (!outputsOf(sl::ShaderKind(kind)).empty())
+            names += (names.empty() ? "" : " and ") + std::string(sl::nameOf(sl::ShaderKind(kind)));
+    return names;
+}
+
 void writeOutputs(Lowering &lowering, const LoweredShader &lowered) {
     const sl::TypedShader &shader = lowering.shader;
     Variables &variables = lowering.variables;
-    const auto write = [&](const std::string &name, const Components &value) {
+    const auto write = [&](const OutputName &name, const Components &value) {
         for (int c = 0; c < int(value.size()); ++c)
             output(lowering.b, name, c, value[c]);
     };
-    if (shader.kind == sl::ShaderKind::Surface) {
-        write("Ci", variables.load(sl::PredefinedId::Ci));
-        write("Oi", variables.load(sl::PredefinedId::Oi));
-    } else {
-        write("L", variables.load(sl::PredefinedId::L));
-        write("Cl", variables.load(sl::PredefinedId::Cl));
-    }
+    for (const KindOutput &output : outputsOf(shader.kind))
+        write(output.name, variables.load(output.variable));
     for (const auto &symbol : shader.symbols) // The paper's bounds, where the shader sets them.
         if (symbol->predefined && symbol->written && symbol->predefined->name[1] == 'C')
             write(symbol->name, variables.load(variables.storageOf(*symbol)));
@@ -75,11 +98,12 @@ void writeOutputs(Lowering &lowering, const LoweredShader &lowered) {
 }
 
 /// Local arrays are written out, element by element. Formals are the arrays of their callers.
-bool arraysFit(const sl::TypedShader &shader, DiagnosticSink &sink) {
+bool arraysFit(const sl::TypedShader &shader, int colorSamples, DiagnosticSink &sink) {
     constexpr int mostNumbers = 1 << 16;
     for (const auto &symbol : shader.symbols)
         if (symbol->kind != sl::Symbol::Kind::Formal &&
-            symbol->type.length > mostNumbers / std::max(1, componentCount(symbol->type.base))) {
+            symbol->type.length >
+                mostNumbers / std::max(1, componentCount(symbol->type.base, colorSamples))) {
             sink.report(sl::diagnosticAt(Severity::Error, symbol->where,
                                          "the array \"" + symbol->name + "\" is too large; " +
                                              std::to_string(mostNumbers) +
@@ -95,20 +119,21 @@ std::optional<LoweredShader> lower(const sl::TypedShader &shader,
                                    const std::vector<StringValue> &strings,
                                    const std::vector<std::string> &variables, DiagnosticSink &sink,
                                    const LoweringOptions &options) {
-    if (shader.kind != sl::ShaderKind::Surface && shader.kind != sl::ShaderKind::Light) {
+    if (outputsOf(shader.kind).empty()) {
         sink.report(sl::diagnosticAt(Severity::Error, shader.where,
                                      std::string(sl::nameOf(shader.kind)) +
-                                         " shaders are not compiled yet; surface and light "
-                                         "shaders are"));
+                                         " shaders are not compiled yet; " + compiledKinds() +
+                                         " shaders are"));
         return std::nullopt;
     }
-    if (!arraysFit(shader, sink))
+    if (!arraysFit(shader, options.colors.samples, sink))
         return std::nullopt;
     LoweredShader lowered;
     lowered.name = shader.name;
-    lowered.kind = sl::nameOf(shader.kind);
+    lowered.kind = shader.kind;
     lowered.whole.name = shader.name;
-    auto parameters = parametersOf(shader, strings, sink);
+    lowered.whole.colors = options.colors;
+    auto parameters = parametersOf(shader, strings, options.colors, sink);
     if (!parameters)
         return std::nullopt;
     lowered.parameters = std::move(*parameters);

@@ -5,6 +5,7 @@
 #include "foundation/base/diagnostics.h"
 #include "language/ir/core/ir.h"
 #include "language/ir/core/pass_listener.h"
+#include "language/syntax/base_type.h"
 
 #include <array>
 #include <optional>
@@ -51,7 +52,7 @@ struct StringValue {
 
 struct LoweredShader {
     std::string name;
-    std::string kind; ///< "surface", "light", ...
+    sl::ShaderKind kind = sl::ShaderKind::Surface;
     std::vector<ShaderParameter> parameters;
     Function whole;
     LightClass lightClass = LightClass::Ambient;
@@ -67,8 +68,10 @@ struct LoweringOptions {
     /// specular() and specularbrdf() have this over the roughness as their exponent. RI 3.1 says 1
     /// (section 15.6); production renderers, and the pictures that files were made by, have 8.
     float highlightScale = 8;
+    /// What the samples of colours stand for.
+    ColorBasis colors{};
     /// Is told of "lower", "derivatives" and "clean up"; may be empty.
-    PassListener listener;
+    PassListener listener{};
 };
 
 /// Lowers a checked surface or light shader. Output slots: surface "Ci", "Oi"; light "L", "Cl";

@@ -135,6 +135,23 @@ TEST(Lower, OtherKindsAreRefused) {
     EXPECT_NE(run.diagnostics.text().find("volume shaders"), std::string::npos);
 }
 
+/// Each kind that is compiled writes its outputs, from the start values of its variables.
+TEST(Lower, EmptyShadersWriteTheirKindsOutputs) {
+    ShaderRun surface("surface test() {}"), light("light test() {}");
+    ASSERT_TRUE(surface.lowered && light.lowered);
+    EXPECT_EQ(surface.lowered->kind, sl::ShaderKind::Surface);
+    EXPECT_EQ(light.lowered->kind, sl::ShaderKind::Light);
+    const auto shaded = surface.run(), lit = light.run();
+    ASSERT_EQ(shaded.size(), 2u);
+    ASSERT_EQ(lit.size(), 2u);
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_EQ(shaded.at("Ci")[c][0], 0);
+        EXPECT_EQ(shaded.at("Oi")[c][0], float(surface.input(ShaderInput::Os, 0, c)));
+        EXPECT_EQ(lit.at("L")[c][0], 0);
+        EXPECT_EQ(lit.at("Cl")[c][0], 0);
+    }
+}
+
 // Such a function is also checked with an array that stands for any, a very long one.
 TEST(Lower, ArraysOfAnyLengthAreHandedToFunctions) {
     ShaderRun run("color pick(color c[]; float w) { return c[1] * w; }\n"

@@ -5,44 +5,56 @@
 #include "language/ir/core/builder_sources.h"
 #include "language/ir/lower/scan.h"
 
-#include <map>
-
 namespace candela::ir {
 
 namespace {
 
-/// What the renderer gives for a predefined variable; nothing for the others.
-std::optional<ShaderInput> inputOf(sl::PredefinedId id) {
-    using Id = sl::PredefinedId;
-    static const std::map<Id, ShaderInput> table{
-        {Id::P, ShaderInput::P},   {Id::Ps, ShaderInput::Ps},     {Id::N, ShaderInput::N},
-        {Id::Ng, ShaderInput::Ng}, {Id::dPdu, ShaderInput::dPdu}, {Id::dPdv, ShaderInput::dPdv},
-        {Id::I, ShaderInput::I},   {Id::E, ShaderInput::E},       {Id::Cs, ShaderInput::Cs},
-        {Id::Os, ShaderInput::Os}, {Id::u, ShaderInput::u},       {Id::v, ShaderInput::v},
-        {Id::du, ShaderInput::du}, {Id::dv, ShaderInput::dv},     {Id::s, ShaderInput::s},
-        {Id::t, ShaderInput::t},   {Id::time, ShaderInput::time}, {Id::Du, ShaderInput::du},
-        {Id::Dv, ShaderInput::dv}};
-    const auto found = table.find(id);
-    return found == table.end() ? std::nullopt : std::optional(found->second);
+/// As predefined.def explains it.
+struct Start {
+    enum class From { Input, Number, OneIn, ColorSamples } from;
+    ShaderInput input{};
+    float number = 0;
+    char kind = 0;
+};
+
+Start startOf(sl::PredefinedId id) {
+    static const Start table[] = {
+#define Given(name)                                                                                \
+    { Start::From::Input, ShaderInput::name }
+#define Number(value)                                                                              \
+    { Start::From::Number, {}, value }
+#define OneIn(letter)                                                                              \
+    { Start::From::OneIn, {}, 0, letter }
+#define ColorSamples                                                                               \
+    { Start::From::ColorSamples }
+#define SL_PREDEFINED(name, type, detail, readable, writable, scope, start, doc) start,
+#include "language/semantics/predefined.def"
+#undef SL_PREDEFINED
+#undef ColorSamples
+#undef OneIn
+#undef Number
+#undef Given
+    };
+    return table[int(id)];
 }
 
 /// Values at the start. Oi is what Opacity says unless the shader sets it; Ci is black, so that an
-/// empty shader does not glow; Ol outside of light statements is 0, in light shaders 1.
+/// empty shader does not glow.
 Components startOf(Builder &b, sl::ShaderKind kind, const sl::PredefinedVariable &variable) {
-    const int count = componentCount(variable.type.base);
-    const bool isOi = variable.id == sl::PredefinedId::Oi;
-    const auto input = isOi ? std::optional(ShaderInput::Os) : inputOf(variable.id);
-    if (!input) {
-        const bool isOne = variable.id == sl::PredefinedId::Ol && kind == sl::ShaderKind::Light;
-        const float start = variable.id == sl::PredefinedId::ncomps ? float(colorSamples)
-                            : isOne                                 ? 1.0f
-                                                                    : 0.0f;
-        return Components(size_t(count), number(b, start));
-    }
+    const auto count = size_t(componentCount(b, variable.type.base));
+    const Start start = startOf(variable.id);
     Components result;
-    for (int c = 0; c < count; ++c)
-        result.push_back(ir::input(b, *input, c));
-    return result;
+    switch (start.from) {
+    case Start::From::Input:
+        for (int c = 0; c < int(count); ++c)
+            result.push_back(input(b, start.input, c));
+        return result;
+    case Start::From::Number: return Components(count, number(b, start.number));
+    case Start::From::OneIn:
+        return Components(count, number(b, sl::letterOf(kind) == start.kind ? 1.0f : 0.0f));
+    case Start::From::ColorSamples: break;
+    }
+    return Components(count, number(b, float(b.colors().samples)));
 }
 
 } // namespace

@@ -45,8 +45,8 @@ TEST(LowerSlice, LobesOfBuiltinLoops) {
         });
     std::map<std::string, float> stated;
     for (size_t i = 0; i < planes.size(); ++i)
-        stated[prepare.outputs[i].name + "." + std::to_string(prepare.outputs[i].component)] =
-            planes[i][1];
+        stated[prepare.outputs[i].name.text() + "." +
+               std::to_string(prepare.outputs[i].component)] = planes[i][1];
     EXPECT_NEAR(stated["cone 0 exponent.0"], 1, 1e-6);
     EXPECT_NEAR(stated["cone 0 axis.2"], 1, 1e-6);
     EXPECT_NEAR(stated["cone 0 importance.0"], 0.5f, 1e-5);

@@ -106,8 +106,6 @@ Components depthBuiltin(BuiltinCall &call) {
 
 Components fromSpace(Lowering &lowering, sl::BaseType base, const Components &value,
                      const std::string &name, const sl::Place &where) {
-    if (base == sl::BaseType::Color)
-        return convertColor(lowering, value, name, "rgb", where);
     if (base == sl::BaseType::Matrix && lowering.spaces.isShaderOnly() && name == "shader")
         lowering.spaces.refuse(name, where); // Matrices start at current space, not at "shader".
     const auto source = lowering.spaces.find(name, where);

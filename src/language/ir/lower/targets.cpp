@@ -65,7 +65,7 @@ private:
 Components load(Lowering &lowering, const Target &target, const sl::Place &where) {
     Builder &b = lowering.b;
     const Storage &storage = target.storage;
-    const int width = storage.width();
+    const int width = storage.width;
     Components value;
     if (!target.element) {
         value = lowering.variables.load(storage);
@@ -94,7 +94,7 @@ void store(Lowering &lowering, const Target &target, const Components &value,
         return;
     }
     const Storage &storage = target.storage;
-    const int width = storage.width();
+    const int width = storage.width;
     if (!target.element) {
         lowering.variables.store(storage, value);
     } else if (storage.memory >= 0) {

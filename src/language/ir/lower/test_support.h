@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <string>
@@ -68,10 +69,10 @@ public:
             for (int lane = 0; lane < padded; ++lane) {
                 const size_t at = row * size_t(padded) + size_t(lane);
                 const float L[3] = {samples[row].L.x, samples[row].L.y, samples[row].L.z};
-                for (size_t c = 0; c < 3; ++c) {
+                for (size_t c = 0; c < 3; ++c)
                     batch->samples.L[c][at] = L[c];
+                for (size_t c = 0; c < std::min<size_t>(3, batch->samples.Cl.size()); ++c)
                     batch->samples.Cl[c][at] = samples[row].Cl[c];
-                }
                 batch->samples.light[at] = samples[row].light;
             }
     }
@@ -84,7 +85,7 @@ public:
             });
         std::map<std::string, std::vector<Plane>> result;
         for (size_t i = 0; i < planes.size(); ++i)
-            result[lowered->whole.outputs[i].name].push_back(planes[i]);
+            result[lowered->whole.outputs[i].name.text()].push_back(planes[i]);
         return result;
     }
 

@@ -37,12 +37,14 @@ void Variables::setCells(const std::vector<int> &list, const Components &values)
 }
 
 const Storage &Variables::declare(const sl::Symbol &symbol, const Components &initial) {
-    Storage storage{.base = symbol.type.base, .length = symbol.type.length};
+    Storage storage{.base = symbol.type.base,
+                    .length = symbol.type.length,
+                    .width = componentCount(b_, symbol.type.base)};
     if (storage.length == 0 || !inMemory_.contains(&symbol)) {
         storage.cell = newCells(initial);
     } else {
         const Type type = storage.base == sl::BaseType::String ? Type::String : Type::Float;
-        for (int c = 0; c < storage.width(); ++c) {
+        for (int c = 0; c < storage.width; ++c) {
             const int array = addArray(b_, type, storage.length);
             storage.memory = c == 0 ? array : storage.memory;
         }
@@ -61,7 +63,7 @@ const Storage &Variables::storageOf(const sl::Symbol &symbol) {
 Components Variables::load(const Storage &storage) {
     if (storage.memory < 0)
         return inCells(storage.cell, storage.size());
-    const int width = storage.width();
+    const int width = storage.width;
     Components result;
     for (int i = 0; i < storage.size(); ++i)
         result.push_back(arrayLoad(b_, storage.memory + i % width, integer(b_, i / width)));
@@ -71,14 +73,14 @@ Components Variables::load(const Storage &storage) {
 void Variables::store(const Storage &storage, const Components &value) {
     if (storage.memory < 0)
         return setCells(storage.cell, value);
-    const int width = storage.width();
+    const int width = storage.width;
     for (int i = 0; i < int(value.size()); ++i)
         arrayStore(b_, storage.memory + i % width, integer(b_, i / width), value[i]);
 }
 
 void Variables::declarePredefined(sl::PredefinedId id, sl::BaseType base,
                                   const Components &initial) {
-    predefined_[id] = {.base = base, .cell = newCells(initial)};
+    predefined_[id] = {.base = base, .cell = newCells(initial), .width = componentCount(b_, base)};
 }
 
 void Variables::appendCells(const sl::Symbol &symbol, std::vector<int> &carried) const {

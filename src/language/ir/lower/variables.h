@@ -21,10 +21,10 @@ struct Storage {
     int length = 0;  ///< 0 = a single value.
     int cell = -1;   ///< Its first cell; -1 if it is memory.
     int memory = -1; ///< First of Function::arrays, one a component.
+    int width = 1;   ///< Scalars of one element.
 
-    /// Scalars of one element, and of all.
-    int width() const { return componentCount(base); }
-    int size() const { return width() * std::max(1, length); }
+    /// Scalars of all elements.
+    int size() const { return width * std::max(1, length); }
 };
 
 class Variables {

@@ -5,9 +5,8 @@
 #include "language/ir/analyse/zero.h"
 #include "language/ir/core/builder_effects.h"
 #include "language/ir/core/builder_sources.h"
+#include "language/ir/core/regions.h"
 #include "language/ir/transform/dead_code.h"
-
-#include <functional>
 
 namespace candela::ir {
 
@@ -34,47 +33,39 @@ void eliminateCommonSubexpressions(Function &text, std::vector<ConeTest> &coneTe
     text = std::move(shared);
 }
 
-bool holds(const Region &region, const std::function<bool(const Instruction &)> &test) {
-    for (const Instruction &i : region.body) {
-        if (test(i))
-            return true;
-        for (const Region &inner : i.regions)
-            if (holds(inner, test))
-                return true;
-    }
-    return false;
-}
-
 void readFacts(Plan &plan) {
-    Function emission = specializeUnder(plan, {}, "Ci", "Ce");
+    Function emission = specializeUnder(plan, {}, OutputKind::Ci, OutputKind::Ce);
     std::vector<bool> zero = provablyZero(emission);
+    plan.emits.resize(size_t(plan.text.colors.samples));
     for (const Instruction &i : emission.body.body)
         if (i.op == Op::Output)
             plan.emits[emission.outputs[i.immediate].component] = !zero[i.operands[0]];
-    Function ambient = specializeUnder(plan, {Assumption::Light::None, true, nullptr}, "Ci", "Ca");
-    plan.readsAmbient = holds(ambient.body, [](const Instruction &i) {
+    Function ambient = specializeUnder(plan, {Assumption::Light::None, true, nullptr},
+                                       OutputKind::Ci, OutputKind::Ca);
+    plan.readsAmbient = anyInstruction(ambient.body, [](const Instruction &i) {
         return i.op == Op::Ambient || i.op == Op::Irradiance;
     });
 }
 
 } // namespace
 
-Function specializeUnder(const Plan &plan, const Assumption &assumption, const std::string &from,
-                         const std::string &slot) {
+Function specializeUnder(const Plan &plan, const Assumption &assumption, OutputKind from,
+                         OutputKind to) {
     Function result = emptyLike(plan.text);
     Builder b(result);
     SpecializationOptions options;
     options.coneTests = &plan.coneTests;
     SpecializedText specialized = specialize(plan.text, plan.dependence, b, {assumption}, options);
-    for (int k = 0; k < colorSamples; ++k)
-        output(b, slot, k, specialized.output(0, from, k).value_or(number(b, 0)));
+    for (int k = 0; k < plan.text.colors.samples; ++k)
+        output(b, to, k, specialized.output(0, from, k).value_or(number(b, 0)));
     b.finish();
     removeDeadCode(result);
     return result;
 }
 
-std::unique_ptr<Plan> makePlan(const Function &whole) {
-    auto plan = std::make_unique<Plan>();
+std::shared_ptr<const Plan> makePlan(const Function &whole) {
+    auto plan = std::make_shared<Plan>();
+    plan->whole = whole;
     plan->text = whole;
     removeDeadCode(plan->text);
     plan->coneTests = addConeTests(plan->text);
@@ -83,6 +74,7 @@ std::unique_ptr<Plan> makePlan(const Function &whole) {
     plan->framed = plan->dependence.staticRequests;
     plan->cones = conesOf(plan->text, plan->dependence, plan->framed);
     readFacts(*plan);
+    plan->frame = planFrame(*plan);
     return plan;
 }
 

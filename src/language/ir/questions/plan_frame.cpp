@@ -4,6 +4,7 @@
 #include "language/ir/core/builder_arithmetic.h"
 #include "language/ir/core/builder_effects.h"
 #include "language/ir/core/builder_sources.h"
+#include "language/ir/core/regions.h"
 #include "language/ir/questions/plan.h"
 #include "language/ir/transform/dead_code.h"
 
@@ -18,18 +19,12 @@ namespace {
 /// there costs memory in every frame.
 constexpr int scatterRecomputes = 1, viewRecomputes = 24;
 
-void collectLoads(const Region &region, std::set<ValueId> &loads) {
-    for (const Instruction &i : region.body) {
-        if (i.op == Op::FrameLoad)
-            loads.insert(ValueId(i.immediate));
-        for (const Region &inner : i.regions)
-            collectLoads(inner, loads);
-    }
-}
-
 std::set<ValueId> loadsOf(const Function &function) {
     std::set<ValueId> loads;
-    collectLoads(function.body, loads);
+    forEachInstruction(function.body, [&](const Instruction &i) {
+        if (i.op == Op::FrameLoad)
+            loads.insert(ValueId(i.immediate));
+    });
     return loads;
 }
 
@@ -40,18 +35,19 @@ ValueId emissionKey(const Plan &plan, int channel) {
 /// Ce of all channels under assumption 0; constant zero where that is proved.
 std::vector<ValueId> emission(const Plan &plan, SpecializedText &specialized, Builder &b) {
     std::vector<ValueId> Ce;
-    for (int k = 0; k < colorSamples; ++k)
-        Ce.push_back(plan.emits[k] ? specialized.output(0, "Ci", k).value_or(number(b, 0))
+    for (int k = 0; k < plan.text.colors.samples; ++k)
+        Ce.push_back(plan.emits[k] ? specialized.output(0, OutputKind::Ci, k).value_or(number(b, 0))
                                    : number(b, 0));
     return Ce;
 }
 
 ValueId importanceOf(SpecializedText &specialized, Builder &b, int assumption,
                      const std::vector<ValueId> &Ce) {
+    const std::vector<float> weights = b.colors().luminance();
     ValueId sum = number(b, 0);
-    for (int k = 0; k < colorSamples; ++k) {
-        ValueId Ci = specialized.output(assumption, "Ci", k).value_or(number(b, 0));
-        sum = add(b, sum, mul(b, number(b, luminanceWeights[k]), sub(b, Ci, Ce[k])));
+    for (int k = 0; k < b.colors().samples; ++k) {
+        ValueId Ci = specialized.output(assumption, OutputKind::Ci, k).value_or(number(b, 0));
+        sum = add(b, sum, mul(b, number(b, weights[k]), sub(b, Ci, Ce[k])));
     }
     return max(b, sum, number(b, 0));
 }
@@ -71,18 +67,18 @@ void finishFramed(const Plan &plan, Builder &b, Function &function,
 
 std::vector<OutputSlot> prepareOutputs(const Plan &plan) {
     std::vector<OutputSlot> slots;
-    for (std::size_t n = 0; n < plan.cones.size(); ++n) {
-        std::string cone = "cone " + std::to_string(n);
-        for (int k = 0; k < 3; ++k)
-            slots.push_back({cone + " axis", k});
-        slots.push_back({cone + " angle", 0});
-        slots.push_back({cone + " exponent", 0});
-        slots.push_back({cone + " importance", 0});
-    }
-    for (const char *name : {"Ce", "Ca", "Oi"})
-        if (name != std::string("Ca") || plan.readsAmbient)
-            for (int k = 0; k < colorSamples; ++k)
-                slots.push_back({name, k});
+    const auto add = [&](const OutputName &name) {
+        for (int k = 0; k < componentsOf(name.kind, plan.text.colors.samples); ++k)
+            slots.push_back({name, k});
+    };
+    for (int n = 0; n < int(plan.cones.size()); ++n)
+        for (OutputKind kind : {OutputKind::ConeAxis, OutputKind::ConeAngle,
+                                OutputKind::ConeExponent, OutputKind::ConeImportance})
+            add({kind, n});
+    add(OutputKind::Ce);
+    if (plan.readsAmbient)
+        add(OutputKind::Ca);
+    add(OutputKind::Oi);
     return slots;
 }
 
@@ -107,18 +103,19 @@ Function specializePrepare(const Plan &plan, Stage first, const std::map<ValueId
             assumptions.push_back({Assumption::Light::Probed, false, &cone});
     SpecializedText specialized = specialize(plan.text, plan.dependence, b, assumptions, options);
     std::vector<ValueId> Ce = emission(plan, specialized, b);
-    for (int k = 0; k < colorSamples; ++k) {
-        output(b, "Ce", k, Ce[k]);
+    for (int k = 0; k < plan.text.colors.samples; ++k) {
+        output(b, OutputKind::Ce, k, Ce[k]);
         if (plan.readsAmbient)
-            output(b, "Ca", k,
-                   sub(b, specialized.output(1, "Ci", k).value_or(number(b, 0)), Ce[k]));
-        output(b, "Oi", k, specialized.output(0, "Oi", k).value_or(number(b, 1)));
+            output(b, OutputKind::Ca, k,
+                   sub(b, specialized.output(1, OutputKind::Ci, k).value_or(number(b, 0)), Ce[k]));
+        output(b, OutputKind::Oi, k,
+               specialized.output(0, OutputKind::Oi, k).value_or(number(b, 1)));
         if (auto slot = slots.find(emissionKey(plan, k)); slot != slots.end())
             b.emit(Op::FrameStore, {Ce[k]}, slot->second);
     }
     for (std::size_t h = 0; h < assumptions.size(); ++h)
         if (const Cone *cone = assumptions[h].probe)
-            output(b, "cone " + std::to_string(cone - plan.cones.data()) + " importance", 0,
+            output(b, {OutputKind::ConeImportance, int(cone - plan.cones.data())}, 0,
                    importanceOf(specialized, b, int(h), Ce));
     finishFramed(plan, b, result, slots);
     return result;
@@ -151,18 +148,18 @@ Function specializeScatter(const Plan &plan, const std::map<ValueId, int> &slots
     if (!plan.framed)
         assumptions.push_back({});
     SpecializedText specialized = specialize(plan.text, plan.dependence, b, assumptions, options);
-    for (int k = 0; k < colorSamples; ++k) {
-        auto answered = specialized.responseOutput("Ci", k);
+    for (int k = 0; k < plan.text.colors.samples; ++k) {
+        auto answered = specialized.responseOutput(OutputKind::Ci, k);
         ValueId g = answered.value_or(number(b, 0));
         if (answered && plan.emits[k]) {
             ValueId key = emissionKey(plan, k);
             auto slot = slots.find(key);
             ValueId Ce = plan.framed ? b.emit(Op::FrameLoad, {},
                                               slot == slots.end() ? int(key) : slot->second)[0]
-                                     : *specialized.output(1, "Ci", k);
+                                     : *specialized.output(1, OutputKind::Ci, k);
             g = sub(b, g, Ce);
         }
-        output(b, "g", k, g);
+        output(b, OutputKind::G, k, g);
     }
     finishFramed(plan, b, result, slots);
     return result;

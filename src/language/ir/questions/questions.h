@@ -8,6 +8,7 @@
 
 #include "foundation/base/diagnostics.h"
 #include "language/ir/core/ir.h"
+#include "language/syntax/base_type.h"
 
 #include <memory>
 #include <string>
@@ -18,29 +19,28 @@ namespace candela::ir {
 /// A surface shader's printf() speaks in Prepare alone (or in View, which stands for it), so that a
 /// point prints once, whatever else it is asked; what stands in light loops prints nothing.
 enum class Question : std::uint8_t {
-    Shade,   ///< Everything, all light given. Outputs "Ci", "Oi".
-    Surface, ///< The Surface stage alone: fills its part of the frame.
-    View,    ///< The View stage on the frame of Surface. Outputs as Prepare.
-    Prepare, ///< Surface and View in one. Outputs "cone k axis|angle|exponent|importance",
-             ///< "Ce" (emission), "Ca" (answer to ambient and irradiance as given, without Ce;
-             ///< only if SurfaceFacts::readsAmbient), "Oi".
-    Scatter, ///< On the frame: the linear response. Output "g": for answeredRequest =
-             ///< finiteRequests, pi f_r cos for the direction sampleL; for a delta request, the
-             ///< factor on the radiance from its direction.
-    Emit,    ///< Output "Ce": Ci with every light request, ambient() and irradiance() zero.
-    Opacity, ///< Output "Oi".
-    Light,   ///< Light shaders: outputs "L" (from the light to Ps) and "Cl".
+#define QUESTION(name, text, kind, meaning) name,
+#include "language/ir/questions/questions.def"
+#undef QUESTION
 };
-inline constexpr int questionCount = int(Question::Light) + 1;
+inline constexpr int questionCount = 0
+#define QUESTION(name, text, kind, meaning) +1
+#include "language/ir/questions/questions.def"
+#undef QUESTION
+    ;
 /// "shade", "surface", ...
 const char *nameOf(Question);
+/// The questions that texts of the kind answer, in order.
+std::vector<Question> questionsOf(sl::ShaderKind);
 
-/// One importance cone that Prepare states. Its six outputs (axis x y z in current space and of
-/// any length, full angle in degrees, exponent, importance >= 0) start at output slot `output`.
-/// The caller clears the importance plane first: lanes that do not reach the request leave it.
+/// One importance cone that Prepare (or, of lights, Emission) states, by the planes that hold it
+/// (outputs.def). The caller clears the importance plane first: lanes that do not reach the request
+/// leave it.
 struct ConeSlot {
-    int request = 0;
-    int output = 0;
+    int request = 0;  ///< Of lights: which of Function::emissions.
+    int axis = 0;     ///< The first of three.
+    int position = 0; ///< Likewise; of lights alone.
+    int angle = 0, exponent = 0, importance = 0;
     bool exact = false; ///< The answer to light is this lobe, up to a factor.
 };
 
@@ -59,11 +59,27 @@ struct SurfaceFacts {
     int notStaticLine = 0;
 };
 
-/// A function's facts; `path` rule as for slice().
-SurfaceFacts surfaceFacts(const Function &whole);
+/// What slicing must know of a surface shader's text before it answers any question.
+struct Plan;
+/// Made once, for all questions to the shader. `whole` is a lowered shader to which folding and the
+/// light rule have been applied.
+std::shared_ptr<const Plan> makePlan(const Function &whole);
+
+/// What is known of a light shader without running it.
+struct LightFacts {
+    std::vector<ConeSlot> cones; ///< Of Question::Emission, one each of Function::emissions.
+    /// The cones depend on the light alone, not on Ps or anything else of the point that is lit.
+    bool conesAreTheLights = true;
+};
+LightFacts lightFacts(const Function &whole);
+
+SurfaceFacts surfaceFacts(const Plan &);
 
 /// The function that answers the question, with dead code gone, ready to interpret or compile.
-/// `whole` is a lowered shader to which folding and the light rule have been applied.
+Function slice(const Plan &, Question);
+
+/// The same with a plan of their own; light shaders have none.
+SurfaceFacts surfaceFacts(const Function &whole);
 Function slice(const Function &whole, Question);
 
 } // namespace candela::ir

@@ -19,7 +19,9 @@ namespace candela::ir {
 /// "Oi". Requests stand in loops only if `dynamic`.
 class RandomText {
 public:
-    RandomText(unsigned seed, bool dynamic) : bits_(seed), dynamic_(dynamic) {
+    RandomText(unsigned seed, bool dynamic, int colorSamples = 3)
+        : colorSamples_(colorSamples), bits_(seed), dynamic_(dynamic) {
+        function_.colors = evenBasis(colorSamples);
         function_.name = "random";
         function_.parameters = {{"a", 0}, {"b", 0}, {"c", 0}};
         function_.categories = {"key"};
@@ -33,11 +35,11 @@ public:
             pool_.push_back(number(b_, 0.25f * float(k)));
         }
         array_ = addArray(b_, Type::Float, 3);
-        Values sums(colorSamples, number(b_, 0));
+        Values sums(colorSamples_, number(b_, 0));
         for (int n = 0, count = 2 + below(4); n < count; ++n)
             sums = statement(sums, 0);
         bool emits = below(2) == 0;
-        for (int k = 0; k < colorSamples; ++k) {
+        for (int k = 0; k < colorSamples_; ++k) {
             ValueId Ci = mul(b_, sums[k], any());
             output(b_, "Ci", k, emits ? add(b_, Ci, any()) : Ci);
             output(b_, "Oi", k, below(2) ? input(b_, ShaderInput::Os, k) : any());
@@ -180,7 +182,7 @@ private:
                               Values inner = {carried.begin(), carried.end() - 1};
                               if (below(2))
                                   inner = block(inner, depth + 2);
-                              for (int k = 0; k < colorSamples; ++k)
+                              for (int k = 0; k < colorSamples_; ++k)
                                   inner[k] =
                                       add(b_, inner[k], mul(b_, Cl[k], mul(b_, weight, any())));
                               inner.push_back(below(2) ? any() : carried.back());
@@ -201,11 +203,12 @@ private:
         ValueId weight = any();
         Triple N = input3(b_, ShaderInput::N);
         Values answer = ir::trace(b_, addRequest(b_, request), input3(b_, ShaderInput::P), N);
-        for (int k = 0; k < colorSamples; ++k)
+        for (int k = 0; k < colorSamples_; ++k)
             sums[k] = add(b_, sums[k], mul(b_, weight, answer[k]));
         return sums;
     }
 
+    int colorSamples_;
     std::mt19937 bits_;
     bool dynamic_;
     Function function_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/ir/analyse/affine.h"
 #include "language/ir/analyse/opacity.h"
+#include "language/ir/questions/emission.h"
 #include "language/ir/questions/plan.h"
 #include "language/ir/questions/questions.h"
 #include "language/ir/transform/dead_code.h"
@@ -8,15 +9,31 @@
 namespace candela::ir {
 
 const char *nameOf(Question question) {
-    constexpr const char *names[] = {"shade",   "surface", "view",    "prepare",
-                                     "scatter", "emit",    "opacity", "light"};
+    constexpr const char *names[] = {
+#define QUESTION(name, text, kind, meaning) text,
+#include "language/ir/questions/questions.def"
+#undef QUESTION
+    };
     return names[int(question)];
+}
+
+std::vector<Question> questionsOf(sl::ShaderKind kind) {
+    constexpr sl::ShaderKind kinds[] = {
+#define QUESTION(name, text, kind, meaning) sl::ShaderKind::kind,
+#include "language/ir/questions/questions.def"
+#undef QUESTION
+    };
+    std::vector<Question> questions;
+    for (int q = 0; q < questionCount; ++q)
+        if (kinds[q] == kind)
+            questions.push_back(Question(q));
+    return questions;
 }
 
 namespace {
 
 Function sliceFramed(const Plan &plan, Question question) {
-    FramePlan frame = planFrame(plan);
+    const FramePlan &frame = plan.frame;
     Function result;
     switch (question) {
     case Question::Surface: result = specializeSurface(plan, frame.all); break;
@@ -30,27 +47,51 @@ Function sliceFramed(const Plan &plan, Question question) {
     return result;
 }
 
-void removePrints(Region &region) {
-    std::erase_if(region.body, [](const Instruction &i) { return i.op == Op::Print; });
-    for (Instruction &i : region.body)
-        for (Region &inner : i.regions)
-            removePrints(inner);
+/// Shade and the questions to lights, which take the text as it is.
+Function sliceWhole(const Function &whole, Question question) {
+    if (question == Question::Emission)
+        return sliceEmission(whole);
+    Function result = whole;
+    if (question == Question::Shade)
+        removeAll(Op::Print, result.body);
+    removeAll(Op::EmissionCone, result.body);
+    removeDeadCode(result);
+    return result;
 }
 
-Function sliceQuestion(const Function &whole, Question question) {
+bool takesWhole(Question question) {
+    return question == Question::Shade || question == Question::Light ||
+           question == Question::Emission;
+}
+
+Function sliceQuestion(const Plan &plan, Question question) {
+    if (takesWhole(question))
+        return sliceWhole(plan.whole, question);
     switch (question) {
-    case Question::Shade:
-    case Question::Light: {
-        Function result = whole;
-        if (question == Question::Shade)
-            removePrints(result.body);
-        removeDeadCode(result);
-        return result;
+    case Question::Emit: return specializeUnder(plan, {}, OutputKind::Ci, OutputKind::Ce);
+    case Question::Opacity: return specializeUnder(plan, {}, OutputKind::Oi, OutputKind::Oi);
+    default: return sliceFramed(plan, question);
     }
-    case Question::Emit: return specializeUnder(*makePlan(whole), {}, "Ci", "Ce");
-    case Question::Opacity: return specializeUnder(*makePlan(whole), {}, "Oi", "Oi");
-    default: return sliceFramed(*makePlan(whole), question);
+}
+
+std::vector<ConeSlot> coneSlots(const Plan &plan) {
+    const std::vector<OutputSlot> outputs = prepareOutputs(plan);
+    std::vector<ConeSlot> slots;
+    for (int n = 0; n < int(plan.cones.size()); ++n) {
+        const auto plane = [&](OutputKind kind) { return slotOf(outputs, {kind, n}); };
+        slots.push_back({.request = plan.cones[n].request,
+                         .axis = plane(OutputKind::ConeAxis),
+                         .angle = plane(OutputKind::ConeAngle),
+                         .exponent = plane(OutputKind::ConeExponent),
+                         .importance = plane(OutputKind::ConeImportance),
+                         .exact = plan.cones[n].exact});
     }
+    return slots;
+}
+
+Function named(Function function, const Function &whole, Question question) {
+    function.name = whole.name + "." + nameOf(question);
+    return function;
 }
 
 bool hasLoops(const Plan &plan) {
@@ -62,28 +103,31 @@ bool hasLoops(const Plan &plan) {
 
 } // namespace
 
-Function slice(const Function &whole, Question question) {
-    Function result = sliceQuestion(whole, question);
-    result.name = whole.name + "." + nameOf(question);
-    return result;
+Function slice(const Plan &plan, Question question) {
+    return named(sliceQuestion(plan, question), plan.whole, question);
 }
 
-SurfaceFacts surfaceFacts(const Function &whole) {
-    auto plan = makePlan(whole);
+Function slice(const Function &whole, Question question) {
+    return takesWhole(question) ? named(sliceWhole(whole, question), whole, question)
+                                : slice(*makePlan(whole), question);
+}
+
+SurfaceFacts surfaceFacts(const Plan &plan) {
     SurfaceFacts facts;
-    for (std::size_t n = 0; n < plan->cones.size(); ++n)
-        facts.cones.push_back({plan->cones[n].request, int(6 * n), plan->cones[n].exact});
-    facts.hasLoops = hasLoops(*plan);
-    facts.readsAmbient = plan->readsAmbient;
-    for (bool emits : plan->emits)
+    facts.cones = coneSlots(plan);
+    facts.hasLoops = hasLoops(plan);
+    facts.readsAmbient = plan.readsAmbient;
+    for (bool emits : plan.emits)
         facts.emits |= emits;
-    facts.opaqueIfOsIs1 = opaqueIfOsIs1(slice(whole, Question::Opacity));
-    AffineProof proof = proveAffine(whole);
+    facts.opaqueIfOsIs1 = opaqueIfOsIs1(slice(plan, Question::Opacity));
+    AffineProof proof = proveAffine(plan.whole);
     facts.affine = proof.affine;
     facts.notAffineLine = proof.line;
-    facts.staticRequests = plan->dependence.staticRequests;
-    facts.notStaticLine = plan->dependence.notStaticLine;
+    facts.staticRequests = plan.dependence.staticRequests;
+    facts.notStaticLine = plan.dependence.notStaticLine;
     return facts;
 }
+
+SurfaceFacts surfaceFacts(const Function &whole) { return surfaceFacts(*makePlan(whole)); }
 
 } // namespace candela::ir

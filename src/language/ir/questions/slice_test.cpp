@@ -24,10 +24,17 @@ void expectSame(float got, float expected, const char *what, unsigned seed, int 
                       << " instead of " << expected;
 }
 
+/// One text in two has the usual three samples, the others 1, 4 or 8.
+int colorSamplesOf(unsigned seed) {
+    constexpr int choices[] = {3, 1, 3, 4, 3, 8};
+    return choices[seed % 6];
+}
+
 /// A text with its batch; the whole text's Ci comes out by output name.
 struct Subject {
     Subject(unsigned seed, bool dynamic)
-        : seed(seed), whole(RandomText(seed, dynamic).make()), batch(whole, points, seed) {
+        : seed(seed), whole(RandomText(seed, dynamic, colorSamplesOf(seed)).make()),
+          batch(whole, points, seed) {
         EXPECT_EQ(verify(whole), "") << seed;
         batch.setSamples(1, seed + 1);
         for (auto &plane : batch.samples.Cl)
@@ -43,7 +50,7 @@ struct Subject {
         batch.answers.givesTraced = true;
         for (std::size_t p = 0; p < batch.answers.traced.size(); ++p)
             batch.answers.traced[p].assign(batch.padded(),
-                                           int(p) / colorSamples == answered ? 1.0f : 0);
+                                           int(p) / whole.colors.samples == answered ? 1.0f : 0);
         batch.answers.givesAmbient = ambient;
         auto result = batch.run(text, interpret);
         batch.answers.givesAmbient = false;
@@ -72,7 +79,7 @@ struct Subject {
     void expectOutput(const Function &got, const std::vector<TestBatch::Plane> &gotPlanes,
                       const std::string &gotName, const std::vector<TestBatch::Plane> &a,
                       const std::vector<TestBatch::Plane> *minus, const std::string &name) {
-        for (int k = 0; k < colorSamples; ++k) {
+        for (int k = 0; k < whole.colors.samples; ++k) {
             auto &plane = gotPlanes[find(got, gotName, k)];
             int from = find(whole, name, k);
             for (int i = 0; i < points; ++i)
@@ -189,12 +196,24 @@ TEST(Fold, KeepsEveryAnswer) {
         Function folded = fold(subject.whole, values);
         ASSERT_EQ(verify(folded), "") << seed << print(folded);
         // Unrolling makes new requests.
-        while (subject.batch.answers.traced.size() < folded.requests.size() * colorSamples)
+        while (subject.batch.answers.traced.size() <
+               folded.requests.size() * std::size_t(folded.colors.samples))
             subject.batch.answers.traced.push_back(TestBatch::Plane(subject.batch.padded()));
         EXPECT_TRUE(controlRelevantParameters(folded).empty() ||
                     controlRelevantParameters(folded) == std::vector<int>{1});
         auto expected = subject.shade(subject.whole, 1);
         subject.expectOutput(folded, subject.shade(folded, 1), "Ci", expected, nullptr, "Ci");
+    }
+}
+
+TEST(Slice, OnePlanServesAllQuestions) {
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+        const Function whole = RandomText(seed, seed % 3 == 0).make();
+        const auto plan = makePlan(whole);
+        for (int question = 0; question < int(Question::Light); ++question)
+            EXPECT_EQ(print(slice(*plan, Question(question))),
+                      print(slice(whole, Question(question))))
+                << seed;
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include "language/ir/core/builder_fold.h"
 #include "language/ir/core/op_info.h"
+#include "language/ir/core/regions.h"
 
 #include <algorithm>
 
@@ -30,7 +31,7 @@ private:
         if (!live_[v])
             live_[v] = changed_ = true;
     }
-    void need(const std::vector<ValueId> &values) {
+    void need(std::span<const ValueId> values) {
         for (ValueId v : values)
             need(v);
     }
@@ -46,72 +47,51 @@ private:
         return kept;
     }
 
+    /// What this marks within regions is seen by run()'s next round: a second one here would double
+    /// with every loop around.
     bool mark(const Instruction &i) {
-        if (i.op == Op::If)
-            return markIf(i);
-        if (i.op == Op::Loop || i.op == Op::LightLoop)
-            return markLoop(i);
         bool kept = isKept(i);
-        if (kept) {
-            need(i.operands);
-            if (i.op == Op::ArrayLoad && !arrayLive_[i.immediate])
-                arrayLive_[i.immediate] = changed_ = true;
+        const auto follow = [&](const ValueFlow &flow) {
+            if (live_[flow.to])
+                need(flow.from);
+        };
+        if (!i.regions.empty()) {
+            forEachFlowOut(i, follow);
+            forEachFlowIn(i, follow);
         }
+        for (const Region &region : i.regions)
+            kept |= mark(region);
+        if (kept)
+            needFixed(i);
         return kept;
     }
 
+    /// What the instruction needs whichever of its results are used.
+    void needFixed(const Instruction &i) {
+        if (i.regions.empty())
+            need(i.operands);
+        else if (i.op != Op::If)
+            need(std::span(i.operands).first(fixedOperands(i)));
+        if (const auto condition = i.regions.empty() ? std::nullopt : conditionOf(i))
+            need(*condition);
+        if (i.op == Op::ArrayLoad && !arrayLive_[i.immediate])
+            arrayLive_[i.immediate] = changed_ = true;
+    }
+
+    /// Of regions' owners: whatever stands in the regions.
     bool isKept(const Instruction &i) const {
         if (i.op == Op::ArrayStore)
             return arrayLive_[i.immediate];
         return hasEffect(i.op) || anyLive(i.results);
     }
 
-    bool markIf(const Instruction &i) {
-        bool kept = anyLive(i.results);
-        for (const Region &region : i.regions) {
-            for (std::size_t k = 0; k < i.results.size(); ++k)
-                if (live_[i.results[k]])
-                    need(region.yields[k]);
-            kept |= mark(region);
-        }
-        if (kept)
-            need(i.operands[0]);
-        return kept;
-    }
-
-    /// Operands, results, yields and the last arguments of the region run in step. What this marks
-    /// within the region is seen by run()'s next round: a second one here would double with every
-    /// loop around.
-    bool markLoop(const Instruction &i) {
-        const Region &region = i.regions[0];
-        bool kept = anyLive(i.results);
-        std::size_t firstOperand = i.operands.size() - i.results.size();
-        std::size_t firstArgument = region.arguments.size() - i.results.size();
-        for (std::size_t k = 0; k < i.results.size(); ++k)
-            if (carriedLive(i, k)) {
-                need(region.yields[k]);
-                need(i.operands[firstOperand + k]);
-                need(region.arguments[firstArgument + k]);
-            }
-        kept |= mark(region);
-        if (kept) {
-            if (i.op == Op::Loop)
-                need(region.arguments[0]);
-            for (std::size_t k = 0; k < firstOperand; ++k)
-                need(i.operands[k]);
-        }
-        return kept;
-    }
-
     bool carriedLive(const Instruction &i, std::size_t k) const {
-        const Region &region = i.regions[0];
-        std::size_t firstArgument = region.arguments.size() - i.results.size();
-        return live_[i.results[k]] || live_[region.arguments[firstArgument + k]];
+        return live_[i.results[k]] || live_[argumentOf(i, k)];
     }
 
     /// True if the instruction stays.
     bool prune(Instruction &i) {
-        if (i.op != Op::If && i.op != Op::Loop && i.op != Op::LightLoop)
+        if (i.regions.empty())
             return isKept(i);
         bool loop = i.op != Op::If;
         bool kept = false;
@@ -159,5 +139,12 @@ private:
 } // namespace
 
 void removeDeadCode(Function &function) { DeadCode(function).run(); }
+
+void removeAll(Op op, Region &region) {
+    std::erase_if(region.body, [op](const Instruction &i) { return i.op == op; });
+    for (Instruction &i : region.body)
+        for (Region &inner : i.regions)
+            removeAll(op, inner);
+}
 
 } // namespace candela::ir

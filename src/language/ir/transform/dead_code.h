@@ -11,4 +11,7 @@ namespace candela::ir {
 /// spend time. Renews inputsRead; value numbers stay.
 void removeDeadCode(Function &);
 
+/// Removes all instructions of the operation, which has no results.
+void removeAll(Op, Region &);
+
 } // namespace candela::ir

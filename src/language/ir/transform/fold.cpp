@@ -2,6 +2,7 @@
 #include "language/ir/transform/fold.h"
 
 #include "language/ir/core/builder_effects.h"
+#include "language/ir/core/regions.h"
 #include "language/ir/transform/dead_code.h"
 #include "language/ir/transform/specialize.h"
 
@@ -11,17 +12,16 @@ namespace candela::ir {
 
 namespace {
 
-void replaceParameters(Region &region, const std::map<int, float> &values) {
-    for (Instruction &i : region.body) {
-        if (i.op == Op::Parameter)
-            if (auto it = values.find(i.immediate); it != values.end()) {
-                i.op = Op::ConstFloat;
-                i.immediate = 0;
-                i.number = it->second;
-            }
-        for (Region &inner : i.regions)
-            replaceParameters(inner, values);
-    }
+void replaceParameters(Function &text, const std::map<int, float> &values) {
+    forEachInstruction(text.body, [&](Instruction &i) {
+        if (i.op != Op::Parameter)
+            return;
+        if (auto it = values.find(i.immediate); it != values.end()) {
+            i.op = Op::ConstFloat;
+            i.immediate = 0;
+            i.number = it->second;
+        }
+    });
 }
 
 } // namespace
@@ -31,7 +31,7 @@ Function fold(const Function &whole, const std::vector<FoldedValue> &values) {
     for (const FoldedValue &value : values)
         bySlot[value.slot] = value.value;
     Function text = whole;
-    replaceParameters(text.body, bySlot);
+    replaceParameters(text, bySlot);
     removeDeadCode(text);
     Dependence dependence = analyzeDependence(text);
     Function result = emptyLike(text);

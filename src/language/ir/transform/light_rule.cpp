@@ -7,6 +7,7 @@
 #include "language/ir/core/builder_light.h"
 #include "language/ir/core/builder_sources.h"
 #include "language/ir/core/builder_vectors.h"
+#include "language/ir/core/regions.h"
 
 #include <iterator>
 #include <numbers>
@@ -19,14 +20,14 @@ struct Asks {
     bool loops = false, ambient = false, irradiance = false;
 };
 
-void note(const Region &region, Asks &asks) {
-    for (const Instruction &i : region.body) {
+Asks asksOf(const Function &function) {
+    Asks asks;
+    forEachInstruction(function.body, [&](const Instruction &i) {
         asks.loops |= i.op == Op::LightLoop;
         asks.ambient |= i.op == Op::Ambient;
         asks.irradiance |= i.op == Op::Irradiance;
-        for (const Region &inner : i.regions)
-            note(inner, asks);
-    }
+    });
+    return asks;
 }
 
 /// The sum over all light of Cl (N.L), on the side that is seen.
@@ -39,11 +40,11 @@ Values gatheredLight(Builder &b) {
     Values cone(N.begin(), N.end());
     cone.push_back(number(b, std::numbers::pi_v<float> / 2));
     return lightLoop(b, addRequest(b, request), input3(b, ShaderInput::P), cone,
-                     Values(colorSamples, number(b, 0)),
+                     Values(b.colors().samples, number(b, 0)),
                      [&](const Triple &L, const Values &Cl, const Values &carried) {
                          ValueId cosine = dot(b, N, normalize(b, L));
                          Values sum;
-                         for (int k = 0; k < colorSamples; ++k)
+                         for (int k = 0; k < b.colors().samples; ++k)
                              sum.push_back(add(b, carried[k], mul(b, Cl[k], cosine)));
                          return sum;
                      });
@@ -57,7 +58,7 @@ void addTo(Op op, const Values &more, Function &function, Region &region) {
             addTo(op, more, function, inner);
         std::vector<Instruction> sums;
         if (i.op == op)
-            for (int k = 0; k < colorSamples; ++k) {
+            for (int k = 0; k < function.colors.samples; ++k) {
                 ValueId own = function.addValue(Type::Float, Rate::Varying);
                 sums.push_back({Op::Add, {own, more[k]}, {i.results[k]}, {}, 0, 0, i.line});
                 i.results[k] = own;
@@ -71,8 +72,7 @@ void addTo(Op op, const Values &more, Function &function, Region &region) {
 } // namespace
 
 Function applyLightRule(const Function &whole, LightRule rule) {
-    Asks asks;
-    note(whole.body, asks);
+    const Asks asks = asksOf(whole);
     if (rule == LightRule::Classic || asks.loops || (!asks.ambient && !asks.irradiance))
         return whole;
     Function result = whole;

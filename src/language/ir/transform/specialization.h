@@ -22,7 +22,7 @@ struct Specialization {
     const std::vector<Assumption> &assumptions;
     const SpecializationOptions &options;
     ValueMapping mapping;
-    std::map<std::pair<std::string, int>, ValueId> outputs; ///< As SpecializedText has them.
+    std::map<std::pair<OutputName, int>, ValueId> outputs; ///< As SpecializedText has them.
     std::vector<int> active; ///< The assumptions under which is being written; all at first.
     int loopDepth = 0;
     int repeating = 0; ///< > 0: what is being written was written, and saved, before.

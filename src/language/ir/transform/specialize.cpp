@@ -11,7 +11,9 @@ namespace candela::ir {
 Function emptyLike(const Function &whole) {
     Function result;
     result.name = whole.name;
+    result.colors = whole.colors;
     result.requests = whole.requests;
+    result.emissions = whole.emissions;
     result.strings = whole.strings;
     result.files = whole.files;
     result.spaces = whole.spaces;
@@ -21,15 +23,15 @@ Function emptyLike(const Function &whole) {
     return result;
 }
 
-std::optional<ValueId> SpecializedText::output(int assumption, const std::string &slot,
+std::optional<ValueId> SpecializedText::output(int assumption, const OutputName &name,
                                                int component) {
-    auto it = outputs.find({slot, component});
+    auto it = outputs.find({name, component});
     return it == outputs.end() ? std::nullopt
                                : std::optional(mapping.value(assumption, it->second));
 }
 
-std::optional<ValueId> SpecializedText::responseOutput(const std::string &slot, int component) {
-    auto it = outputs.find({slot, component});
+std::optional<ValueId> SpecializedText::responseOutput(const OutputName &name, int component) {
+    auto it = outputs.find({name, component});
     bool lit = it != outputs.end() && dependence.responds(it->second);
     return lit ? std::optional(mapping.value(0, it->second)) : std::nullopt;
 }
@@ -85,9 +87,10 @@ std::vector<std::vector<int>> groupsBy(Specialization &s, ValueId condition) {
     return groups;
 }
 
-void walkPrint(Specialization &s, const Instruction &i) {
+/// What is said once, whatever the assumptions.
+void walkStatement(Specialization &s, const Instruction &i) {
     if (s.options.prints && s.active[0] == 0)
-        s.b.emit(i.op, s.mapping.values(0, i.operands));
+        s.b.emit(i.op, s.mapping.values(0, i.operands), i.immediate);
 }
 
 void walkPlain(Specialization &s, const Instruction &i, StageRange range) {
@@ -167,7 +170,8 @@ static void walk(Specialization &s, const Instruction &i, StageRange range) {
         s.outputs[{slot.name, slot.component}] = i.operands[0];
         return;
     }
-    case Op::Print: return walkPrint(s, i);
+    case Op::Print:
+    case Op::EmissionCone: return walkStatement(s, i);
     case Op::If: return walkIf(s, i, range);
     case Op::Loop: return walkLoop(s, i, range);
     case Op::LightLoop: return walkLightLoop(s, i, range);

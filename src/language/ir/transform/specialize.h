@@ -55,13 +55,13 @@ struct SpecializationOptions {
 struct SpecializedText {
     const Dependence &dependence;
     ValueMapping mapping;
-    /// By slot and component: the text's value that its last Output there writes.
-    std::map<std::pair<std::string, int>, ValueId> outputs;
+    /// By name and component: the text's value that its last Output there writes.
+    std::map<std::pair<OutputName, int>, ValueId> outputs;
 
     /// What the output has become; nothing if the text has none of that name.
-    std::optional<ValueId> output(int assumption, const std::string &slot, int component);
+    std::optional<ValueId> output(int assumption, const OutputName &, int component);
     /// The same under assumption 0, but nothing if light does not reach it.
-    std::optional<ValueId> responseOutput(const std::string &slot, int component);
+    std::optional<ValueId> responseOutput(const OutputName &, int component);
 };
 
 /// Outputs are for the caller to write. Text and dependence must outlive the result.

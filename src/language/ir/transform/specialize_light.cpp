@@ -25,13 +25,15 @@ void stateCones(Specialization &s, const Instruction &i) {
         if (cone.request != i.immediate)
             continue;
         StatedCone stated = stateCone(s.mapping, s.b, i, cone);
-        std::string name = "cone " + std::to_string(n);
+        const auto state = [&](OutputKind kind, int component, ValueId v) {
+            output(s.b, {kind, int(n)}, component, v);
+        };
         for (int k = 0; k < 3; ++k)
-            output(s.b, name + " axis", k, stated.axis[k]);
-        output(s.b, name + " angle", 0, stated.angle);
-        output(s.b, name + " exponent", 0, stated.exponent);
+            state(OutputKind::ConeAxis, k, stated.axis[k]);
+        state(OutputKind::ConeAngle, 0, stated.angle);
+        state(OutputKind::ConeExponent, 0, stated.exponent);
         if (stated.importance)
-            output(s.b, name + " importance", 0, *stated.importance);
+            state(OutputKind::ConeImportance, 0, *stated.importance);
     }
 }
 
@@ -82,10 +84,10 @@ Values sampledLoop(Specialization &s, int h, const Instruction &i) {
     Triple L = input3(s.b, ShaderInput::sampleL);
     for (int k = 0; k < 3; ++k)
         s.mapping.assign(h, region.arguments[k], L[k]);
-    for (int k = 0; k < colorSamples; ++k)
+    for (int k = 0; k < s.text.colors.samples; ++k)
         s.mapping.assign(h, region.arguments[3 + k], number(s.b, 1));
     for (std::size_t k = 0; k < initial.size(); ++k)
-        s.mapping.assign(h, region.arguments[3 + colorSamples + k], initial[k]);
+        s.mapping.assign(h, region.arguments[3 + s.text.colors.samples + k], initial[k]);
     auto body = [&] {
         Stage first = s.options.framed ? Stage::Response : s.options.first;
         s.under({h}, [&] { walk(s, region, {first, Stage::Response}); });

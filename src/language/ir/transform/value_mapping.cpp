@@ -59,22 +59,18 @@ ValueId ValueMapping::fetch(int assumption, ValueId old) {
     return type == Type::Bool ? notEqual(b_, loaded, number(b_, 0)) : loaded;
 }
 
-/// Operations to compute the value from sources alone.
+/// To compute the value from sources alone, in units of an addition.
 int ValueMapping::cost(ValueId v) const {
     const Instruction *i = dependence_.definition[v].instruction;
-    if (!i || !isPure(i->op) || i->op == Op::Call || i->op >= Op::Random)
+    if (!i || !isPure(i->op))
         return tooDear;
-    if (i->operands.empty())
-        return 0;
-    if (i->op >= Op::Sin && i->op <= Op::Pow)
-        return tooDear;
-    int sum = 1;
+    int sum = costOf(*i);
     for (ValueId operand : i->operands) {
-        sum += cost(operand);
         if (sum > recomputeCost_)
             return tooDear;
+        sum += cost(operand);
     }
-    return sum;
+    return sum > recomputeCost_ ? tooDear : sum;
 }
 
 void ValueMapping::save(ValueId old, ValueId now) {

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// Names of what functions write.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace candela::ir {
+
+/// The rows of outputs.def, and what a shader's text calls otherwise.
+enum class OutputKind : std::uint8_t {
+#define OUTPUT(name, components, text, meaning) name,
+#define CONE_OUTPUT OUTPUT
+#include "language/ir/core/outputs.def"
+#undef CONE_OUTPUT
+#undef OUTPUT
+    Parameter, ///< An output parameter, or a bound of the paper's ("DCiDu").
+};
+
+/// Planes of an output of outputs.def, where colors have so many samples.
+int componentsOf(OutputKind, int colorSamples);
+
+/// What an output is of.
+struct OutputName {
+    OutputName(OutputKind k, int coneNumber = 0) : kind(k), cone(coneNumber) {}
+    /// As text() spells it.
+    OutputName(std::string_view);
+    OutputName(const std::string &text) : OutputName(std::string_view(text)) {}
+    OutputName(const char *text) : OutputName(std::string_view(text)) {}
+
+    /// "Ci", "cone 0 axis", the parameter's name.
+    std::string text() const;
+    auto operator<=>(const OutputName &) const = default;
+
+    OutputKind kind;
+    int cone = 0;          ///< Which, of a cone's outputs.
+    std::string parameter; ///< Of OutputKind::Parameter.
+};
+
+/// What an output plane holds.
+struct OutputSlot {
+    OutputName name;
+    int component = 0;
+};
+
+/// Index of the plane that holds it; -1 if none does.
+int slotOf(const std::vector<OutputSlot> &, const OutputName &, int component = 0);
+
+} // namespace candela::ir

@@ -1,0 +1,77 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""What pages show of the program's output is what it prints today.
+
+A fenced block that begins with "$ candela ..." shows a run from the source folder: its lines stand
+in what is printed, in this order; "..." stands for any lines, all others follow one another.
+
+usage: docs_test.py CANDELA SOURCE_FOLDER
+"""
+import pathlib
+import re
+import shlex
+import subprocess
+import sys
+
+BLOCK = re.compile(r"^```\w*\n(\$ candela .*?)^```", re.MULTILINE | re.DOTALL)
+
+
+def pieces_of(lines):
+    """The runs of lines between the lines "..."."""
+    pieces = [[]]
+    for line in lines:
+        if line.strip() == "...":
+            pieces.append([])
+        else:
+            pieces[-1].append(line)
+    return [piece for piece in pieces if piece]
+
+
+def missing_piece(shown, printed):
+    """The first piece that does not follow those before it; None if all do."""
+    start = 0
+    for piece in pieces_of(shown):
+        for at in range(start, len(printed) - len(piece) + 1):
+            if printed[at:at + len(piece)] == piece:
+                start = at + len(piece)
+                break
+        else:
+            return piece
+    return None
+
+
+def test_the_test():
+    printed = ["a", "b", "c", "d"]
+    assert missing_piece(["a", "b"], printed) is None
+    assert missing_piece(["...", "b", "...", "d"], printed) is None
+    assert missing_piece(["a", "c"], printed) == ["a", "c"]
+    assert missing_piece(["b", "...", "a"], printed) == ["a"]
+
+
+def complaints_of(page, program, root):
+    for block in BLOCK.findall(page.read_text()):
+        command, *shown = block.rstrip("\n").split("\n")
+        words = shlex.split(command)[2:]
+        run = subprocess.run([program, *words], cwd=root, capture_output=True, text=True)
+        printed = [line.rstrip() for line in run.stdout.split("\n")]
+        missing = missing_piece([line.rstrip() for line in shown], printed)
+        if run.returncode != 0 or missing:
+            yield f"{page}: {command}\n  exit status {run.returncode} {run.stderr}\n  not there: " + \
+                "\n             ".join(missing or [])
+
+
+def main():
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    test_the_test()
+    program, root = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
+    pages = sorted(root.glob("docs/*.md")) + [root / "README.md"]
+    blocks = sum(len(BLOCK.findall(page.read_text())) for page in pages)
+    complaints = [text for page in pages for text in complaints_of(page, program, root)]
+    print("\n".join(complaints))
+    print(f"{len(pages)} pages, {blocks} blocks, {len(complaints)} complaints")
+    sys.exit(1 if complaints or not blocks else 0)
+
+
+if __name__ == "__main__":
+    main()
