@@ -114,6 +114,39 @@ ir::Function noiseAndSlopes(RuntimeFunction plain, bool slopesFirst) {
     return function;
 }
 
+/// The code gives the interpreter's results, cut or not, in batches that fill blocks and that do
+/// not.
+void expectInterpreted(const ir::Function &function, int longestFunction) {
+    for (int width : {1, 16}) {
+        DiagnosticList diagnostics;
+        JitOptions options = optionsFor(runtime::hostIsaLevel(), width);
+        options.longestFunction = longestFunction;
+        Jit jit(options, diagnostics);
+        const ShaderFunction code = jit.compile(function);
+        ASSERT_TRUE(code) << diagnostics.text();
+        for (const bool masked : {false, true}) {
+            ir::TestBatch batch(function, 37, 3);
+            batch.setSamples(2, 5);
+            if (masked)
+                batch.active = {0xffff, 0x3fc1, 0x0015};
+            const auto results = [&](auto &&run) {
+                batch.frame.assign(std::size_t(function.frameSlots) * batch.padded(), 0.25f);
+                auto planes = batch.run(function, run, -1.0f);
+                planes.emplace_back(batch.frame.begin(), batch.frame.end());
+                return planes;
+            };
+            const auto expected = results(ir::interpret);
+            const auto found =
+                results([&](const ir::Function &, const ShaderArgs &args) { code(&args); });
+            for (std::size_t k = 0; k < expected.size(); ++k)
+                for (std::size_t i = 0; i < expected[k].size(); ++i)
+                    ASSERT_EQ(std::bit_cast<std::uint32_t>(expected[k][i]),
+                              std::bit_cast<std::uint32_t>(found[k][i]))
+                        << k << " " << i << " W=" << width << " cut at " << longestFunction;
+        }
+    }
+}
+
 TEST(EmittedCode, EvaluatesOnceWhereAValueAndItsSlopesAreWanted) {
     for (RuntimeFunction plain :
          {RuntimeFunction::noise3, RuntimeFunction::vnoise2, RuntimeFunction::pnoise1})
@@ -121,21 +154,61 @@ TEST(EmittedCode, EvaluatesOnceWhereAValueAndItsSlopesAreWanted) {
             const ir::Function function = noiseAndSlopes(plain, slopesFirst);
             const std::string text = textOf(function, runtime::hostIsaLevel(), false);
             EXPECT_EQ(countIn(text, "@candela_"), 2 + 2) << text; // Two declared and called.
-            ir::TestBatch batch(function, 37, 3);
-            const auto expected = batch.run(function, ir::interpret);
-            for (int width : {1, 16}) {
-                DiagnosticList diagnostics;
-                Jit jit(optionsFor(runtime::hostIsaLevel(), width), diagnostics);
-                const ShaderFunction code = jit.compile(function);
-                const auto found = batch.run(
-                    function, [&](const ir::Function &, const ShaderArgs &args) { code(&args); });
-                for (std::size_t k = 0; k < expected.size(); ++k)
-                    for (int i = 0; i < batch.count; ++i)
-                        ASSERT_EQ(std::bit_cast<std::uint32_t>(expected[k][i]),
-                                  std::bit_cast<std::uint32_t>(found[k][i]))
-                            << k << " " << i << " W=" << width;
-            }
+            expectInterpreted(function, 0);
         }
+}
+
+/// Long sums before and after a noise and its slopes; values of the first are used for the last
+/// time between the two, so their spill slots are free then.
+ir::Function valuesThatEndBetween() {
+    ir::Function function;
+    ir::Builder b(function);
+    const ir::Triple at = input3(b, ShaderInput::P);
+    const ir::Values where(at.begin(), at.end());
+    const auto longSum = [&](ir::ValueId x) {
+        for (int k = 0; k < 15; ++k)
+            x = add(b, mul(b, x, at[0]), at[1]);
+        return x;
+    };
+    const ir::ValueId above[] = {mul(b, at[0], at[1]), mul(b, at[1], at[2]), longSum(at[2])};
+    const int plain = int(RuntimeFunction::noise3), slopes = int(RuntimeFunction::noise3_slopes);
+    ir::ValueId sum = callRuntime(b, plain, where)[0];
+    for (ir::ValueId v : above)
+        sum = add(b, mul(b, sum, sum), v);
+    const ir::Values given = callRuntime(b, slopes, where);
+    output(b, "x", 0, longSum(sum));
+    for (std::size_t k = 0; k < given.size(); ++k)
+        output(b, "x", 1 + int(k), given[k]);
+    b.finish();
+    return function;
+}
+
+TEST(EmittedCode, SharesNoEvaluationBetweenPieces) {
+    const ir::Function between = valuesThatEndBetween();
+    const ir::Function near = noiseAndSlopes(RuntimeFunction::vnoise2, false);
+    for (int longest = 1; longest < 70; longest += 3) {
+        expectInterpreted(between, longest);
+        expectInterpreted(near, longest);
+    }
+    const auto named = [&](int longest) { // Each function called is declared, too.
+        DiagnosticList diagnostics;
+        JitOptions options = optionsFor(runtime::hostIsaLevel(), 16);
+        options.longestFunction = longest;
+        return countIn(Jit(options, diagnostics).emit(between, false), "@candela_");
+    };
+    EXPECT_EQ(named(1000), 1 + 1);
+    EXPECT_EQ(named(1), 2 + 2);
+}
+
+TEST(EmittedCode, PiecesAskWhetherAllOfTheirLanesRun) {
+    for (int longest : {1, 4, 8, 16, 60})
+        expectInterpreted(litSurface(), longest);
+    DiagnosticList diagnostics;
+    JitOptions options = optionsFor(IsaLevel::V3, 16);
+    options.longestFunction = 8;
+    const std::string text = Jit(options, diagnostics).emit(litSurface(), false);
+    EXPECT_GT(countIn(text, "@piece"), 0) << text;
+    EXPECT_GT(countIn(text, "store_all:"), 0) << text;
 }
 
 } // namespace
