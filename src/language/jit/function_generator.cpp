@@ -11,7 +11,6 @@
 #include "language/jit/light_loop.h"
 #include "language/runtime/shader_abi.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -27,6 +26,45 @@ using ir::OpClass;
 using ir::Rate;
 using ir::Region;
 
+struct PlaneStore {
+    Value *value, *to;
+};
+
+bool isStore(const Instruction &i) { return i.op == Op::Output || i.op == Op::FrameStore; }
+
+PlaneStore planeStore(CodeFunction &code, ShaderArguments &arguments, const ValueTable &values,
+                      const Instruction &i) {
+    auto *value = values.get(i.operands[0], Rate::Varying);
+    if (i.op == Op::Output)
+        return {value, arguments.plane(offsetof(ShaderArgs, outputs), i.immediate)};
+    if (value->getType()->isIntOrIntVectorTy())
+        value = code.builder.CreateUIToFP(value, code.lanes.varying(code.floatType));
+    return {value, arguments.frameSlot(i.immediate, values.function().frameSlots)};
+}
+
+/// Stores in a row. Where masking costs, one test, `allRun`, finds out whether all lanes run.
+void emitStores(CodeFunction &code, const std::vector<PlaneStore> &stores, Value *allRun) {
+    const auto storeMasked = [&] {
+        for (const PlaneStore &store : stores)
+            code.lanes.maskedStore(store.value, store.to, code.masks.current());
+    };
+    if (stores.size() < 2 || !code.masks.isWhole() || !code.lanes.maskingCosts()) {
+        storeMasked();
+        return;
+    }
+    auto *whole = code.block("store_all"), *part = code.block("store_some"),
+         *join = code.block("stored");
+    code.builder.CreateCondBr(allRun, whole, part);
+    code.builder.SetInsertPoint(whole);
+    for (const PlaneStore &store : stores)
+        code.lanes.store(store.value, store.to);
+    code.builder.CreateBr(join);
+    code.builder.SetInsertPoint(part);
+    storeMasked();
+    code.builder.CreateBr(join);
+    code.builder.SetInsertPoint(join);
+}
+
 class FunctionGenerator {
 public:
     FunctionGenerator(const ir::Function &, const CodeTarget &, const std::string &symbol,
@@ -35,7 +73,6 @@ public:
     void generate();
 
 private:
-    void emitBody(Value *mask);
     void emitRegion(const Region &);
     void emitAll(std::span<const Instruction>);
     /// The machine function that is being written, and what it knows of its surroundings.
@@ -51,7 +88,6 @@ private:
     Standing exchangeStanding(Standing);
     /// Writes a piece of a region as a machine function of its own, and calls it.
     void emitPiece(std::span<const Instruction>);
-    Value *allLanesIn(Value *bits);
     void loadAtHead(const Region &);
     void emit(const Instruction &);
     void emitControl(const Instruction &);
@@ -59,16 +95,9 @@ private:
     Value *operation(const Instruction &);
     /// The results of what takes a value from outside; none of other instructions.
     Values source(const Instruction &);
-    Value *load(std::size_t tableField, int plane);
     Value *answersRequest(int request);
     /// Arrays, and calls, which read and write too.
     void emitMemory(const Instruction &);
-    struct PlaneStore {
-        Value *value, *to;
-    };
-    /// Of Output or FrameStore.
-    PlaneStore planeStore(const Instruction &);
-    void emitStores(std::span<const Instruction>);
 
     const ir::Function &function_;
     CodeFunction code_;
@@ -96,6 +125,11 @@ FunctionGenerator::FunctionGenerator(const ir::Function &function, const CodeTar
         values_.keepIn(spills_.emplace(code_, pieces_.slot, pieces_.slots));
 }
 
+static Value *allLanesIn(CodeFunction &code, Value *bits) {
+    const auto all = (1u << code.lanes.width()) - 1;
+    return code.builder.CreateICmpEQ(bits, code.builder.getInt32(all), "all_run");
+}
+
 void FunctionGenerator::generate() {
     auto *count = arguments_.field(offsetof(ShaderArgs, count), code_.integerType);
     auto *prepare = code_.block("prepare"), *head = code_.block("block"),
@@ -112,8 +146,15 @@ void FunctionGenerator::generate() {
     builder_.CreateCondBr(builder_.CreateIsNotNull(bits), body, next);
 
     builder_.SetInsertPoint(body);
-    allRun_ = allLanesIn(bits);
-    emitBody(code_.lanes.maskOf(bits));
+    allRun_ = allLanesIn(code_, bits);
+    {
+        MaskStack::Scope scope(code_.masks, code_.lanes.maskOf(bits));
+        arrays_.clear();
+        gathers_.load();
+        if (spills_)
+            loadAtHead(function_.body);
+        emitRegion(function_.body);
+    }
     builder_.CreateBr(next);
 
     builder_.SetInsertPoint(next);
@@ -125,20 +166,6 @@ void FunctionGenerator::generate() {
     builder_.CreateRetVoid();
     if (spills_)
         spills_->finish();
-}
-
-Value *FunctionGenerator::allLanesIn(Value *bits) {
-    const auto all = (1u << code_.lanes.width()) - 1;
-    return builder_.CreateICmpEQ(bits, builder_.getInt32(all), "all_run");
-}
-
-void FunctionGenerator::emitBody(Value *mask) {
-    MaskStack::Scope scope(code_.masks, mask);
-    arrays_.clear();
-    gathers_.load();
-    if (spills_)
-        loadAtHead(function_.body);
-    emitRegion(function_.body);
 }
 
 void FunctionGenerator::loadAtHead(const Region &region) {
@@ -160,8 +187,6 @@ void FunctionGenerator::emitRegion(const Region &region) {
         emitPiece(body.subspan(piece.begin, piece.end - piece.begin));
 }
 
-static bool isStore(const Instruction &i) { return i.op == Op::Output || i.op == Op::FrameStore; }
-
 void FunctionGenerator::emitAll(std::span<const Instruction> instructions) {
     const auto end = instructions.end();
     for (auto i = instructions.begin(); i != end;) {
@@ -169,45 +194,11 @@ void FunctionGenerator::emitAll(std::span<const Instruction> instructions) {
             emit(*i++);
             continue;
         }
-        const auto last = std::find_if_not(i, end, isStore);
-        emitStores({i, last});
-        i = last;
+        std::vector<PlaneStore> stores;
+        for (; i != end && isStore(*i); ++i)
+            stores.push_back(planeStore(code_, arguments_, values_, *i));
+        emitStores(code_, stores, allRun_);
     }
-}
-
-/// Stores in a row. Where masking costs, one test finds out whether all points of the block run.
-void FunctionGenerator::emitStores(std::span<const Instruction> stores) {
-    std::vector<PlaneStore> found;
-    for (const Instruction &i : stores)
-        found.push_back(planeStore(i));
-    const auto storeMasked = [&] {
-        for (const PlaneStore &store : found)
-            code_.lanes.maskedStore(store.value, store.to, code_.masks.current());
-    };
-    if (found.size() < 2 || !code_.masks.isWhole() || !code_.lanes.maskingCosts()) {
-        storeMasked();
-        return;
-    }
-    auto *whole = code_.block("store_all"), *part = code_.block("store_some"),
-         *join = code_.block("stored");
-    builder_.CreateCondBr(allRun_, whole, part);
-    builder_.SetInsertPoint(whole);
-    for (const PlaneStore &store : found)
-        code_.lanes.store(store.value, store.to);
-    builder_.CreateBr(join);
-    builder_.SetInsertPoint(part);
-    storeMasked();
-    builder_.CreateBr(join);
-    builder_.SetInsertPoint(join);
-}
-
-FunctionGenerator::PlaneStore FunctionGenerator::planeStore(const Instruction &i) {
-    auto *value = values_.get(i.operands[0], Rate::Varying);
-    if (i.op == Op::Output)
-        return {value, arguments_.plane(offsetof(ShaderArgs, outputs), i.immediate)};
-    if (value->getType()->isIntOrIntVectorTy())
-        value = builder_.CreateUIToFP(value, code_.lanes.varying(code_.floatType));
-    return {value, arguments_.frameSlot(i.immediate, function_.frameSlots)};
 }
 
 void FunctionGenerator::emitPiece(std::span<const Instruction> instructions) {
@@ -232,7 +223,7 @@ void FunctionGenerator::emitPiece(std::span<const Instruction> instructions) {
     Standing caller = exchangeStanding({function,
                                         {taken[0], taken[1], prepare, {}},
                                         {code_.lanes.kept(code_.lanes.maskOf(taken[2]))},
-                                        allLanesIn(taken[2]),
+                                        allLanesIn(code_, taken[2]),
                                         taken[3],
                                         {taken.begin() + 4, taken.end()}});
     emitAll(instructions);
@@ -289,10 +280,6 @@ void FunctionGenerator::emitControl(const Instruction &i) {
         control_.emitIf(i);
 }
 
-Value *FunctionGenerator::load(std::size_t tableField, int plane) {
-    return code_.lanes.load(code_.floatType, arguments_.plane(tableField, plane));
-}
-
 Value *FunctionGenerator::answersRequest(int request) {
     auto *plane = builder_.CreateGEP(code_.integerType,
                                      arguments_.fieldPointer(offsetof(ShaderArgs, answeredRequest)),
@@ -302,6 +289,9 @@ Value *FunctionGenerator::answersRequest(int request) {
 }
 
 Values FunctionGenerator::source(const Instruction &i) {
+    const auto load = [&](std::size_t tableField, int plane) {
+        return code_.lanes.load(code_.floatType, arguments_.plane(tableField, plane));
+    };
     switch (i.op) {
     case Op::ConstFloat:
         return {llvm::ConstantFP::get(code_.module.getContext(), llvm::APFloat(i.number))};
