@@ -1,18 +1,105 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shading speed, points a second: compiled shaders at width 16 and 1 against hand-written C++;
-// noise by itself; compile times. codegen_test compares results, here only time counts.
-#include "shading_functions.h"
+// Shading speed on one thread: shaders as the renderer compiles them, sixteen lanes wide and one
+// by one, against the same written by hand. Prints JSON: points a microsecond, a number a round.
+#include "shading_cases.h"
 
-#include "language/ir/interpret/test_batch.h"
+#include "foundation/base/instruction_set.h"
 #include "language/jit/jit.h"
-#include "language/runtime/runtime_functions.h"
 
-#include <benchmark/benchmark.h>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <sched.h>
 
 namespace candela::bench {
 namespace {
 
-constexpr int points = 1024; // A batch that stays in the first-level cache.
+constexpr int points = 1024;
+constexpr double secondsARound = 0.01;
+
+double threadSeconds() {
+    timespec now;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
+}
+
+/// On the processor that it is on: caches stay warm.
+void pinThread() {
+    cpu_set_t one;
+    CPU_ZERO(&one);
+    CPU_SET(sched_getcpu(), &one);
+    sched_setaffinity(0, sizeof one, &one);
+}
+
+/// Code that competes: which it is, and how many points a microsecond it shaded in each round.
+struct Rival {
+    Rival(const char *name, ShaderFunction code) : name(name), code(code) {}
+    const char *name;
+    ShaderFunction code;
+    int calls = 1; ///< Of a round.
+    std::vector<double> rates;
+
+    double run(const ShaderArgs &args, int times) const {
+        const double start = threadSeconds();
+        for (int k = 0; k < times; ++k)
+            code(&args);
+        return threadSeconds() - start;
+    }
+    void findCalls(const ShaderArgs &args) {
+        while (run(args, calls) < secondsARound)
+            calls *= 2;
+    }
+};
+
+/// In each round all have their turn.
+void race(std::vector<Rival> &rivals, ShadingWork &work, int rounds) {
+    work.batch.run(work.function, [&](const ir::Function &, const ShaderArgs &args) {
+        for (Rival &rival : rivals)
+            rival.findCalls(args);
+        for (int round = 0; round < rounds; ++round)
+            for (Rival &rival : rivals)
+                rival.rates.push_back(1e-6 * points * rival.calls / rival.run(args, rival.calls));
+    });
+}
+
+/// Mean and standard deviation of a plane.
+std::pair<double, double> momentsOf(const ir::TestPlane &plane) {
+    double sum = 0, squares = 0;
+    for (float x : plane)
+        sum += x, squares += double(x) * x;
+    const double mean = sum / double(plane.size());
+    return {mean, std::sqrt(std::max(0.0, squares / double(plane.size()) - mean * mean))};
+}
+
+/// Does the code by hand do what is compiled? To rounding, or on the average.
+bool agree(const ShadingCase &which, ShadingWork &work, ShaderFunction a, ShaderFunction b) {
+    const auto resultOf = [&](ShaderFunction code) {
+        return work.batch.run(work.function,
+                              [&](const ir::Function &, const ShaderArgs &args) { code(&args); });
+    };
+    const auto first = resultOf(a), second = resultOf(b);
+    for (std::size_t k = 0; k < first.size(); ++k) {
+        const auto [mean, deviation] = momentsOf(first[k]);
+        const auto [otherMean, otherDeviation] = momentsOf(second[k]);
+        if (std::abs(mean - otherMean) > 0.1 * deviation ||
+            std::abs(deviation - otherDeviation) > 0.5 * deviation)
+            return false;
+        for (std::size_t i = 0; i < first[k].size() && !which.ownNoise; ++i)
+            if (!(std::abs(first[k][i] - second[k][i]) <= 1e-4f * (1 + std::abs(first[k][i]))))
+                return false;
+    }
+    return true;
+}
+
+ShaderFunction byHand(int number) {
+    switch (runtime::hostIsaLevel()) {
+    case runtime::IsaLevel::V4: return handShaderV4(number);
+    case runtime::IsaLevel::V3: return handShaderV3(number);
+    default: return nullptr;
+    }
+}
 
 JitOptions optionsAt(int width) {
     JitOptions options;
@@ -21,92 +108,56 @@ JitOptions optionsAt(int width) {
     return options;
 }
 
-void runShader(benchmark::State &state, const ir::Function &function, ShaderFunction code) {
-    ir::TestBatch batch(function, points, 1);
-    batch.setSamples(4, 1);
-    batch.parameterOffset.assign(batch.padded(), 0);
-    if (!batch.parameters.empty())
-        batch.parameters[0] = 3;
-    batch.run(function, [&](const ir::Function &, const ShaderArgs &args) {
-        for (auto _ : state)
-            code(&args);
-    });
-    state.SetItemsProcessed(state.iterations() * points);
-}
-
-void compiled(benchmark::State &state, ir::Function (*make)(), int width) {
-    DiagnosticList diagnostics;
-    Jit jit(optionsAt(width), diagnostics);
-    const ir::Function function = make();
-    const ShaderFunction code = jit.compile(function);
-    if (!code)
-        return state.SkipWithError(diagnostics.text().c_str());
-    runShader(state, function, code);
-    const auto statistics = jit.statistics();
-    state.counters["optimise_ms"] = statistics.secondsOptimising * 1e3;
-    state.counters["emit_ms"] = statistics.secondsEmitting * 1e3;
-}
-
-void byHand(benchmark::State &state, ir::Function (*make)(), ShaderFunction code) {
-    if (runtime::hostIsaLevel() != runtime::IsaLevel::V4)
-        return state.SkipWithError("the hand-written code needs AVX-512");
-    runShader(state, make(), code);
-}
-
-#define SHADER(name)                                                                               \
-    BENCHMARK_CAPTURE(byHand, name, name##Shader, name##ByHand);                                   \
-    BENCHMARK_CAPTURE(compiled, name##_w16, name##Shader, 16);                                     \
-    BENCHMARK_CAPTURE(compiled, name##_w1, name##Shader, 1);
-SHADER(constant)
-SHADER(matte)
-SHADER(marble)
-
-void noise(benchmark::State &state, runtime::RuntimeFunction function, int width,
-           runtime::IsaLevel level) {
-    if (level > runtime::hostIsaLevel())
-        return state.SkipWithError("this machine lacks the instructions");
-    const auto code = runtime::code(function, width, level);
-    alignas(64) float inputs[8 * 16], outputs[3 * 16];
-    for (int k = 0; k < 8 * 16; ++k)
-        inputs[k] = float(k) * 1.37f;
-    for (auto _ : state) {
-        code(inputs, outputs);
-        benchmark::DoNotOptimize(outputs);
-        benchmark::ClobberMemory();
+void print(const std::vector<Rival> &rivals) {
+    for (const Rival &rival : rivals) {
+        std::printf("%s\"%s\": [", &rival == &rivals.front() ? "" : ", ", rival.name);
+        for (std::size_t k = 0; k < rival.rates.size(); ++k)
+            std::printf("%s%.4g", k ? ", " : "", rival.rates[k]);
+        std::printf("]");
     }
-    state.SetItemsProcessed(state.iterations() * width);
 }
 
-using runtime::IsaLevel;
-using enum runtime::RuntimeFunction;
-BENCHMARK_CAPTURE(noise, noise3_w16_v4, noise3, 16, IsaLevel::V4);
-BENCHMARK_CAPTURE(noise, noise3_w16_v3, noise3, 16, IsaLevel::V3);
-BENCHMARK_CAPTURE(noise, noise3_w16_v2, noise3, 16, IsaLevel::V2);
-BENCHMARK_CAPTURE(noise, noise3_w1_v4, noise3, 1, IsaLevel::V4);
-BENCHMARK_CAPTURE(noise, noise4_w16_v4, noise4, 16, IsaLevel::V4);
-BENCHMARK_CAPTURE(noise, vnoise3_w16_v4, vnoise3, 16, IsaLevel::V4);
-BENCHMARK_CAPTURE(noise, pnoise3_w16_v4, pnoise3, 16, IsaLevel::V4);
-BENCHMARK_CAPTURE(noise, cellnoise3_w16_v4, cellnoise3, 16, IsaLevel::V4);
-
-/// A Jit that finds ten shaders in its cache.
-void warmStart(benchmark::State &state) {
+bool measure(int number, int rounds) {
+    const ShadingCase &which = shadingCases[std::size_t(number)];
     DiagnosticList diagnostics;
-    JitOptions options;
-    std::vector<ir::Function> functions(10, marbleShader());
-    for (int k = 0; k < 10; ++k)
-        functions[k].strings = {std::to_string(k)}; // Else they were one.
-    const auto start = [&] {
-        Jit jit(options, diagnostics);
-        for (const ir::Function &function : functions)
-            benchmark::DoNotOptimize(jit.compile(function));
-    };
-    start(); // Fills the cache.
-    for (auto _ : state)
-        start();
+    auto work = shadingWork(which, points, diagnostics);
+    Jit wide(optionsAt(16), diagnostics), narrow(optionsAt(1), diagnostics);
+    std::vector<Rival> rivals;
+    if (work)
+        rivals = {{"compiled", wide.compile(work->function)},
+                  {"oneLane", narrow.compile(work->function)}};
+    if (!work || !rivals[0].code || !rivals[1].code) {
+        std::fprintf(stderr, "%s", diagnostics.text().c_str());
+        return false;
+    }
+    if (const ShaderFunction hand = byHand(number)) {
+        if (!agree(which, *work, rivals[0].code, hand)) {
+            std::fprintf(stderr, "%s is something else by hand\n", which.name);
+            return false;
+        }
+        rivals.push_back({"byHand", hand});
+    }
+    race(rivals, *work, rounds);
+    std::printf("%s\n  \"%s\": {", number ? "," : "", which.name);
+    print(rivals);
+    std::printf("}");
+    return true;
 }
-BENCHMARK(warmStart)->Unit(benchmark::kMillisecond);
 
 } // namespace
 } // namespace candela::bench
 
-BENCHMARK_MAIN();
+int main(int count, char **words) {
+    using namespace candela;
+    bench::pinThread();
+    const int rounds = count > 1 ? std::atoi(words[1]) : 15;
+    if (rounds < 1) {
+        std::fprintf(stderr, "shading_bench [ROUNDS]\n");
+        return 2;
+    }
+    std::printf("{\"level\": \"%s\", \"shaders\": {", nameOf(instructionSet()));
+    for (int k = 0; k < int(bench::shadingCases.size()); ++k)
+        if (!bench::measure(k, rounds))
+            return 1;
+    std::printf("}}\n");
+}

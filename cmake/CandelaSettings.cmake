@@ -37,7 +37,6 @@ find_package(embree 3 CONFIG REQUIRED)
 find_package(LLVM 19.1 CONFIG REQUIRED)
 find_package(CLI11 CONFIG REQUIRED)
 find_package(GTest REQUIRED)
-find_package(benchmark REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(SLEEF REQUIRED IMPORTED_TARGET sleef)
 # Not a pyenv shim that happens to come first in PATH.

@@ -35,8 +35,8 @@ DOORS = [
     ("zlib", r"zlib\.h|zconf\.h", r"ZLIB::\w+", "src/interface/rib"),
     ("CLI11", r"CLI/", r"CLI11::\w+", "apps"),
 ]
-# Besides its room, who may open a door: the yardstick of the benchmarks stands on bare Embree.
-ALSO_OPENS = {"Embree": ("bench",)}
+# Besides its room, who may open a door: the yardsticks of the benchmarks stand on the bare library.
+ALSO_OPENS = {"Embree": ("bench",), "SLEEF": ("bench",)}
 # How the build refers to libraries that every room and test may use.
 FREE_TARGETS = {"fmt::fmt", "GTest::gtest", "GTest::gtest_main"}
 

@@ -121,9 +121,39 @@ static Value *joined(CodeFunction &code, Values parts) {
     return parts[0];
 }
 
+/// The number that all lanes have, if the code says so.
+static const llvm::ConstantFP *constantOf(Value *value) {
+    auto *constant = llvm::dyn_cast<llvm::Constant>(value);
+    if (constant && constant->getType()->isVectorTy())
+        constant = constant->getSplatValue();
+    return llvm::dyn_cast_or_null<llvm::ConstantFP>(constant);
+}
+
+/// The result if all arguments are constants and this machine rounds as the one that the code is
+/// for; else null.
+static Value *foldedMath(CodeFunction &code, MathFunction function, const Values &arguments) {
+    using runtime::IsaLevel;
+    if ((code.target.level == IsaLevel::V2) != (runtime::hostIsaLevel() == IsaLevel::V2))
+        return nullptr;
+    float x[2] = {};
+    for (std::size_t k = 0; k < arguments.size(); ++k) {
+        const auto *constant = constantOf(arguments[k]);
+        if (!constant)
+            return nullptr;
+        x[k] = constant->getValueAPF().convertToFloat();
+    }
+    const void *address = runtime::scalarMath(function, code.target.level).address;
+    const float result = arguments.size() == 1
+                             ? reinterpret_cast<float (*)(float)>(address)(x[0])
+                             : reinterpret_cast<float (*)(float, float)>(address)(x[0], x[1]);
+    return like(arguments[0], result);
+}
+
 /// A uniform argument calls the scalar code; a varying one the vector code, as often as the
 /// level's registers need.
 Value *callMath(CodeFunction &code, MathFunction function, const Values &arguments) {
+    if (Value *known = foldedMath(code, function, arguments))
+        return known;
     const bool isVector = arguments[0]->getType()->isVectorTy();
     const auto callable = isVector ? runtime::vectorMath(function, code.target.level)
                                    : runtime::scalarMath(function, code.target.level);

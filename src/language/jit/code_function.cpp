@@ -24,7 +24,7 @@ static void setAttributes(llvm::Function &function, const CodeTarget &target) {
 CodeFunction::CodeFunction(const CodeTarget &codeTarget, llvm::Module &codeModule,
                            const std::string &symbol)
     : target(codeTarget), module(codeModule), builder(codeModule.getContext()),
-      lanes(builder, codeTarget), masks(builder), floatType(builder.getFloatTy()),
+      lanes(builder, codeTarget), masks(builder, lanes), floatType(builder.getFloatTy()),
       integerType(builder.getInt32Ty()), pointerType(builder.getPtrTy()) {
     auto *type = llvm::FunctionType::get(builder.getVoidTy(), {pointerType}, false);
     function = llvm::Function::Create(type, llvm::Function::ExternalLinkage, symbol, module);
@@ -50,7 +50,10 @@ Values CodeFunction::valuesIf(Value *condition, const char *name,
     auto *run = block(name), *join = block("join");
     builder.CreateCondBr(condition, run, join);
     builder.SetInsertPoint(run);
-    const Values made = body();
+    Values made = body();
+    for (Value *&value : made)
+        if (value->getType() == lanes.varying(builder.getInt1Ty()))
+            value = lanes.kept(value);
     auto *end = builder.GetInsertBlock();
     builder.CreateBr(join);
     builder.SetInsertPoint(join);

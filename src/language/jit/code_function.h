@@ -35,7 +35,7 @@ struct CodeFunction {
     llvm::Function *addPiece(llvm::ArrayRef<llvm::Type *> arguments);
     llvm::BasicBlock *block(const char *name);
     /// What `body` writes runs if the condition (one bool for all lanes) holds, and gives its
-    /// values then; else they are zero.
+    /// values then; else they are zero. Masks are given in the form that is kept.
     Values valuesIf(Value *condition, const char *name, const std::function<Values()> &body);
     /// Memory for the whole call.
     Value *entryMemory(llvm::Type *, int count, const char *name);

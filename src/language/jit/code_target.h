@@ -2,7 +2,7 @@
 // What code is generated for.
 #pragma once
 
-#include "language/runtime/isa_level.h"
+#include "language/runtime/register_code.h"
 
 #include <string>
 
@@ -18,10 +18,11 @@ struct CodeTarget {
     /// compiled in pieces.
     int longestFunction = 2000;
 
+    /// Points that code takes at a time: at width 16 as many as a register holds. Twice as many
+    /// would be twice the instructions to select and half the registers to hold values in.
+    int lanes() const { return width == 1 ? 1 : runtime::registerLanes(level); }
     /// Bits of the widest vector register.
-    int registerBits() const {
-        return level == runtime::IsaLevel::V4 ? 512 : level == runtime::IsaLevel::V3 ? 256 : 128;
-    }
+    int registerBits() const { return 32 * runtime::registerLanes(level); }
 };
 
 } // namespace candela

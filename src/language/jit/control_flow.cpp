@@ -74,18 +74,36 @@ Values ControlFlow::emitBranch(const Region &region, Value *taken, const Instruc
 
 void ControlFlow::emitVaryingIf(const Instruction &i) {
     auto *condition = values_.get(i.operands[0], Rate::Varying);
+    const bool jumps = !isTrivial(i.regions[0]) || !isTrivial(i.regions[1]);
+    auto *kept = jumps ? code_.lanes.kept(condition) : condition;
     const Values then = emitBranch(i.regions[0], code_.masks.currentAnd(condition), i);
     const Values otherwise = emitBranch(i.regions[1], code_.masks.currentAndNot(condition), i);
-    for (std::size_t k = 0; k < i.results.size(); ++k)
-        values_.set(i.results[k], builder_.CreateSelect(condition, then[k], otherwise[k]));
+    condition = code_.lanes.asMask(kept);
+    for (std::size_t k = 0; k < i.results.size(); ++k) {
+        const bool isMask = values_.function().values[i.results[k]].type == ir::Type::Bool;
+        const auto value = [&](Value *from) { return isMask ? code_.lanes.asMask(from) : from; };
+        values_.set(i.results[k],
+                    builder_.CreateSelect(condition, value(then[k]), value(otherwise[k])));
+    }
 }
 
 void ControlFlow::emitLoop(const Instruction &i) {
     const Region &region = i.regions[0];
     const bool varying = values_.rate(region.arguments[0]) == Rate::Varying;
+    // Masks are carried in the form that is kept.
+    const auto isMask = [&](std::size_t k) {
+        const ir::Value &value = values_.function().values[region.arguments[k]];
+        return value.type == ir::Type::Bool && value.rate == Rate::Varying;
+    };
+    const auto kept = [&](std::size_t k, Value *value) {
+        return isMask(k) ? code_.lanes.kept(value) : value;
+    };
+    const auto restored = [&](std::size_t k, Value *value) {
+        return isMask(k) ? code_.lanes.asMask(value) : value;
+    };
     Values initial;
     for (std::size_t k = 0; k < i.operands.size(); ++k)
-        initial.push_back(values_.get(i.operands[k], values_.rate(region.arguments[k])));
+        initial.push_back(kept(k, values_.get(i.operands[k], values_.rate(region.arguments[k]))));
     TurnLimit::Scope turns(limit_, i);
     auto *from = builder_.GetInsertBlock();
     auto *head = code_.block("loop"), *body = code_.block("loop_body"),
@@ -97,31 +115,34 @@ void ControlFlow::emitLoop(const Instruction &i) {
     for (std::size_t k = 0; k < initial.size(); ++k) {
         carried.push_back(builder_.CreatePHI(initial[k]->getType(), 2));
         carried[k]->addIncoming(initial[k], from);
-        values_.set(region.arguments[k], carried[k]);
     }
-    auto *mask =
-        turns.running(varying ? code_.masks.currentAnd(carried[0]) : code_.masks.current());
-    Value *goesOn = varying ? code_.lanes.any(mask) : carried[0];
-    if (!varying && mask != code_.masks.current())
+    for (std::size_t k = 0; k < initial.size(); ++k)
+        values_.set(region.arguments[k], restored(k, carried[k]));
+    auto *test = values_.get(region.arguments[0]);
+    auto *all = code_.masks.current();
+    auto *mask = turns.running(varying ? code_.masks.currentAnd(test) : all);
+    Value *goesOn = varying ? code_.lanes.any(mask) : test;
+    if (!varying && mask != all)
         goesOn = builder_.CreateAnd(goesOn, code_.lanes.any(mask));
+    mask = code_.lanes.kept(mask);
     builder_.CreateCondBr(goesOn, body, done);
 
     builder_.SetInsertPoint(body);
-    mask = turns.take(mask, done);
-    MaskStack::Scope scope(code_.masks, mask);
+    MaskStack::Scope scope(code_.masks, turns.take(code_.lanes.asMask(mask), done));
     emitRegion_(region);
     for (std::size_t k = 0; k < carried.size(); ++k) {
         const Rate rate = values_.rate(region.arguments[k]);
         auto *next = values_.get(region.yields[k], rate);
         if (varying && rate == Rate::Varying)
-            next = builder_.CreateSelect(mask, next, carried[k]);
-        carried[k]->addIncoming(next, builder_.GetInsertBlock());
+            next = builder_.CreateSelect(code_.masks.current(), next,
+                                         values_.get(region.arguments[k]));
+        carried[k]->addIncoming(kept(k, next), builder_.GetInsertBlock());
     }
     builder_.CreateBr(head);
 
     builder_.SetInsertPoint(done);
     for (std::size_t k = 0; k < carried.size(); ++k)
-        values_.set(i.results[k], carried[k]);
+        values_.set(i.results[k], restored(k, carried[k]));
 }
 
 } // namespace candela::codegen

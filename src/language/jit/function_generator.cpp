@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace candela {
@@ -25,6 +26,47 @@ using ir::OpClass;
 using ir::Rate;
 using ir::Region;
 
+struct PlaneStore {
+    Value *value, *to;
+};
+
+bool isStore(const Instruction &i) { return i.op == Op::Output || i.op == Op::FrameStore; }
+
+PlaneStore planeStore(CodeFunction &code, ShaderArguments &arguments, const ValueTable &values,
+                      const TurnLimit &limit, const Instruction &i) {
+    auto *value = values.get(i.operands[0], Rate::Varying);
+    if (i.op == Op::Output)
+        return {limit.whereRunning(value, values.function().outputs[i.immediate].whenEnded),
+                arguments.plane(offsetof(ShaderArgs, outputs), i.immediate)};
+    if (value->getType()->isIntOrIntVectorTy())
+        value = code.builder.CreateUIToFP(value, code.lanes.varying(code.floatType));
+    return {limit.whereRunning(value, 0),
+            arguments.frameSlot(i.immediate, values.function().frameSlots)};
+}
+
+/// Stores in a row. Where masking costs, one test, `allRun`, finds out whether all lanes run.
+void emitStores(CodeFunction &code, const std::vector<PlaneStore> &stores, Value *allRun) {
+    const auto storeMasked = [&] {
+        for (const PlaneStore &store : stores)
+            code.lanes.maskedStore(store.value, store.to, code.masks.current());
+    };
+    if (stores.size() < 2 || !code.masks.isWhole() || !code.lanes.maskingCosts()) {
+        storeMasked();
+        return;
+    }
+    auto *whole = code.block("store_all"), *part = code.block("store_some"),
+         *join = code.block("stored");
+    code.builder.CreateCondBr(allRun, whole, part);
+    code.builder.SetInsertPoint(whole);
+    for (const PlaneStore &store : stores)
+        code.lanes.store(store.value, store.to);
+    code.builder.CreateBr(join);
+    code.builder.SetInsertPoint(part);
+    storeMasked();
+    code.builder.CreateBr(join);
+    code.builder.SetInsertPoint(join);
+}
+
 class FunctionGenerator {
 public:
     FunctionGenerator(const ir::Function &, const CodeTarget &, const std::string &symbol,
@@ -33,19 +75,21 @@ public:
     void generate();
 
 private:
-    void emitBody(Value *mask);
     void emitRegion(const Region &);
+    void emitAll(std::span<const Instruction>);
     /// The machine function that is being written, and what it knows of its surroundings.
     struct Standing {
         llvm::Function *function;
         ShaderArguments::Place place;
+        MaskStack::Masks masks;
+        Value *allRun;
         Value *spills;
         Values turns, arrays;
     };
     /// Makes another one the current one; gives that until now.
     Standing exchangeStanding(Standing);
-    /// Writes a piece of the region as a machine function of its own, and calls it.
-    void emitPiece(const Region &, const Piece &);
+    /// Writes a piece of a region as a machine function of its own, and calls it.
+    void emitPiece(std::span<const Instruction>);
     void loadAtHead(const Region &);
     void emit(const Instruction &);
     void emitControl(const Instruction &);
@@ -53,9 +97,8 @@ private:
     Value *operation(const Instruction &);
     /// The results of what takes a value from outside; none of other instructions.
     Values source(const Instruction &);
-    Value *load(std::size_t tableField, int plane);
     Value *answersRequest(int request);
-    /// Arrays, outputs, the frame, and calls, which read and write too.
+    /// Arrays, and calls, which read and write too.
     void emitMemory(const Instruction &);
 
     const ir::Function &function_;
@@ -70,6 +113,7 @@ private:
     TurnLimit limit_;
     ArrayMemory arrays_;
     ControlFlow control_;
+    Value *allRun_ = nullptr; ///< Do all lanes run where the machine function begins?
 };
 
 FunctionGenerator::FunctionGenerator(const ir::Function &function, const CodeTarget &target,
@@ -77,12 +121,17 @@ FunctionGenerator::FunctionGenerator(const ir::Function &function, const CodeTar
     : function_(function), code_(target, module, symbol),
       pieces_(cutIntoPieces(function, target.longestFunction)), builder_(code_.builder),
       values_(function, code_.lanes), arguments_(code_), gathers_(code_, arguments_, function.body),
-      calls_(code_, arguments_, values_), limit_(code_, values_, calls_),
+      calls_(code_, arguments_, values_, pieces_), limit_(code_, values_, calls_),
       arrays_(code_, values_, calls_, limit_),
       control_(code_, values_, limit_, [this](const Region &region) { emitRegion(region); }) {
     code_.colorSamples = function.colors.samples;
     if (!pieces_.whole())
         values_.keepIn(spills_.emplace(code_, pieces_.slot, pieces_.slots));
+}
+
+static Value *allLanesIn(CodeFunction &code, Value *bits) {
+    const auto all = (1u << code.lanes.width()) - 1;
+    return code.builder.CreateICmpEQ(bits, code.builder.getInt32(all), "all_run");
 }
 
 void FunctionGenerator::generate() {
@@ -97,13 +146,20 @@ void FunctionGenerator::generate() {
     auto *base = builder_.CreatePHI(code_.integerType, 2, "base");
     base->addIncoming(builder_.getInt32(0), prepare);
     arguments_.enterBlock(prepare, base);
-    auto *number = builder_.CreateAdd(code_.lanes.splat(base), code_.lanes.laneNumbers());
-    auto *inside = builder_.CreateICmpSLT(number, code_.lanes.splat(count));
-    auto *mask = builder_.CreateAnd(inside, arguments_.blockMask(), "full_mask");
-    builder_.CreateCondBr(code_.lanes.any(mask), body, next);
+    auto *bits = arguments_.blockBits(count);
+    builder_.CreateCondBr(builder_.CreateIsNotNull(bits), body, next);
 
     builder_.SetInsertPoint(body);
-    emitBody(mask);
+    allRun_ = allLanesIn(code_, bits);
+    {
+        MaskStack::Scope scope(code_.masks, code_.lanes.maskOf(bits));
+        arrays_.clear();
+        limit_.begin();
+        gathers_.load();
+        if (spills_)
+            loadAtHead(function_.body);
+        emitRegion(function_.body);
+    }
     builder_.CreateBr(next);
 
     builder_.SetInsertPoint(next);
@@ -117,16 +173,6 @@ void FunctionGenerator::generate() {
         spills_->finish();
 }
 
-void FunctionGenerator::emitBody(Value *mask) {
-    MaskStack::Scope scope(code_.masks, mask);
-    arrays_.clear();
-    limit_.begin();
-    gathers_.load();
-    if (spills_)
-        loadAtHead(function_.body);
-    emitRegion(function_.body);
-}
-
 void FunctionGenerator::loadAtHead(const Region &region) {
     for (const Instruction &i : region.body) {
         const Values given = isLoadedAtHead(i.op) ? source(i) : Values();
@@ -138,18 +184,31 @@ void FunctionGenerator::loadAtHead(const Region &region) {
 }
 
 void FunctionGenerator::emitRegion(const Region &region) {
-    if (const auto cut = pieces_.cut.find(&region); cut != pieces_.cut.end()) {
-        for (const Piece &piece : cut->second)
-            emitPiece(region, piece);
-        return;
-    }
-    for (const Instruction &i : region.body)
-        emit(i);
+    const std::span<const Instruction> body = region.body;
+    const auto cut = pieces_.cut.find(&region);
+    if (cut == pieces_.cut.end())
+        return emitAll(body);
+    for (const Piece &piece : cut->second)
+        emitPiece(body.subspan(piece.begin, piece.end - piece.begin));
 }
 
-void FunctionGenerator::emitPiece(const Region &region, const Piece &piece) {
-    Values given{arguments_.pointer(), arguments_.firstPoint(),
-                 code_.lanes.bits(code_.masks.current()), spills_->base()};
+void FunctionGenerator::emitAll(std::span<const Instruction> instructions) {
+    const auto end = instructions.end();
+    for (auto i = instructions.begin(); i != end;) {
+        if (!isStore(*i)) {
+            emit(*i++);
+            continue;
+        }
+        std::vector<PlaneStore> stores;
+        for (; i != end && isStore(*i); ++i)
+            stores.push_back(planeStore(code_, arguments_, values_, limit_, *i));
+        emitStores(code_, stores, allRun_);
+    }
+}
+
+void FunctionGenerator::emitPiece(std::span<const Instruction> instructions) {
+    Values given{arguments_.pointer(), arguments_.firstPoint(), code_.masks.currentBits(),
+                 spills_->base()};
     const Values turns = limit_.memory();
     given.insert(given.end(), turns.begin(), turns.end());
     given.insert(given.end(), arrays_.memory().begin(), arrays_.memory().end());
@@ -168,23 +227,27 @@ void FunctionGenerator::emitPiece(const Region &region, const Piece &piece) {
     Values taken;
     for (llvm::Argument &argument : function->args())
         taken.push_back(&argument);
-    MaskStack::Scope scope(code_.masks, code_.lanes.maskOfBits(taken[2]));
     const auto turnsEnd = taken.begin() + 4 + std::ptrdiff_t(turns.size());
     Standing caller = exchangeStanding({function,
                                         {taken[0], taken[1], prepare, {}},
+                                        {code_.lanes.kept(code_.lanes.maskOf(taken[2]))},
+                                        allLanesIn(code_, taken[2]),
                                         taken[3],
                                         {taken.begin() + 4, turnsEnd},
                                         {turnsEnd, taken.end()}});
-    for (std::size_t at = piece.begin; at < piece.end; ++at)
-        emit(region.body[at]);
+    emitAll(instructions);
     builder_.CreateRetVoid();
     exchangeStanding(std::move(caller));
 }
 
 FunctionGenerator::Standing FunctionGenerator::exchangeStanding(Standing next) {
     return {std::exchange(code_.function, next.function),
-            arguments_.exchangePlace(std::move(next.place)), spills_->exchangeBase(next.spills),
-            limit_.exchangeMemory(next.turns), arrays_.exchangeMemory(std::move(next.arrays))};
+            arguments_.exchangePlace(std::move(next.place)),
+            code_.masks.exchange(std::move(next.masks)),
+            std::exchange(allRun_, next.allRun),
+            spills_->exchangeBase(next.spills),
+            limit_.exchangeMemory(next.turns),
+            arrays_.exchangeMemory(std::move(next.arrays))};
 }
 
 void FunctionGenerator::emit(const Instruction &i) {
@@ -227,10 +290,6 @@ void FunctionGenerator::emitControl(const Instruction &i) {
         control_.emitIf(i);
 }
 
-Value *FunctionGenerator::load(std::size_t tableField, int plane) {
-    return code_.lanes.load(code_.floatType, arguments_.plane(tableField, plane));
-}
-
 Value *FunctionGenerator::answersRequest(int request) {
     auto *plane = builder_.CreateGEP(code_.integerType,
                                      arguments_.fieldPointer(offsetof(ShaderArgs, answeredRequest)),
@@ -240,6 +299,9 @@ Value *FunctionGenerator::answersRequest(int request) {
 }
 
 Values FunctionGenerator::source(const Instruction &i) {
+    const auto load = [&](std::size_t tableField, int plane) {
+        return code_.lanes.load(code_.floatType, arguments_.plane(tableField, plane));
+    };
     switch (i.op) {
     case Op::ConstFloat:
         return {llvm::ConstantFP::get(code_.module.getContext(), llvm::APFloat(i.number))};
@@ -282,19 +344,6 @@ void FunctionGenerator::emitMemory(const Instruction &i) {
         return calls_.print(i);
     }
     case Op::EmissionCone: return; // For Question::Emission.
-    case Op::Output:
-        return code_.lanes.maskedStore(
-            limit_.whereRunning(values_.get(i.operands[0], Rate::Varying),
-                                function_.outputs[i.immediate].whenEnded),
-            arguments_.plane(offsetof(ShaderArgs, outputs), i.immediate), code_.masks.current());
-    case Op::FrameStore: {
-        auto *value = values_.get(i.operands[0], Rate::Varying);
-        if (value->getType()->isIntOrIntVectorTy())
-            value = builder_.CreateUIToFP(value, code_.lanes.varying(code_.floatType));
-        return code_.lanes.maskedStore(limit_.whereRunning(value, 0),
-                                       arguments_.frameSlot(i.immediate, function_.frameSlots),
-                                       code_.masks.current());
-    }
     default: return;
     }
 }

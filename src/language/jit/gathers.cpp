@@ -49,7 +49,46 @@ Values Gathers::broadcast(const Table &table, Value *origin) {
     return values;
 }
 
+/// Lane by lane through memory where an instruction that gathers would be taken apart: rarely run,
+/// and a fraction of the code. An inactive lane's index is 0, where something stands.
+Values Gathers::gatherInLoop(const Table &table, Value *base, Value *index) {
+    const Lanes &lanes = code_.lanes;
+    auto *indices = code_.entryMemory(index->getType(), 1, "indices");
+    auto *rows =
+        code_.entryMemory(lanes.varying(code_.floatType), int(table.loaded.size()), "rows");
+    builder_.CreateStore(index, indices);
+    auto *from = builder_.GetInsertBlock(), *loop = code_.block("lane"),
+         *done = code_.block("rows");
+    builder_.CreateBr(loop);
+    builder_.SetInsertPoint(loop);
+    auto *lane = builder_.CreatePHI(code_.integerType, 2);
+    lane->addIncoming(builder_.getInt32(0), from);
+    auto *own = builder_.CreateLoad(code_.integerType,
+                                    builder_.CreateGEP(code_.integerType, indices, lane));
+    auto *origin = builder_.CreateGEP(code_.floatType, base, own);
+    int row = 0;
+    for (const auto &[place, value] : table.loaded) {
+        auto *element = builder_.CreateConstGEP1_32(code_.floatType, origin, unsigned(place));
+        auto *to = builder_.CreateAdd(lane, builder_.getInt32(row++ * lanes.width()));
+        builder_.CreateStore(code_.invariantLoad(code_.floatType, element),
+                             builder_.CreateGEP(code_.floatType, rows, to));
+    }
+    auto *next = builder_.CreateAdd(lane, builder_.getInt32(1));
+    lane->addIncoming(next, loop);
+    builder_.CreateCondBr(builder_.CreateICmpSLT(next, builder_.getInt32(lanes.width())), loop,
+                          done);
+    builder_.SetInsertPoint(done);
+    Values values;
+    for (row = 0; row < int(table.loaded.size()); ++row)
+        values.push_back(lanes.load(
+            code_.floatType,
+            builder_.CreateConstGEP1_32(code_.floatType, rows, unsigned(row * lanes.width()))));
+    return values;
+}
+
 Values Gathers::gather(const Table &table, Value *base, Value *index) {
+    if (!code_.lanes.hasGathers())
+        return gatherInLoop(table, base, index);
     Values values;
     for (const auto &[place, value] : table.loaded)
         values.push_back(code_.lanes.gather(
@@ -58,12 +97,18 @@ Values Gathers::gather(const Table &table, Value *base, Value *index) {
     return values;
 }
 
-Values Gathers::broadcastOrGather(const Table &table, Value *base, Value *index) {
+Values Gathers::broadcastOrGather(const Table &table, Value *base, Value *indexPlane) {
     const Lanes &lanes = code_.lanes;
     auto *mask = code_.masks.current();
     auto *firstLane =
         builder_.CreateBinaryIntrinsic(llvm::Intrinsic::cttz, lanes.bits(mask), builder_.getTrue());
-    auto *first = builder_.CreateExtractElement(index, firstLane);
+    auto *stride = builder_.getInt32(table.stride);
+    auto *index = builder_.CreateMul(lanes.maskedLoad(code_.integerType, indexPlane, mask),
+                                     lanes.splat(stride));
+    auto *first = builder_.CreateMul(
+        builder_.CreateLoad(code_.integerType,
+                            builder_.CreateGEP(code_.integerType, indexPlane, firstLane)),
+        stride);
     auto *same = builder_.CreateICmpEQ(index, lanes.splat(first));
     auto *together = code_.block("together"), *apart = code_.block("apart"),
          *join = code_.block("gathered");
@@ -74,6 +119,7 @@ Values Gathers::broadcastOrGather(const Table &table, Value *base, Value *index)
     builder_.CreateBr(join);
     builder_.SetInsertPoint(apart);
     const Values gathered = gather(table, base, index);
+    apart = builder_.GetInsertBlock();
     builder_.CreateBr(join);
     builder_.SetInsertPoint(join);
     Values values;
@@ -93,11 +139,14 @@ void Gathers::load(Table &table) {
     auto *base = arguments_.fieldPointer(table.baseField);
     auto *indexPlane = builder_.CreateGEP(
         code_.integerType, arguments_.fieldPointer(table.indexField), arguments_.firstPoint());
-    auto *raw = lanes.maskedLoad(code_.integerType, indexPlane, code_.masks.current());
-    auto *index = builder_.CreateMul(raw, lanes.splat(builder_.getInt32(table.stride)));
-    const Values values = lanes.width() == 1
-                              ? broadcast(table, builder_.CreateGEP(code_.floatType, base, index))
-                              : broadcastOrGather(table, base, index);
+    Values values;
+    if (lanes.width() > 1) {
+        values = broadcastOrGather(table, base, indexPlane);
+    } else {
+        auto *index = builder_.CreateMul(builder_.CreateLoad(code_.integerType, indexPlane),
+                                         builder_.getInt32(table.stride));
+        values = broadcast(table, builder_.CreateGEP(code_.floatType, base, index));
+    }
     std::size_t next = 0;
     for (auto &[place, value] : table.loaded)
         value = values[next++];

@@ -30,7 +30,8 @@ private:
     void load(Table &);
     Values broadcast(const Table &, Value *origin);
     Values gather(const Table &, Value *base, Value *index);
-    Values broadcastOrGather(const Table &, Value *base, Value *index);
+    Values gatherInLoop(const Table &, Value *base, Value *index);
+    Values broadcastOrGather(const Table &, Value *base, Value *indexPlane);
 
     CodeFunction &code_;
     llvm::IRBuilder<> &builder_;

@@ -7,7 +7,7 @@
 #include "language/jit/object_cache.h"
 #include "language/jit/print_lanes.h"
 #include "language/jit/runtime_symbols.h"
-#include "language/runtime/runtime_functions.h"
+#include "language/runtime/register_code.h"
 #include "language/runtime/vector_math.h"
 
 #include <llvm/ExecutionEngine/Orc/LLJIT.h>
@@ -102,9 +102,9 @@ void Jit::State::defineSymbols() {
             define(code.name, code.address);
     }
     for (int k = 0; k < int(runtime::RuntimeFunction::Count); ++k)
-        for (int width : {1, laneBlock})
+        for (int width : {1, runtime::registerLanes(target->level)})
             define(runtimeSymbol(k, width),
-                   runtime::code(runtime::RuntimeFunction(k), width, target->level));
+                   runtime::registerCode(runtime::RuntimeFunction(k), width, target->level));
     define(printSymbol, &printLanes);
     define(indexOutsideSymbol, &reportIndexOutside);
     define(loopEndedSymbol, &reportLoopEnded);

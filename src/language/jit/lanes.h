@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 // LLVM values by rate: uniform values are scalars; varying ones vectors of W lanes (at W = 1
 // scalars too). Everything that depends on the width is decided here.
+//
+// Masks are vectors of bits where they are used, and kept as words as wide as the data from one
+// block of code to another: AVX2 compares and selects by such words, and LLVM would hold bits in
+// half of their width and widen them at every use. AVX-512 has registers for bits.
 #pragma once
 
 #include "language/ir/core/ir.h"
 #include "language/jit/code_target.h"
 
 #include <llvm/IR/IRBuilder.h>
+#include <llvm/IR/InlineAsm.h>
 
 namespace candela::codegen {
 
 class Lanes {
 public:
     Lanes(llvm::IRBuilder<> &builder, const CodeTarget &target)
-        : builder_(builder), width_(target.width),
-          masksStores_(target.level != runtime::IsaLevel::V2) {}
+        : builder_(builder), width_(target.lanes()),
+          hasMaskRegisters_(target.level == runtime::IsaLevel::V4) {}
 
     int width() const { return width_; }
 
@@ -48,9 +53,39 @@ public:
     llvm::Value *bits(llvm::Value *mask) const {
         return width_ == 1 ? mask : builder_.CreateBitCast(mask, builder_.getIntNTy(width_));
     }
-    /// The mask of such an integer.
-    llvm::Value *maskOfBits(llvm::Value *bits) const {
-        return width_ == 1 ? bits : builder_.CreateBitCast(bits, varying(builder_.getInt1Ty()));
+    /// A mask for use in other blocks of code; asMask() makes it one again.
+    llvm::Value *kept(llvm::Value *mask) const {
+        auto *type = varying(builder_.getInt32Ty());
+        if (width_ == 1 || hasMaskRegisters_ || mask->getType() == type)
+            return mask;
+        if (llvm::isa<llvm::Constant>(mask))
+            return builder_.CreateSExt(mask, type);
+        // No code: LLVM just may not know where the words come from, or it would keep bits.
+        auto *opaque =
+            llvm::InlineAsm::get(llvm::FunctionType::get(type, {type}, false), "", "=x,0", false);
+        auto *call = builder_.CreateCall(opaque, {builder_.CreateSExt(mask, type)});
+        call->setDoesNotAccessMemory();
+        call->setDoesNotThrow();
+        call->addFnAttr(llvm::Attribute::WillReturn);
+        return call;
+    }
+    llvm::Value *asMask(llvm::Value *kept) const {
+        if (kept->getType() != varying(builder_.getInt32Ty()))
+            return kept;
+        return builder_.CreateICmpSLT(kept, llvm::Constant::getNullValue(kept->getType()));
+    }
+    /// From bits(), in an integer of 32 bits.
+    llvm::Value *maskOf(llvm::Value *bits) const {
+        auto *own = builder_.CreateTrunc(bits, builder_.getIntNTy(width_));
+        if (width_ == 1)
+            return own;
+        if (hasMaskRegisters_)
+            return builder_.CreateBitCast(own, varying(builder_.getInt1Ty()));
+        llvm::SmallVector<llvm::Constant *, 16> single;
+        for (int k = 0; k < width_; ++k)
+            single.push_back(builder_.getInt32(1u << k));
+        auto *chosen = builder_.CreateAnd(splat(bits), llvm::ConstantVector::get(single));
+        return builder_.CreateICmpNE(chosen, llvm::Constant::getNullValue(chosen->getType()));
     }
     llvm::Value *any(llvm::Value *mask) const {
         if (width_ == 1)
@@ -76,17 +111,25 @@ public:
         return builder_.CreateMaskedLoad(varying(scalar), from, llvm::Align(4), mask,
                                          llvm::Constant::getNullValue(varying(scalar)));
     }
-    /// To a whole plane block. Without masked stores its inactive lanes are written back as they
-    /// were, which nobody sees: a batch belongs to one thread.
+    /// To a whole plane block.
+    void store(llvm::Value *value, llvm::Value *to) const {
+        builder_.CreateAlignedStore(value, to, llvm::Align(4));
+    }
+    /// Does maskedStore() cost more than store()?
+    bool maskingCosts() const { return width_ > 1 && !hasMaskRegisters_; }
+    /// Without masked stores (AVX2's are microcode) inactive lanes are written back as they were,
+    /// which nobody sees: see ShaderArgs.
     void maskedStore(llvm::Value *value, llvm::Value *to, llvm::Value *mask) const {
-        if (width_ > 1 && masksStores_) {
+        if (width_ > 1 && hasMaskRegisters_) {
             builder_.CreateMaskedStore(value, to, llvm::Align(4), mask);
             return;
         }
         if (width_ > 1)
             value = builder_.CreateSelect(mask, value, load(value->getType()->getScalarType(), to));
-        builder_.CreateAlignedStore(value, to, llvm::Align(4));
+        store(value, to);
     }
+    /// Is there one instruction for gather()?
+    bool hasGathers() const { return hasMaskRegisters_; }
     /// base[index] lane by lane; index in elements, 32 bits. Inactive lanes give 0.
     llvm::Value *gather(llvm::Type *scalar, llvm::Value *base, llvm::Value *index,
                         llvm::Value *mask) const {
@@ -108,7 +151,7 @@ public:
 private:
     llvm::IRBuilder<> &builder_;
     int width_;
-    bool masksStores_;
+    bool hasMaskRegisters_;
 };
 
 } // namespace candela::codegen

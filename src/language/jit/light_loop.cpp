@@ -32,7 +32,6 @@ Value *acceptedByCategory(CodeFunction &code, ShaderArguments &arguments, int ca
                           Value *row) {
     auto &builder = code.builder;
     const Lanes &lanes = code.lanes;
-    auto *maskType = lanes.varying(builder.getInt1Ty());
     auto *accepts = arguments.fieldPointer(offsetof(ShaderArgs, categoryAccepts));
     auto *start = builder.GetInsertBlock();
     auto *test = code.block("category"), *load = code.block("lights"),
@@ -56,15 +55,15 @@ Value *acceptedByCategory(CodeFunction &code, ShaderArguments &arguments, int ca
     auto *firstOfCategory = builder.CreateMul(builder.CreateAdd(lightCount, builder.getInt32(1)),
                                               builder.getInt32(category));
     auto *bytes = builder.CreateGEP(builder.getInt8Ty(), accepts, firstOfCategory);
-    auto *result = bytesNotZero(code, bytes, light);
+    auto *result = lanes.kept(bytesNotZero(code, bytes, light));
     auto *end = builder.GetInsertBlock();
     builder.CreateBr(join);
 
     builder.SetInsertPoint(join);
-    auto *accepted = builder.CreatePHI(maskType, 2);
-    accepted->addIncoming(llvm::Constant::getAllOnesValue(maskType), start);
+    auto *accepted = builder.CreatePHI(result->getType(), 2);
+    accepted->addIncoming(llvm::Constant::getAllOnesValue(result->getType()), start);
     accepted->addIncoming(result, end);
-    return accepted;
+    return lanes.asMask(accepted);
 }
 
 LightLoop::LightLoop(CodeFunction &code, ShaderArguments &arguments, ValueTable &values,
@@ -82,6 +81,8 @@ void LightLoop::findCones() {
         delta_ = builder_.CreateFCmpOLE(angle, like(angle, 0));
         if (auto *known = llvm::dyn_cast<llvm::Constant>(delta_); known && known->isZeroValue())
             delta_ = nullptr;
+        else
+            delta_ = code_.lanes.kept(delta_);
         return;
     }
     coneAxis_ = normalized(
@@ -94,8 +95,27 @@ LightLoop::Sample LightLoop::deltaSample() {
     Sample sample;
     sample.L = values_.get({i.operands[3], i.operands[4], i.operands[5]}, Rate::Varying);
     sample.Cl = arguments_.color(offsetof(ShaderArgs, answers), i.immediate * code_.colorSamples);
-    sample.lanes = builder_.CreateAnd(code_.masks.currentAnd(delta_), anyNonZero(code_, sample.Cl));
+    auto *speaks = code_.masks.currentAnd(code_.lanes.asMask(delta_));
+    sample.lanes = code_.lanes.kept(builder_.CreateAnd(speaks, anyNonZero(code_, sample.Cl)));
     return sample;
+}
+
+/// The tables may be null if there are no samples.
+void LightLoop::findPlanes(Value *count) {
+    samplePlanes_ =
+        code_.valuesIf(builder_.CreateICmpSGT(count, builder_.getInt32(0)), "sample_planes", [&] {
+            Values planes;
+            const auto find = [&](std::size_t table, int number) {
+                auto *entry = builder_.CreateConstGEP1_32(
+                    code_.pointerType, arguments_.fieldPointer(table), unsigned(number));
+                planes.push_back(code_.invariantLoad(code_.pointerType, entry));
+            };
+            for (int k = 0; k < 3; ++k)
+                find(offsetof(ShaderArgs, sampleL), k);
+            for (int k = 0; k < code_.colorSamples; ++k)
+                find(offsetof(ShaderArgs, sampleCl), k);
+            return planes;
+        });
 }
 
 LightLoop::Sample LightLoop::finiteSample(Value *number) {
@@ -104,30 +124,27 @@ LightLoop::Sample LightLoop::finiteSample(Value *number) {
         arguments_.field(offsetof(ShaderArgs, sampleStride), code_.integerType), wide);
     auto *row = builder_.CreateAdd(builder_.CreateMul(builder_.CreateSExt(number, wide), stride),
                                    builder_.CreateSExt(arguments_.firstPoint(), wide));
-    auto *mask = code_.masks.current();
-    const auto loadRow = [&](std::size_t table, int k) {
-        auto *plane = code_.invariantLoad(
-            code_.pointerType, builder_.CreateGEP(code_.pointerType, arguments_.fieldPointer(table),
-                                                  builder_.getInt32(k)));
-        return code_.lanes.maskedLoad(code_.floatType,
-                                      builder_.CreateGEP(code_.floatType, plane, row), mask);
+    const auto loadRow = [&](Value *plane) {
+        return code_.lanes.load(code_.floatType, builder_.CreateGEP(code_.floatType, plane, row));
     };
     Sample sample;
     for (int k = 0; k < 3; ++k)
-        sample.L.push_back(loadRow(offsetof(ShaderArgs, sampleL), k));
+        sample.L.push_back(loadRow(samplePlanes_[k]));
     for (int k = 0; k < code_.colorSamples; ++k)
-        sample.Cl.push_back(loadRow(offsetof(ShaderArgs, sampleCl), k));
-    sample.lanes = builder_.CreateAnd(mask, anyNonZero(code_, sample.Cl));
+        sample.Cl.push_back(loadRow(samplePlanes_[3 + k]));
+    auto *lanes = code_.masks.currentAnd(anyNonZero(code_, sample.Cl));
+    const auto narrow = [&](Value *test) { lanes = builder_.CreateAnd(lanes, test); };
     if (delta_)
-        sample.lanes = builder_.CreateAnd(sample.lanes, builder_.CreateNot(delta_));
-    if (coneCosine_) {
-        auto *cosine = dot(code_, normalized(code_, sample.L), coneAxis_);
-        sample.lanes =
-            builder_.CreateAnd(sample.lanes, builder_.CreateFCmpOGE(cosine, coneCosine_));
+        narrow(builder_.CreateNot(code_.lanes.asMask(delta_)));
+    if (coneCosine_)
+        narrow(builder_.CreateFCmpOGE(dot(code_, normalized(code_, sample.L), coneAxis_),
+                                      coneCosine_));
+    sample.lanes = code_.lanes.kept(lanes);
+    if (request_.category >= 0) {
+        lanes = acceptedByCategory(code_, arguments_, request_.category, row);
+        narrow(code_.lanes.asMask(sample.lanes));
+        sample.lanes = code_.lanes.kept(lanes);
     }
-    if (request_.category >= 0)
-        sample.lanes = builder_.CreateAnd(
-            sample.lanes, acceptedByCategory(code_, arguments_, request_.category, row));
     return sample;
 }
 
@@ -165,8 +182,8 @@ Value *LightLoop::firstNumber() {
     Value *first = builder_.getInt32(0);
     if (!delta_)
         return first;
-    return builder_.CreateSelect(code_.lanes.any(code_.masks.currentAnd(delta_)),
-                                 builder_.getInt32(-1), first);
+    auto *speaks = code_.masks.currentAnd(code_.lanes.asMask(delta_));
+    return builder_.CreateSelect(code_.lanes.any(speaks), builder_.getInt32(-1), first);
 }
 
 std::vector<llvm::PHINode *> LightLoop::carry(const Values &initial, llvm::BasicBlock *from) {
@@ -191,8 +208,9 @@ Values LightLoop::run(const Sample &light, const Values &carried, const EmitRegi
     emitRegion(region);
     Values after;
     for (std::size_t k = 0; k < carried.size(); ++k)
-        after.push_back(builder_.CreateSelect(
-            light.lanes, values_.get(region.yields[k], Rate::Varying), carried[k]));
+        after.push_back(builder_.CreateSelect(code_.lanes.asMask(light.lanes),
+                                              values_.get(region.yields[k], Rate::Varying),
+                                              carried[k]));
     return after;
 }
 
@@ -205,6 +223,7 @@ void LightLoop::emit(const EmitRegion &emitRegion) {
             values_.get(i.operands[i.operands.size() - carriedCount + k], Rate::Varying));
     auto *first = firstNumber();
     auto *count = arguments_.field(offsetof(ShaderArgs, sampleCount), code_.integerType);
+    findPlanes(count);
     auto *from = builder_.GetInsertBlock();
     auto *head = code_.block("lights"), *take = code_.block("light"), *lit = code_.block("lit"),
          *next = code_.block("next_light"), *done = code_.block("lights_end");
@@ -220,7 +239,7 @@ void LightLoop::emit(const EmitRegion &emitRegion) {
     builder_.SetInsertPoint(take);
     const Sample light = sample(number);
     auto *unlit = builder_.GetInsertBlock();
-    builder_.CreateCondBr(code_.lanes.any(light.lanes), lit, next);
+    builder_.CreateCondBr(code_.lanes.any(code_.lanes.asMask(light.lanes)), lit, next);
 
     builder_.SetInsertPoint(lit);
     const Values after = run(light, carried, emitRegion);

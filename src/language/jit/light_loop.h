@@ -26,6 +26,7 @@ private:
         Value *lanes; ///< Who takes it.
     };
     void findCones();
+    void findPlanes(Value *sampleCount);
     Value *firstNumber();
     /// The loop's sample of that number; number -1 is the delta request's.
     Sample sample(Value *number);
@@ -46,6 +47,7 @@ private:
     Value *delta_ = nullptr; ///< Lanes of a delta request; null = none at all.
     Values coneAxis_;        ///< Normalised; Classic only, as the cone's cosine.
     Value *coneCosine_ = nullptr;
+    Values samplePlanes_; ///< Of L, then of Cl.
 };
 
 } // namespace candela::codegen

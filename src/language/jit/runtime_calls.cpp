@@ -7,7 +7,8 @@ namespace candela::codegen {
 
 using ir::Rate;
 
-RuntimeCalls::RuntimeCalls(CodeFunction &code, const ShaderArguments &arguments, ValueTable &values)
+RuntimeCalls::RuntimeCalls(CodeFunction &code, const ShaderArguments &arguments, ValueTable &values,
+                           const FunctionPieces &pieces)
     : code_(code), builder_(code.builder), arguments_(arguments), values_(values) {
     std::map<std::string, int> offsets;
     for (const std::string &text : values.function().strings) {
@@ -16,6 +17,31 @@ RuntimeCalls::RuntimeCalls(CodeFunction &code, const ShaderArguments &arguments,
             strings_.append(text.c_str(), text.size() + 1);
         stringOffset_.push_back(known->second);
     }
+    pair(values.function().body, pieces);
+}
+
+void RuntimeCalls::pair(const ir::Region &region, const FunctionPieces &pieces) {
+    const std::span<const ir::Instruction> body = region.body;
+    if (const auto cut = pieces.cut.find(&region); cut == pieces.cut.end())
+        pair(body);
+    else
+        for (const Piece &piece : cut->second)
+            pair(body.subspan(piece.begin, piece.end - piece.begin));
+    for (const ir::Instruction &i : body)
+        for (const ir::Region &inner : i.regions)
+            pair(inner, pieces);
+}
+
+void RuntimeCalls::pair(std::span<const ir::Instruction> together) {
+    using Key = std::pair<int, std::vector<ir::ValueId>>;
+    std::map<Key, const ir::Instruction *> calls;
+    for (const ir::Instruction &i : together)
+        if (i.op == ir::Op::Call)
+            calls.emplace(Key(i.immediate, i.operands), &i);
+    for (const auto &[key, plain] : calls)
+        if (const auto slopes = runtime::withSlopes(runtime::RuntimeFunction(key.first)))
+            if (auto found = calls.find({int(*slopes), key.second}); found != calls.end())
+                withSlopes_[plain] = found->second;
 }
 
 Value *RuntimeCalls::string(int index) const { return builder_.getInt32(stringOffset_[index]); }
@@ -24,39 +50,55 @@ Value *RuntimeCalls::text(const std::string &bytes) {
     return builder_.CreateGlobalStringPtr(bytes, "text", 0, &code_.module);
 }
 
-/// What LLVM may assume of a runtime function: it reads its inputs and writes its outputs.
-static void setRuntimeAttributes(llvm::Function &function) {
-    function.setOnlyAccessesArgMemory();
-    function.addFnAttr(llvm::Attribute::WillReturn);
-    for (unsigned k = 0; k < 2; ++k) {
-        function.addParamAttr(k, llvm::Attribute::NoCapture);
-        function.addParamAttr(k, llvm::Attribute::NoAlias);
+/// A function of one output depends on its arguments alone; the others write to their last one.
+llvm::FunctionCallee RuntimeCalls::runtimeFunction(const ir::Instruction &i, llvm::Type *type) {
+    const bool several = i.results.size() > 1;
+    std::vector<llvm::Type *> types(i.operands.size(), type);
+    if (several)
+        types.push_back(code_.pointerType);
+    const int width = type->isVectorTy() ? code_.lanes.width() : 1;
+    auto callee = code_.external(runtimeSymbol(i.immediate, width),
+                                 llvm::FunctionType::get(type, types, false), !several);
+    if (several) {
+        auto &declared = *llvm::cast<llvm::Function>(callee.getCallee());
+        const unsigned last = unsigned(types.size()) - 1;
+        declared.setOnlyAccessesArgMemory();
+        declared.addFnAttr(llvm::Attribute::WillReturn);
+        declared.addParamAttr(last, llvm::Attribute::NoCapture);
+        declared.addParamAttr(last, llvm::Attribute::NoAlias);
+        declared.addParamAttr(last, llvm::Attribute::WriteOnly);
     }
-    function.addParamAttr(0, llvm::Attribute::ReadOnly);
-    function.addParamAttr(1, llvm::Attribute::WriteOnly);
+    return callee;
 }
 
+/// Results are set where their own instruction stands, never sooner: only from there on their spill
+/// slots are theirs.
 void RuntimeCalls::call(const ir::Instruction &i) {
-    const Rate rate = values_.rate(i.results[0]);
-    const int width = rate == Rate::Varying ? code_.lanes.width() : 1;
-    auto *type = code_.lanes.type(ir::Type::Float, rate);
-    auto &[inputs, outputs] = callMemory_[code_.function];
-    if (!inputs) {
-        auto *widest = code_.lanes.varying(code_.floatType);
-        inputs = code_.entryMemory(widest, runtime::maxRuntimeInputs, "call_inputs");
-        outputs = code_.entryMemory(widest, runtime::maxRuntimeOutputs, "call_outputs");
-    }
-    for (std::size_t k = 0; k < i.operands.size(); ++k)
-        builder_.CreateStore(values_.get(i.operands[k], rate),
-                             builder_.CreateConstGEP1_64(type, inputs, k));
-    auto *pointer = code_.pointerType;
-    auto *signature = llvm::FunctionType::get(builder_.getVoidTy(), {pointer, pointer}, false);
-    auto callee = code_.external(runtimeSymbol(i.immediate, width), signature, false);
-    setRuntimeAttributes(*llvm::cast<llvm::Function>(callee.getCallee()));
-    builder_.CreateCall(callee, {inputs, outputs});
+    const auto paired = withSlopes_.find(&i);
+    const ir::Instruction &asked = paired == withSlopes_.end() ? i : *paired->second;
+    Values &given = evaluated_[&asked];
+    if (given.empty())
+        given = evaluate(asked);
     for (std::size_t k = 0; k < i.results.size(); ++k)
-        values_.set(i.results[k],
-                    builder_.CreateLoad(type, builder_.CreateConstGEP1_64(type, outputs, k)));
+        values_.set(i.results[k], given[k]);
+}
+
+Values RuntimeCalls::evaluate(const ir::Instruction &i) {
+    const Rate rate = values_.rate(i.results[0]);
+    auto *type = code_.lanes.type(ir::Type::Float, rate);
+    Values arguments = values_.get(i.operands, rate);
+    if (i.results.size() == 1)
+        return {builder_.CreateCall(runtimeFunction(i, type), arguments)};
+    Value *&others = callMemory_[code_.function];
+    if (!others)
+        others = code_.entryMemory(code_.lanes.varying(code_.floatType),
+                                   runtime::maxRuntimeOutputs - 1, "call_outputs");
+    arguments.push_back(others);
+    Values given{builder_.CreateCall(runtimeFunction(i, type), arguments)};
+    for (std::size_t k = 1; k < i.results.size(); ++k)
+        given.push_back(
+            builder_.CreateLoad(type, builder_.CreateConstGEP1_64(type, others, k - 1)));
+    return given;
 }
 
 /// candela_print(args, strings, types, operand count, cells, width, active lanes): all lanes'
@@ -78,11 +120,11 @@ void RuntimeCalls::print(const ir::Instruction &i) {
     auto *signature = llvm::FunctionType::get(
         builder_.getVoidTy(), {pointer, pointer, pointer, integer, pointer, integer, integer},
         false);
-    auto *active = builder_.CreateZExt(code_.lanes.bits(code_.masks.current()), integer);
     builder_.CreateCall(code_.external(printSymbol, signature, false),
                         {arguments_.pointer(), text(strings_), text(types),
                          builder_.getInt32(std::uint32_t(types.size())), cells,
-                         builder_.getInt32(std::uint32_t(code_.lanes.width())), active});
+                         builder_.getInt32(std::uint32_t(code_.lanes.width())),
+                         code_.masks.currentBits()});
 }
 
 void RuntimeCalls::reportIndexOutside(const ir::Instruction &i) { report(indexOutsideSymbol, i); }

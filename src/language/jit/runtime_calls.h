@@ -2,10 +2,12 @@
 // Calls of the renderer's own functions: noise and its like, printf(), indices outside arrays.
 #pragma once
 
+#include "language/jit/function_pieces.h"
 #include "language/jit/shader_arguments.h"
 #include "language/jit/value_table.h"
 
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,7 +15,7 @@ namespace candela::codegen {
 
 class RuntimeCalls {
 public:
-    RuntimeCalls(CodeFunction &, const ShaderArguments &, ValueTable &);
+    RuntimeCalls(CodeFunction &, const ShaderArguments &, ValueTable &, const FunctionPieces &);
 
     /// One of Function::strings as code knows it, an integer; equal texts agree.
     Value *string(int index) const;
@@ -27,6 +29,12 @@ public:
 private:
     Value *text(const std::string &bytes);
     void report(const char *symbol, const ir::Instruction &);
+    /// Finds in a region the calls for values of which there are calls with slopes too.
+    void pair(const ir::Region &, const FunctionPieces &);
+    void pair(std::span<const ir::Instruction>);
+    Values evaluate(const ir::Instruction &);
+    /// What an instruction calls; its values have the type.
+    llvm::FunctionCallee runtimeFunction(const ir::Instruction &, llvm::Type *);
 
     CodeFunction &code_;
     llvm::IRBuilder<> &builder_;
@@ -34,11 +42,12 @@ private:
     ValueTable &values_;
     std::vector<int> stringOffset_; ///< Of Function::strings, in strings_.
     std::string strings_;
-    struct CallMemory {
-        Value *inputs = nullptr, *outputs = nullptr;
-    };
-    std::map<llvm::Function *, CallMemory>
-        callMemory_; ///< For a call's values, a machine function.
+    /// Calls with slopes by calls of the same values alone: one evaluation does, in one region and
+    /// one machine function.
+    std::map<const ir::Instruction *, const ir::Instruction *> withSlopes_;
+    std::map<const ir::Instruction *, Values> evaluated_; ///< What those with slopes gave.
+    /// By machine function: memory for what a call gives besides its first value.
+    std::map<llvm::Function *, Value *> callMemory_;
 };
 
 } // namespace candela::codegen

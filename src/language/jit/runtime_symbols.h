@@ -2,7 +2,7 @@
 // The symbols under which generated code calls what the renderer has for it.
 #pragma once
 
-#include "language/runtime/runtime_functions.h"
+#include "language/runtime/register_code.h"
 
 #include <string>
 

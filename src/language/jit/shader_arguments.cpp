@@ -4,6 +4,8 @@
 #include "foundation/units/color.h"
 #include "language/runtime/shader_abi.h"
 
+#include <llvm/IR/Intrinsics.h>
+
 #include <cstddef>
 
 namespace candela::codegen {
@@ -17,8 +19,10 @@ void ShaderArguments::enterBlock(llvm::BasicBlock *prepare, Value *firstPoint) {
     place_.firstPoint = firstPoint;
 }
 
-Value *ShaderArguments::blockMask() {
+Value *ShaderArguments::blockBits(Value *count) {
     auto *word = builder_.getInt16Ty();
+    auto *integer = code_.integerType;
+    const int width = code_.lanes.width();
     auto *given = fieldPointer(offsetof(ShaderArgs, active));
     auto *from = builder_.GetInsertBlock();
     auto *load = code_.block("load_mask"), *join = code_.block("join_mask");
@@ -26,15 +30,19 @@ Value *ShaderArguments::blockMask() {
     builder_.SetInsertPoint(load);
     auto *index = builder_.CreateLShr(place_.firstPoint, 4);
     auto *loaded = code_.invariantLoad(word, builder_.CreateGEP(word, given, index));
+    auto *shifted = builder_.CreateLShr(builder_.CreateZExt(loaded, integer),
+                                        builder_.CreateAnd(place_.firstPoint, 15));
     builder_.CreateBr(join);
     builder_.SetInsertPoint(join);
-    auto *bits = builder_.CreatePHI(word, 2);
-    bits->addIncoming(llvm::ConstantInt::getAllOnesValue(word), from);
-    bits->addIncoming(loaded, load);
-    if (code_.lanes.width() == 16)
-        return builder_.CreateBitCast(bits, code_.lanes.varying(builder_.getInt1Ty()));
-    auto *lane = builder_.CreateTrunc(builder_.CreateAnd(place_.firstPoint, 15), word);
-    return builder_.CreateTrunc(builder_.CreateLShr(bits, lane), builder_.getInt1Ty());
+    auto *bits = builder_.CreatePHI(integer, 2);
+    bits->addIncoming(builder_.getInt32(~0u), from);
+    bits->addIncoming(shifted, load);
+    auto *left = builder_.CreateBinaryIntrinsic(llvm::Intrinsic::umin,
+                                                builder_.CreateSub(count, place_.firstPoint),
+                                                builder_.getInt32(width));
+    auto *inside = builder_.CreateLShr(builder_.getInt32((1u << width) - 1),
+                                       builder_.CreateSub(builder_.getInt32(width), left));
+    return builder_.CreateAnd(bits, inside);
 }
 
 Value *ShaderArguments::field(std::size_t offset, llvm::Type *type) {

@@ -18,8 +18,8 @@ public:
     /// once before the first block, if there is one.
     void enterBlock(llvm::BasicBlock *prepare, Value *firstPoint);
     Value *firstPoint() const { return place_.firstPoint; }
-    /// The caller's mask for the lanes of the block; all lanes if there is none.
-    Value *blockMask();
+    /// A bit for each active lane of the block, of `count` points in all.
+    Value *blockBits(Value *count);
 
     /// Where a machine function finds the arguments.
     struct Place {

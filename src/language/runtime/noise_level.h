@@ -8,12 +8,12 @@
 // own gradient comes from the same hashes: that of the blended functions, and the blend's.
 #pragma once
 
+#include "language/runtime/noise_code.h"
 #include "language/runtime/noise_gradients.h"
 #include "language/runtime/noise_lanes.h"
-#include "language/runtime/runtime_functions.h"
 
 #include <cstddef>
-#include <type_traits>
+#include <utility>
 
 namespace {
 
@@ -146,38 +146,32 @@ CANDELA_INLINE Lattice<Floats, dimensions> blend(const Axis<Floats> *axes,
     return result;
 }
 
-/// What a block of `width` lanes is worked through with.
-template <int width> using FloatsOf = std::conditional_t<width == 1, Floats1, WideFloats>;
+/// noise() and its like at a point: coordinates and then periods in; values out, and behind them
+/// the slopes, component by component.
+template <int dimensions, int components, bool periodic, bool slopes> struct GradientNoise {
+    static constexpr int inputs = dimensions * (periodic ? 2 : 1);
+    static constexpr int outputs = components * (slopes ? 1 + dimensions : 1);
 
-/// The values of a block, and behind them the slopes, component by component.
-template <int width, int dimensions, int components, bool periodic, bool slopes>
-void gradientNoise(const float *inputs, float *output) {
-    using Floats = FloatsOf<width>;
-    using L = Lanes<Floats>;
-    for (int lane = 0; lane < width; lane += int(sizeof(Floats) / sizeof(float))) {
+    template <typename Floats> CANDELA_INLINE void evaluate(const Floats *x, Floats *result) {
         Axis<Floats> axes[dimensions];
 #pragma GCC unroll 4
-        for (int k = 0; k < dimensions; ++k) {
-            const Floats period =
-                periodic ? L::load(inputs + (dimensions + k) * width + lane) : Floats{};
-            axes[k] = makeAxis<Floats, periodic>(L::load(inputs + k * width + lane), period,
+        for (int k = 0; k < dimensions; ++k)
+            axes[k] = makeAxis<Floats, periodic>(x[k], periodic ? x[inputs - dimensions + k] : x[k],
                                                  axisFactors[k]);
-        }
         const auto corners = hashCorners<Floats, dimensions>(axes);
         const auto put = [&]<int component>() __attribute__((always_inline)) {
             const auto noise =
                 blend<Floats, dimensions, component, dimensions - 1, 0>(axes, corners);
-            L::store(output + component * width + lane, noise.value + 0.5f);
+            result[component] = noise.value + 0.5f;
             if constexpr (slopes)
                 for (int k = 0; k < dimensions; ++k)
-                    L::store(output + (components + component * dimensions + k) * width + lane,
-                             noise.slope[k]);
+                    result[components + component * dimensions + k] = noise.slope[k];
         };
         put.template operator()<0>();
         if constexpr (components == 3)
             put.template operator()<1>(), put.template operator()<2>();
     }
-}
+};
 
 template <typename Bits> CANDELA_INLINE Bits mixWhole(Bits h) {
     h ^= h >> 16;
@@ -187,45 +181,87 @@ template <typename Bits> CANDELA_INLINE Bits mixWhole(Bits h) {
     return h ^ (h >> 16);
 }
 
-template <int width, int dimensions, int outputs>
-void cellNoise(const float *inputs, float *output) {
-    using Floats = FloatsOf<width>;
-    using L = Lanes<Floats>;
-    for (int lane = 0; lane < width; lane += int(sizeof(Floats) / sizeof(float))) {
+template <int dimensions, int components> struct CellNoise {
+    static constexpr int inputs = dimensions, outputs = components;
+
+    template <typename Floats> CANDELA_INLINE void evaluate(const Floats *x, Floats *result) {
+        using L = Lanes<Floats>;
         typename L::Bits hash{};
-        for (int k = 0; k < dimensions; ++k) {
-            const Floats cell = L::floor(L::load(inputs + k * width + lane));
-            hash = mixWhole((hash ^ L::integerBits(cell)) + axisFactors[k]);
-        }
-        for (int component = 0; component < outputs; ++component) {
-            L::store(output + component * width + lane,
-                     L::fromSmallInteger(hash >> 8) * (1.0f / 16777216.0f));
+        for (int k = 0; k < dimensions; ++k)
+            hash = mixWhole((hash ^ L::integerBits(L::floor(x[k]))) + axisFactors[k]);
+        for (int component = 0; component < components; ++component) {
+            result[component] = L::fromSmallInteger(hash >> 8) * (1.0f / 16777216.0f);
             hash = mixWhole(hash + 0x9e3779b9u);
         }
     }
-}
-
-/// Code by RuntimeFunction, in the order of functions.def: families of four dimensions each.
-template <int width> struct NoiseTable {
-#define CANDELA_FAMILY(function, ...)                                                              \
-    function<width, 1, __VA_ARGS__>, function<width, 2, __VA_ARGS__>,                              \
-        function<width, 3, __VA_ARGS__>, function<width, 4, __VA_ARGS__>
-    static constexpr candela::runtime::RuntimeCode code[] = {
-        CANDELA_FAMILY(gradientNoise, 1, false, false),
-        CANDELA_FAMILY(gradientNoise, 3, false, false),
-        CANDELA_FAMILY(gradientNoise, 1, true, false),
-        CANDELA_FAMILY(gradientNoise, 3, true, false),
-        CANDELA_FAMILY(gradientNoise, 1, false, true),
-        CANDELA_FAMILY(gradientNoise, 3, false, true),
-        CANDELA_FAMILY(gradientNoise, 1, true, true),
-        CANDELA_FAMILY(gradientNoise, 3, true, true),
-        CANDELA_FAMILY(cellNoise, 1),
-        CANDELA_FAMILY(cellNoise, 3),
-    };
-#undef CANDELA_FAMILY
 };
 
-static_assert(sizeof(NoiseTable<1>::code) / sizeof(candela::runtime::RuntimeCode) ==
-              std::size_t(candela::runtime::RuntimeFunction::Count));
+/// A function as it is called: inputs come, and the first output goes, in registers. Those that
+/// have more outputs write them to memory one after another.
+template <typename Floats, typename Function, typename = std::make_index_sequence<Function::inputs>>
+struct InRegisters;
+
+template <typename Floats, typename Function, std::size_t... k>
+struct InRegisters<Floats, Function, std::index_sequence<k...>> {
+    static constexpr std::size_t lanes = sizeof(Floats) / sizeof(float);
+    template <std::size_t> using Input = Floats;
+
+    static Floats single(Input<k>... x) {
+        const Floats inputs[] = {x...};
+        Floats result[Function::outputs];
+        Function::evaluate(inputs, result);
+        return result[0];
+    }
+    static Floats several(Input<k>... x, float *others) {
+        const Floats inputs[] = {x...};
+        Floats result[Function::outputs];
+        Function::evaluate(inputs, result);
+        for (int n = 1; n < Function::outputs; ++n)
+            Lanes<Floats>::store(others + std::size_t(n - 1) * lanes, result[n]);
+        return result[0];
+    }
+    static const void *address() {
+        if constexpr (Function::outputs == 1)
+            return reinterpret_cast<const void *>(&single);
+        else
+            return reinterpret_cast<const void *>(&several);
+    }
+    static void throughMemory(const float *inputs, float *outputs) {
+        const auto input = [&](std::size_t n) __attribute__((always_inline)) {
+            return Lanes<Floats>::load(inputs + n * lanes);
+        };
+        Floats first;
+        if constexpr (Function::outputs == 1)
+            first = single(input(k)...);
+        else
+            first = several(input(k)..., outputs + lanes);
+        Lanes<Floats>::store(outputs, first);
+    }
+};
+
+/// By RuntimeFunction, in the order of functions.def: families of four dimensions each.
+#define CANDELA_FAMILY(form, function, ...)                                                        \
+    InRegisters<Floats, function<1, __VA_ARGS__>>::form,                                           \
+        InRegisters<Floats, function<2, __VA_ARGS__>>::form,                                       \
+        InRegisters<Floats, function<3, __VA_ARGS__>>::form,                                       \
+        InRegisters<Floats, function<4, __VA_ARGS__>>::form
+#define CANDELA_NOISE(form)                                                                        \
+    CANDELA_FAMILY(form, GradientNoise, 1, false, false),                                          \
+        CANDELA_FAMILY(form, GradientNoise, 3, false, false),                                      \
+        CANDELA_FAMILY(form, GradientNoise, 1, true, false),                                       \
+        CANDELA_FAMILY(form, GradientNoise, 3, true, false),                                       \
+        CANDELA_FAMILY(form, GradientNoise, 1, false, true),                                       \
+        CANDELA_FAMILY(form, GradientNoise, 3, false, true),                                       \
+        CANDELA_FAMILY(form, GradientNoise, 1, true, true),                                        \
+        CANDELA_FAMILY(form, GradientNoise, 3, true, true), CANDELA_FAMILY(form, CellNoise, 1),    \
+        CANDELA_FAMILY(form, CellNoise, 3)
+
+template <typename Floats> candela::runtime::NoiseCode noiseCode(int function) {
+    static constexpr candela::runtime::RuntimeCode throughMemory[] = {CANDELA_NOISE(throughMemory)};
+    static const void *const inRegisters[] = {CANDELA_NOISE(address())};
+    static_assert(sizeof throughMemory / sizeof *throughMemory ==
+                  std::size_t(candela::runtime::RuntimeFunction::Count));
+    return {throughMemory[function], inRegisters[function]};
+}
 
 } // namespace

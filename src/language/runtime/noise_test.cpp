@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "language/runtime/runtime_functions.h"
+#include "language/runtime/register_code.h"
 
 #include <gtest/gtest.h>
 
@@ -60,27 +60,30 @@ TEST_P(EachFunction, WidthsAgreeBitByBitOnAnyInputAndV3WithV4) {
     std::mt19937 bits(7);
     std::uniform_real_distribution<float> number(-300, 300);
     for (int round = 0; round < 200; ++round) {
-        alignas(64) float in[maxRuntimeInputs * 16];
-        alignas(64) float wide[maxRuntimeOutputs * 16], v3[maxRuntimeOutputs * 16];
-        for (float &x : in)
-            x = round < 40 && bits() % 2 ? special[bits() % 16] : number(bits);
+        float in[16][maxRuntimeInputs], v3[16][maxRuntimeOutputs];
+        for (auto &point : in)
+            for (float &x : point)
+                x = round < 40 && bits() % 2 ? special[bits() % 16] : number(bits);
         for (IsaLevel level : {IsaLevel::V2, IsaLevel::V3, IsaLevel::V4}) {
-            if (level > hostIsaLevel())
-                continue;
-            code(which(), 16, level)(in, wide);
-            if (level == IsaLevel::V3)
-                std::copy(std::begin(wide), std::end(wide), v3);
-            for (int lane = 0; lane < 16; ++lane) {
-                float lanes[maxRuntimeInputs], narrow[maxRuntimeOutputs];
-                for (int k = 0; k < inputs; ++k)
-                    lanes[k] = in[k * 16 + lane];
-                code(which(), 1, level)(lanes, narrow);
+            const int width = registerLanes(level);
+            for (int lane = 0; lane < 16 && level <= hostIsaLevel(); ++lane) {
+                alignas(64) float inputBlock[maxRuntimeInputs * 16];
+                alignas(64) float wide[maxRuntimeOutputs * 16];
+                const int first = lane - lane % width;
+                for (int k = 0; k < inputs * width; ++k)
+                    inputBlock[k] = in[first + k % width][k / width];
+                code(which(), width, level)(inputBlock, wide);
+                float narrow[maxRuntimeOutputs];
+                code(which(), 1, level)(in[lane], narrow);
+                if (level == IsaLevel::V3)
+                    std::copy(std::begin(narrow), std::end(narrow), v3[lane]);
                 for (int k = 0; k < outputs; ++k) {
                     const auto expected = std::bit_cast<std::uint32_t>(narrow[k]);
-                    ASSERT_EQ(expected, std::bit_cast<std::uint32_t>(wide[k * 16 + lane]))
+                    ASSERT_EQ(expected,
+                              std::bit_cast<std::uint32_t>(wide[k * width + lane % width]))
                         << name << " lane " << lane << " at level " << int(level);
                     if (level == IsaLevel::V4) {
-                        ASSERT_EQ(expected, std::bit_cast<std::uint32_t>(v3[k * 16 + lane]));
+                        ASSERT_EQ(expected, std::bit_cast<std::uint32_t>(v3[lane][k]));
                     }
                     ASSERT_TRUE(std::isfinite(narrow[k])) << name;
                     if (k < components()) {

@@ -4,9 +4,8 @@
 
 namespace candela::runtime {
 
-RuntimeCode noiseV3(RuntimeFunction function, int width) {
-    const int index = int(function);
-    return width == 1 ? NoiseTable<1>::code[index] : NoiseTable<16>::code[index];
+NoiseCode noiseV3(RuntimeFunction function, bool wide) {
+    return wide ? noiseCode<WideFloats>(int(function)) : noiseCode<Floats1>(int(function));
 }
 
 } // namespace candela::runtime

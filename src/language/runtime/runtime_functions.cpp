@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/runtime/runtime_functions.h"
 
+#include "language/runtime/noise_code.h"
+
 #include <array>
 
 namespace candela::runtime {
-
-RuntimeCode noiseV2(RuntimeFunction, int width);
-RuntimeCode noiseV3(RuntimeFunction, int width);
-RuntimeCode noiseV4(RuntimeFunction, int width);
 
 static constexpr RuntimeFunctionInfo table[] = {
 #define RUNTIME_FUNCTION(name, inputs, outputs, coordinates, slopes, purity, cost, meaning)        \
@@ -25,13 +23,22 @@ std::optional<RuntimeFunction> withSlopes(RuntimeFunction function) {
     return slopes == RuntimeFunction::NoSlopes ? std::nullopt : std::optional(slopes);
 }
 
-RuntimeCode code(RuntimeFunction function, int width, IsaLevel level) {
+static NoiseCode noiseCode(RuntimeFunction function, int width, IsaLevel level) {
+    const bool wide = width > 1;
     switch (level) {
-    case IsaLevel::V2: return noiseV2(function, width);
-    case IsaLevel::V3: return noiseV3(function, width);
+    case IsaLevel::V2: return noiseV2(function, wide);
+    case IsaLevel::V3: return noiseV3(function, wide);
     case IsaLevel::V4: break;
     }
-    return noiseV4(function, width);
+    return noiseV4(function, wide);
+}
+
+RuntimeCode code(RuntimeFunction function, int width, IsaLevel level) {
+    return noiseCode(function, width, level).throughMemory;
+}
+
+const void *registerCode(RuntimeFunction function, int width, IsaLevel level) {
+    return noiseCode(function, width, level).inRegisters;
 }
 
 void callScalar(RuntimeFunction function, const float *const *inputs, float *const *outputs) {

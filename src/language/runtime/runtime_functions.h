@@ -47,12 +47,12 @@ std::optional<RuntimeFunction> withSlopes(RuntimeFunction);
 /// point to one float each.
 void callScalar(RuntimeFunction, const float *const *inputs, float *const *outputs);
 
-/// The compiled form: `inputs` are the function's inputs one after another, `width` floats each,
-/// 64-byte aligned at width 16; likewise the outputs. The blocks must not overlap.
+/// Code that works in memory: `inputs` are the function's inputs one after another, `width` floats
+/// each, aligned to their size; likewise the outputs. The blocks must not overlap.
 using RuntimeCode = void (*)(const float *inputs, float *outputs);
 
-/// Code at width 1 or 16 for an instruction-set level. Both widths agree bit by bit, and so do V3
-/// and V4.
+/// Code at width 1, or at registerLanes() of an instruction-set level (register_code.h). Both
+/// widths agree bit by bit, and so do V3 and V4.
 RuntimeCode code(RuntimeFunction, int width, IsaLevel);
 
 } // namespace candela::runtime

@@ -38,6 +38,11 @@ struct ShaderCallbacks {
 /// No question but finite light samples: see ShaderArgs::answeredRequest.
 inline constexpr std::int32_t finiteRequests = -1;
 
+/// While a call is under way, whole blocks of laneBlock lanes belong to it: where one lane of a
+/// block is active, inputs and samples of all its lanes may be read, and inactive lanes of outputs
+/// and frame may be written back as they were. So all planes (rows of samples too) have memory for
+/// whole blocks, and no two calls at once share a block of an output or a frame. What inactive
+/// lanes hold does not matter.
 struct ShaderArgs {
     std::int32_t count = 0; ///< Points. Lanes from count up to the next multiple are inactive.
     std::int32_t sampleCount = 0; ///< `shade`: light samples a point.

@@ -153,8 +153,19 @@ private:
         constexpr float quarterTurn = 1.5707964f;
         const float *angle = loop_.operands.size() > 6 ? number(loop_.operands[6]) : nullptr;
         return text_.requests[loop_.immediate].form == ConeForm::Classic && angle &&
-               *angle <= quarterTurn &&
-               std::equal(found->axis.begin(), found->axis.end(), loop_.operands.begin() + 3);
+               *angle <= quarterTurn && isAlongLoopAxis(found->axis);
+    }
+
+    /// The loop's axis itself, or normalised.
+    bool isAlongLoopAxis(const Triple &axis) const {
+        const ValueId *ofLoop = loop_.operands.data() + 3;
+        const auto isScaled = [&](int k) {
+            const Instruction *i = definition(axis[k]);
+            return i && i->op == Op::Mul && i->operands[0] == ofLoop[k] &&
+                   isReciprocalLength(i->operands[1]);
+        };
+        return std::equal(axis.begin(), axis.end(), ofLoop) ||
+               (isScaled(0) && isScaled(1) && isScaled(2));
     }
 
     /// 1 / length, or 1 / (1 where that is 0).

@@ -13,9 +13,10 @@
 namespace candela::ir {
 namespace {
 
-/// The sum of Cl * factor(L), L of unit length, over the light before the surface.
-template <class Factor>
-Components gather(BuiltinCall &call, const Triple &normal, const char *category, Factor factor) {
+/// The sum of Cl * factor(L), L of unit length, over the light before the surface. The cone is
+/// about the normal as it was given: the loop's test normalizes it as the caller does, and so
+/// shares what that comes to.
+template <class Factor> Components gather(BuiltinCall &call, const char *category, Factor factor) {
     Builder &b = call.b;
     LightRequest request;
     request.kind = LightRequest::Kind::Loop;
@@ -23,7 +24,7 @@ Components gather(BuiltinCall &call, const Triple &normal, const char *category,
     request.coneCount = 1;
     request.category = categoryIndex(b, category);
     request.line = b.line();
-    Components cone = componentsOf(normal);
+    Components cone = componentsOf(call.triple(0));
     cone.push_back(number(b, std::numbers::pi_v<float> / 2));
     return lightLoop(b, addRequest(b, request),
                      tripleOf(call.lowering.variables.load(sl::PredefinedId::P)), cone,
@@ -40,7 +41,7 @@ Components gather(BuiltinCall &call, const Triple &normal, const char *category,
 Components diffuse(BuiltinCall &call) {
     Builder &b = call.b;
     const Triple normal = normalize(b, call.triple(0));
-    return gather(call, normal, "!diffuse", [&](const Triple &L) { return dot(b, L, normal); });
+    return gather(call, "!diffuse", [&](const Triple &L) { return dot(b, L, normal); });
 }
 
 /// max(0, N.H)^(highlightScale / roughness), with unit vectors.
@@ -55,7 +56,7 @@ ValueId highlight(Lowering &lowering, const Triple &L, const Triple &N, const Tr
 Components specular(BuiltinCall &call) {
     Builder &b = call.b;
     const Triple normal = normalize(b, call.triple(0)), view = normalize(b, call.triple(1));
-    return gather(call, normal, "!specular", [&](const Triple &L) {
+    return gather(call, "!specular", [&](const Triple &L) {
         return highlight(call.lowering, L, normal, view, call.number(2));
     });
 }
@@ -71,7 +72,7 @@ Components phong(BuiltinCall &call) {
     Builder &b = call.b;
     const Triple normal = normalize(b, call.triple(0)), view = normalize(b, call.triple(1));
     const Triple mirror = reflect(b, neg(b, view), normal);
-    return gather(call, normal, "!specular", [&](const Triple &L) {
+    return gather(call, "!specular", [&](const Triple &L) {
         return pow(b, max(b, dot(b, mirror, L), number(b, 0)), call.number(2));
     });
 }

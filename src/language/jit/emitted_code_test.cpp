@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: Apache-2.0
+// What code must look like to be fast; codegen_test says that it is right.
+#include "language/ir/core/builder_arithmetic.h"
+#include "language/ir/core/builder_effects.h"
+#include "language/ir/core/builder_light.h"
+#include "language/ir/core/builder_sources.h"
+#include "language/ir/core/builder_vectors.h"
+#include "language/ir/interpret/interpreter.h"
+#include "language/ir/interpret/test_batch.h"
+#include "language/jit/jit.h"
+#include "language/runtime/runtime_functions.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <numbers>
+
+namespace candela {
+namespace {
+
+using runtime::IsaLevel;
+using runtime::RuntimeFunction;
+
+constexpr IsaLevel levels[] = {IsaLevel::V2, IsaLevel::V3, IsaLevel::V4};
+
+JitOptions optionsFor(IsaLevel level, int width) {
+    JitOptions options;
+    options.level = level;
+    options.width = width;
+    options.useCache = false;
+    return options;
+}
+
+/// Only levels that both have or lack fused sums round noise and transcendentals alike.
+bool roundsAsHost(IsaLevel level) {
+    return (level == IsaLevel::V2) == (runtime::hostIsaLevel() == IsaLevel::V2);
+}
+
+std::string textOf(const ir::Function &function, IsaLevel level, bool assembly) {
+    DiagnosticList diagnostics;
+    return Jit(optionsFor(level, 16), diagnostics).emit(function, assembly);
+}
+
+int countIn(const std::string &text, const std::string &what) {
+    int count = 0;
+    for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; ++at)
+        ++count;
+    return count;
+}
+
+/// Outputs, the frame, a condition with a jump, a loop over light of a quarter turn about N.
+ir::Function litSurface() {
+    ir::Function function;
+    function.frameSlots = 1;
+    ir::Builder b(function);
+    const ir::Triple N = normalize(b, input3(b, ShaderInput::N));
+    ir::LightRequest request;
+    request.form = ir::ConeForm::Classic;
+    request.coneCount = 1;
+    const ir::ValueId angle = number(b, std::numbers::pi_v<float> / 2);
+    const ir::Values lit = lightLoop(
+        b, addRequest(b, request), input3(b, ShaderInput::P), {N[0], N[1], N[2], angle},
+        {number(b, 0)}, [&](const ir::Triple &L, const ir::Values &Cl, const ir::Values &carried) {
+            return ir::Values{add(b, carried[0], mul(b, Cl[0], dot(b, N, L)))};
+        });
+    b.emit(ir::Op::FrameStore, {lit[0]}, 0);
+    output(b, "Ci", 0, lit[0]);
+    output(b, "Ci", 1, add(b, lit[0], N[0]));
+    b.finish();
+    return function;
+}
+
+TEST(EmittedCode, HasNoMaskedStoreWhereThatIsMicrocode) {
+    EXPECT_EQ(countIn(textOf(litSurface(), IsaLevel::V3, false), "llvm.masked.store"), 0);
+    EXPECT_EQ(countIn(textOf(litSurface(), IsaLevel::V3, true), "vmaskmovps"), 0);
+    EXPECT_GT(countIn(textOf(litSurface(), IsaLevel::V4, false), "llvm.masked.store"), 0);
+}
+
+TEST(EmittedCode, AsksNoCosineOfAnAngleThatIsKnown) {
+    for (IsaLevel level : levels)
+        if (roundsAsHost(level)) {
+            EXPECT_EQ(countIn(textOf(litSurface(), level, false), "cosf"), 0) << int(level);
+        }
+}
+
+TEST(EmittedCode, TakesARegisterOfPointsAtATime) {
+    const char *types[] = {"<4 x float>", "<8 x float>", "<16 x float>"};
+    for (IsaLevel level : levels)
+        for (IsaLevel other : levels)
+            EXPECT_EQ(countIn(textOf(litSurface(), level, false), types[int(other)]) > 0,
+                      level == other)
+                << int(level) << " " << int(other);
+}
+
+/// Noise and its slopes at the same place, in either order, and at another place.
+ir::Function noiseAndSlopes(RuntimeFunction plain, bool slopesFirst) {
+    ir::Function function;
+    ir::Builder b(function);
+    ir::Values at;
+    for (int k = 0; k < runtime::info(plain).inputs; ++k)
+        at.push_back(input(b, ShaderInput(int(ShaderInput::P) + k)));
+    ir::Values elsewhere = at;
+    elsewhere[0] = add(b, at[0], number(b, 1));
+    const int slopes = int(*runtime::withSlopes(plain));
+    ir::Values results;
+    const auto call = [&](int which, const ir::Values &where) {
+        for (ir::ValueId v : callRuntime(b, which, where))
+            results.push_back(v);
+    };
+    call(slopesFirst ? slopes : int(plain), at);
+    call(slopesFirst ? int(plain) : slopes, at);
+    call(int(plain), elsewhere);
+    for (std::size_t k = 0; k < results.size(); ++k)
+        output(b, "x", int(k), results[k]);
+    b.finish();
+    return function;
+}
+
+/// The code gives the interpreter's results, outputs and frame, with and without a mask, in a batch
+/// that does not fill its last block.
+void expectInterpreted(const ir::Function &function, const JitOptions &options) {
+    DiagnosticList diagnostics;
+    Jit jit(options, diagnostics);
+    const ShaderFunction code = jit.compile(function);
+    ASSERT_TRUE(code) << diagnostics.text();
+    for (const bool masked : {false, true}) {
+        ir::TestBatch batch(function, 37, 3);
+        batch.setSamples(2, 5);
+        if (masked)
+            batch.active = {0xffff, 0x3fc1, 0x0015};
+        const auto results = [&](auto &&run) {
+            batch.frame.assign(std::size_t(function.frameSlots) * batch.padded(), 0.25f);
+            auto planes = batch.run(function, run, -1.0f);
+            planes.emplace_back(batch.frame.begin(), batch.frame.end());
+            return planes;
+        };
+        const auto expected = results(ir::interpret);
+        const auto found =
+            results([&](const ir::Function &, const ShaderArgs &args) { code(&args); });
+        for (std::size_t k = 0; k < expected.size(); ++k)
+            for (std::size_t i = 0; i < expected[k].size(); ++i)
+                ASSERT_EQ(std::bit_cast<std::uint32_t>(expected[k][i]),
+                          std::bit_cast<std::uint32_t>(found[k][i]))
+                    << k << " " << i << " W=" << options.width << " at level "
+                    << int(*options.level) << " cut at " << options.longestFunction;
+    }
+}
+
+/// The same at both widths and all levels that can be compared here.
+void expectInterpreted(const ir::Function &function, int longestFunction) {
+    for (IsaLevel level : levels)
+        for (int width : {1, 16})
+            if (roundsAsHost(level) && Jit::hostRuns(level)) {
+                JitOptions options = optionsFor(level, width);
+                options.longestFunction = longestFunction;
+                expectInterpreted(function, options);
+            }
+}
+
+TEST(EmittedCode, EvaluatesOnceWhereAValueAndItsSlopesAreWanted) {
+    for (RuntimeFunction plain :
+         {RuntimeFunction::noise3, RuntimeFunction::vnoise2, RuntimeFunction::pnoise1})
+        for (bool slopesFirst : {false, true}) {
+            const ir::Function function = noiseAndSlopes(plain, slopesFirst);
+            const std::string text = textOf(function, runtime::hostIsaLevel(), false);
+            EXPECT_EQ(countIn(text, "@candela_"), 2 + 2) << text; // Two declared and called.
+            expectInterpreted(function, 0);
+        }
+}
+
+/// Long sums before and after a noise and its slopes; values of the first are used for the last
+/// time between the two, so their spill slots are free then.
+ir::Function valuesThatEndBetween() {
+    ir::Function function;
+    ir::Builder b(function);
+    const ir::Triple at = input3(b, ShaderInput::P);
+    const ir::Values where(at.begin(), at.end());
+    const auto longSum = [&](ir::ValueId x) {
+        for (int k = 0; k < 15; ++k)
+            x = add(b, mul(b, x, at[0]), at[1]);
+        return x;
+    };
+    const ir::ValueId above[] = {mul(b, at[0], at[1]), mul(b, at[1], at[2]), longSum(at[2])};
+    const int plain = int(RuntimeFunction::noise3), slopes = int(RuntimeFunction::noise3_slopes);
+    ir::ValueId sum = callRuntime(b, plain, where)[0];
+    for (ir::ValueId v : above)
+        sum = add(b, mul(b, sum, sum), v);
+    const ir::Values given = callRuntime(b, slopes, where);
+    output(b, "x", 0, longSum(sum));
+    for (std::size_t k = 0; k < given.size(); ++k)
+        output(b, "x", 1 + int(k), given[k]);
+    b.finish();
+    return function;
+}
+
+TEST(EmittedCode, SharesNoEvaluationBetweenPieces) {
+    const ir::Function between = valuesThatEndBetween();
+    const ir::Function near = noiseAndSlopes(RuntimeFunction::vnoise2, false);
+    for (int longest = 1; longest < 70; longest += 4) {
+        expectInterpreted(between, longest);
+        expectInterpreted(near, longest);
+    }
+    const auto named = [&](int longest) { // Each function called is declared, too.
+        DiagnosticList diagnostics;
+        JitOptions options = optionsFor(runtime::hostIsaLevel(), 16);
+        options.longestFunction = longest;
+        return countIn(Jit(options, diagnostics).emit(between, false), "@candela_");
+    };
+    EXPECT_EQ(named(1000), 1 + 1);
+    EXPECT_EQ(named(1), 2 + 2);
+}
+
+TEST(EmittedCode, PiecesAskWhetherAllOfTheirLanesRun) {
+    for (int longest : {1, 4, 8, 16, 60})
+        expectInterpreted(litSurface(), longest);
+    DiagnosticList diagnostics;
+    JitOptions options = optionsFor(IsaLevel::V3, 16);
+    options.longestFunction = 8;
+    const std::string text = Jit(options, diagnostics).emit(litSurface(), false);
+    EXPECT_GT(countIn(text, "@piece"), 0) << text;
+    EXPECT_GT(countIn(text, "store_all:"), 0) << text;
+}
+
+} // namespace
+} // namespace candela
