@@ -46,13 +46,6 @@ const Endless endless[] = {
      ">= "
      "0) x += 1;\n Oi = 1; Ci = 1 + x;\n}\n",
      nullptr, "t.sl:4:", rightHalf},
-    {"OfWhatLightDoesNotReach",
-     "surface t() {\n normal n = faceforward(normalize(N), I);\n float x = 1;\n while (u > 0.5) x "
-     "+= "
-     "1;\n Oi = 1;\n Ci = 0;\n illuminance(P, n, PI / 2) { Ci += Cl * (normalize(L) . n); }\n Ci "
-     "+= "
-     "x;\n}\n",
-     nullptr, "t.sl:4:", rightHalf},
     {"InALightLoop",
      "surface t() {\n normal n = faceforward(normalize(N), I);\n float x = 1;\n Oi = 1;\n Ci = "
      "1;\n "

@@ -10,7 +10,7 @@ surface slopes(float scale = 3, turns = 4;)
     }
     x = sin(x) + Du(x); x = exp(-x * x) + Dv(x); x = sqrt(4 + x) * Du(x);
     vector bend = Du(N) ^ Dv(normalize(Ng));
-    color c = edge(Cs * (1 - Os)) + color noise(Cs * scale) * Dv(a[floor(turns * .5)]);
+    color c = edge(Cs * (1 - Os)) + color noise(P + scale * vector(Cs)) * Dv(a[floor(turns * .5)]);
     setcomp(c, 1, Du(comp(c, 0)) + Dv(atan(x, 1 + t)));
     Oi = Os;
     Ci = Oi * (c + wide + length(bend) + Du(Dv(s * t * u)) + Deriv(comp(Cs, 2), t)) * diffuse(N + bend);
