@@ -3,6 +3,7 @@
 #include "apps/compiler_passes.h"
 #include "apps/verbs.h"
 
+#include "language/ir/core/regions.h"
 #include "language/jit/jit.h"
 #include "language/semantics/front.h"
 #include "render/console.h"
@@ -40,14 +41,6 @@ std::optional<std::string> readFile(const std::string &name) {
     return text.str();
 }
 
-size_t instructionCount(const ir::Region &region) {
-    size_t count = region.body.size();
-    for (const ir::Instruction &i : region.body)
-        for (const ir::Region &inner : i.regions)
-            count += instructionCount(inner);
-    return count;
-}
-
 /// "1 cone", "2 cones"
 std::string countOf(size_t count, const std::string &what) {
     return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
@@ -58,7 +51,7 @@ std::string summaryOf(const sl::TypedShader &shader, const CompiledShader &compi
                       double seconds) {
     size_t instructions = 0;
     for (const CompiledShader::Answer &answer : compiled.answers)
-        instructions += instructionCount(answer.function.body);
+        instructions += ir::instructionCount(answer.function.body);
     std::string line = std::string(sl::nameOf(shader.kind)) + " " + shader.name + ": ";
     if (shader.kind == sl::ShaderKind::Surface) {
         const ir::SurfaceFacts &facts = compiled.facts;

@@ -50,12 +50,6 @@ private:
     std::clock_t start_ = std::clock();
 };
 
-std::size_t sizeOf(const ir::Region &region) {
-    std::size_t size = 0;
-    ir::forEachInstruction(region, [&](const ir::Instruction &) { ++size; });
-    return size;
-}
-
 /// What is wrong with a refusal.
 std::string judge(const DiagnosticList &diagnostics, const LargeShader &shader) {
     if (shader.outcome == Outcome::Compiles)
@@ -93,7 +87,7 @@ std::string compile(const LargeShader &shader, fuzz::Monitor &monitor) {
     figures.lower = watch.lap();
     if (!lowered)
         return judge(diagnostics, shader);
-    figures.instructions = sizeOf(lowered->whole.body);
+    figures.instructions = ir::instructionCount(lowered->whole.body);
     if (lowered->kind == sl::ShaderKind::Light)
         return {};
     monitor.enter(fuzz::Stage::Facts, "");
@@ -109,7 +103,7 @@ std::string compile(const LargeShader &shader, fuzz::Monitor &monitor) {
     for (const ir::Question question : {Shade, Surface, View, Prepare, Scatter, Emit, Opacity}) {
         monitor.enter(fuzz::Stage::Slice, std::to_string(int(question)));
         const ir::Function slice = ir::slice(*plan, question);
-        figures.largest = std::max(figures.largest, sizeOf(slice.body));
+        figures.largest = std::max(figures.largest, ir::instructionCount(slice.body));
         figures.slices += watch.lap();
         monitor.enter(fuzz::Stage::Generate, std::to_string(int(question)));
         if (generates())

@@ -173,12 +173,6 @@ protected:
     int numbers_ = 0, finite_ = 0;
 };
 
-/// One program in two has the usual three samples, the others 1, 4 or 8.
-int colorSamplesOf(unsigned seed) {
-    constexpr int choices[] = {3, 1, 3, 4, 3, 8};
-    return choices[seed % 6];
-}
-
 void Codegen::compareRandomPrograms(int longestFunction, unsigned share) {
     const auto options = [&](int width) {
         JitOptions options = GetParam().options(width);
@@ -190,7 +184,7 @@ void Codegen::compareRandomPrograms(int longestFunction, unsigned share) {
     // Code without masked memory operations takes LLVM long.
     const unsigned programs = (!runs ? 5 : roundsAsHost() ? 40 : 20) * campaignFactor() / share;
     for (unsigned seed = 1; seed <= programs && !HasFailure(); ++seed) {
-        ir::Function function = randomProgram(seed, roundsAsHost(), colorSamplesOf(seed));
+        ir::Function function = randomProgram(seed, roundsAsHost(), ir::colorSamplesOf(seed));
         ASSERT_EQ(ir::verify(function), "") << "seed " << seed;
         const bool limited = seed % 4 == 3; // Some lanes' loops are ended then, others' not.
         if (limited)

@@ -17,6 +17,18 @@ void arrayStore(Builder &b, int array, ValueId index, ValueId value) {
     b.emit(Op::ArrayStore, {index, value}, array);
 }
 
+std::size_t arrayNumbers(const Function &function) {
+    std::size_t numbers = 0;
+    for (const Array &array : function.arrays)
+        numbers += std::size_t(array.size);
+    return numbers;
+}
+
+void addOutputSlots(std::vector<OutputSlot> &slots, const OutputName &name, int colorSamples) {
+    for (int k = 0; k < componentsOf(name.kind, colorSamples); ++k)
+        slots.push_back(outputSlot(name, k));
+}
+
 OutputSlot outputSlot(const OutputName &name, int component) {
     return {name, component, name == OutputKind::Oi ? 1.0f : 0.0f};
 }

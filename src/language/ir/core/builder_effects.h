@@ -14,6 +14,11 @@ void arrayStore(Builder &, int array, ValueId index, ValueId value);
 
 /// An output as code knows it.
 OutputSlot outputSlot(const OutputName &, int component);
+/// Numbers in all arrays of the function together.
+std::size_t arrayNumbers(const Function &);
+
+/// Adds the planes of an output of outputs.def.
+void addOutputSlots(std::vector<OutputSlot> &, const OutputName &, int colorSamples);
 /// The function gets the slot if it has none of that name and component yet.
 void output(Builder &, const OutputName &, int component, ValueId);
 void printValues(Builder &, const std::string &format, const Values &);

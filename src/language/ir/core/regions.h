@@ -32,6 +32,13 @@ template <typename Test> bool anyInstruction(const Region &region, Test &&test) 
     return false;
 }
 
+/// Instructions in the region and in all within it.
+inline std::size_t instructionCount(const Region &region) {
+    std::size_t count = 0;
+    forEachInstruction(region, [&](const Instruction &) { ++count; });
+    return count;
+}
+
 /// The instructions whose regions something stands in, from the innermost outward.
 struct Enclosing {
     const Instruction *owner;

@@ -16,6 +16,13 @@ namespace candela::ir {
 /// A number a point, padded to whole blocks of lanes.
 using TestPlane = std::vector<float>;
 
+/// Samples of the colours of random functions: one in two has the usual three, the others 1, 4
+/// or 8.
+inline int colorSamplesOf(unsigned seed) {
+    constexpr int choices[] = {3, 1, 3, 4, 3, 8};
+    return choices[seed % 6];
+}
+
 /// Light samples: rows of all points.
 struct TestSamples {
     int rows = 0;

@@ -145,9 +145,7 @@ bool arraysFit(const sl::TypedShader &shader, int colorSamples, DiagnosticSink &
 
 /// All arrays in memory together.
 bool memoryFits(const Lowering &lowering, const Function &function, DiagnosticSink &sink) {
-    size_t numbers = 0;
-    for (const Array &array : function.arrays)
-        numbers += size_t(array.size);
+    const size_t numbers = arrayNumbers(function);
     if (numbers <= mostArrayNumbers)
         return true;
     const sl::Symbol *largest = nullptr;

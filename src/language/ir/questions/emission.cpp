@@ -1,28 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/ir/questions/emission.h"
 
+#include "language/ir/core/builder_effects.h"
 #include "language/ir/transform/dead_code.h"
 
 namespace candela::ir {
 
 namespace {
 
-/// The planes that one emission's nine numbers go to, in the order of its operands.
-std::vector<OutputSlot> emissionOutputs(int emission, int colorSamples) {
-    std::vector<OutputSlot> slots;
-    for (const OutputKind kind :
-         {OutputKind::ConePosition, OutputKind::ConeAxis, OutputKind::ConeAngle,
-          OutputKind::ConeExponent, OutputKind::ConeImportance})
-        for (int c = 0; c < componentsOf(kind, colorSamples); ++c)
-            slots.push_back({{kind, emission}, c});
-    return slots;
-}
-
+/// The planes that emissions' numbers go to, of each in the order of its operands.
 std::vector<OutputSlot> emissionOutputs(const Function &whole) {
     std::vector<OutputSlot> slots;
     for (int n = 0; n < int(whole.emissions.size()); ++n)
-        for (const OutputSlot &slot : emissionOutputs(n, whole.colors.samples))
-            slots.push_back(slot);
+        for (const OutputKind kind :
+             {OutputKind::ConePosition, OutputKind::ConeAxis, OutputKind::ConeAngle,
+              OutputKind::ConeExponent, OutputKind::ConeImportance})
+            addOutputSlots(slots, {kind, n}, whole.colors.samples);
     return slots;
 }
 
@@ -50,6 +43,16 @@ void writeEmissions(Region &region, const std::vector<OutputSlot> &slots) {
 
 } // namespace
 
+ConeSlot coneSlot(const std::vector<OutputSlot> &outputs, int cone, int request) {
+    const auto plane = [&](OutputKind kind) { return slotOf(outputs, {kind, cone}); };
+    return {.request = request,
+            .axis = plane(OutputKind::ConeAxis),
+            .position = plane(OutputKind::ConePosition),
+            .angle = plane(OutputKind::ConeAngle),
+            .exponent = plane(OutputKind::ConeExponent),
+            .importance = plane(OutputKind::ConeImportance)};
+}
+
 Function sliceEmission(const Function &whole) {
     Function result = whole;
     removeAll(Op::Print, result.body);
@@ -63,15 +66,8 @@ Function sliceEmission(const Function &whole) {
 LightFacts lightFacts(const Function &whole) {
     LightFacts facts;
     const Function emission = sliceEmission(whole);
-    for (int n = 0; n < int(whole.emissions.size()); ++n) {
-        const auto plane = [&](OutputKind kind) { return slotOf(emission.outputs, {kind, n}); };
-        facts.cones.push_back({.request = n,
-                               .axis = plane(OutputKind::ConeAxis),
-                               .position = plane(OutputKind::ConePosition),
-                               .angle = plane(OutputKind::ConeAngle),
-                               .exponent = plane(OutputKind::ConeExponent),
-                               .importance = plane(OutputKind::ConeImportance)});
-    }
+    for (int n = 0; n < int(whole.emissions.size()); ++n)
+        facts.cones.push_back(coneSlot(emission.outputs, n, n));
     for (int c = 0; c < 3; ++c)
         facts.conesAreTheLights &= !emission.inputsRead[size_t(ShaderInput::Ps) + size_t(c)];
     return facts;

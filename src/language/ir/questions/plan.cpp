@@ -21,9 +21,7 @@ void eliminateCommonSubexpressions(Function &text, std::vector<ConeTest> &coneTe
     options.prints = true;
     SpecializedText specialized =
         specialize(text, dependence, b, {{Assumption::Light::Given, true, nullptr}}, options);
-    for (const OutputSlot &slot : text.outputs)
-        if (auto v = specialized.output(0, slot.name, slot.component))
-            output(b, slot.name, slot.component, *v);
+    writeOutputs(specialized, text, b);
     for (ConeTest &test : coneTests)
         if (test.known) {
             test.axis = specialized.mapping.triple(0, test.axis);

@@ -23,14 +23,6 @@ constexpr int scatterRecomputes = 1, viewRecomputes = 24;
 /// what values become there, for all cones.
 constexpr std::size_t mostPrepared = 2 * mostInstructions, mostMapped = 1 << 24;
 
-/// An array that responds to light has a copy for each probe.
-std::size_t arrayNumbers(const Function &function) {
-    std::size_t numbers = 0;
-    for (const Array &array : function.arrays)
-        numbers += std::size_t(array.size);
-    return numbers;
-}
-
 std::set<ValueId> loadsOf(const Function &function) {
     std::set<ValueId> loads;
     forEachInstruction(function.body, [&](const Instruction &i) {
@@ -80,8 +72,7 @@ void finishFramed(const Plan &plan, Builder &b, Function &function,
 std::vector<OutputSlot> prepareOutputs(const Plan &plan) {
     std::vector<OutputSlot> slots;
     const auto add = [&](const OutputName &name) {
-        for (int k = 0; k < componentsOf(name.kind, plan.text.colors.samples); ++k)
-            slots.push_back(outputSlot(name, k));
+        addOutputSlots(slots, name, plan.text.colors.samples);
     };
     for (int n = 0; n < int(plan.cones.size()); ++n)
         for (OutputKind kind : {OutputKind::ConeAxis, OutputKind::ConeAngle,

@@ -39,7 +39,7 @@ std::vector<Question> questionsOf(sl::ShaderKind);
 struct ConeSlot {
     int request = 0;  ///< Of lights: which of Function::emissions.
     int axis = 0;     ///< The first of three.
-    int position = 0; ///< Likewise; of lights alone.
+    int position = 0; ///< Likewise; -1: surfaces state none.
     int angle = 0, exponent = 0, importance = 0;
     bool exact = false; ///< The answer to light is this lobe, up to a factor.
 };

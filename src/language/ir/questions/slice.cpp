@@ -79,13 +79,8 @@ std::vector<ConeSlot> coneSlots(const Plan &plan) {
     const std::vector<OutputSlot> outputs = prepareOutputs(plan);
     std::vector<ConeSlot> slots;
     for (int n = 0; n < int(plan.cones.size()); ++n) {
-        const auto plane = [&](OutputKind kind) { return slotOf(outputs, {kind, n}); };
-        slots.push_back({.request = plan.cones[n].request,
-                         .axis = plane(OutputKind::ConeAxis),
-                         .angle = plane(OutputKind::ConeAngle),
-                         .exponent = plane(OutputKind::ConeExponent),
-                         .importance = plane(OutputKind::ConeImportance),
-                         .exact = plan.cones[n].exact});
+        slots.push_back(coneSlot(outputs, n, plan.cones[n].request));
+        slots.back().exact = plan.cones[n].exact;
     }
     return slots;
 }

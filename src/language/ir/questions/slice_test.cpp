@@ -24,12 +24,6 @@ void expectSame(float got, float expected, const char *what, unsigned seed, int 
                       << " instead of " << expected;
 }
 
-/// One text in two has the usual three samples, the others 1, 4 or 8.
-int colorSamplesOf(unsigned seed) {
-    constexpr int choices[] = {3, 1, 3, 4, 3, 8};
-    return choices[seed % 6];
-}
-
 /// A text with its batch; the whole text's Ci comes out by output name.
 struct Subject {
     Subject(unsigned seed, bool dynamic)

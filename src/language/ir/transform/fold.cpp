@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/ir/transform/fold.h"
 
-#include "language/ir/core/builder_effects.h"
 #include "language/ir/core/regions.h"
 #include "language/ir/transform/dead_code.h"
 #include "language/ir/transform/specialize.h"
@@ -36,9 +35,7 @@ std::optional<Function> rewrite(const Function &text, const Dependence &dependen
     options.unrolls = unrolls;
     SpecializedText specialized =
         specialize(text, dependence, b, {{Assumption::Light::Given, true, nullptr}}, options);
-    for (const OutputSlot &slot : text.outputs)
-        if (auto v = specialized.output(0, slot.name, slot.component))
-            output(b, slot.name, slot.component, *v);
+    writeOutputs(specialized, text, b);
     b.finish();
     if (b.budget().exceeded())
         return {};

@@ -2,6 +2,7 @@
 #include "language/ir/transform/specialize.h"
 
 #include "language/ir/core/builder_control.h"
+#include "language/ir/core/builder_effects.h"
 #include "language/ir/transform/specialization.h"
 
 #include <algorithm>
@@ -35,6 +36,12 @@ std::optional<ValueId> SpecializedText::responseOutput(const OutputName &name, i
     auto it = outputs.find({name, component});
     bool lit = it != outputs.end() && dependence.responds(it->second);
     return lit ? std::optional(mapping.value(0, it->second)) : std::nullopt;
+}
+
+void writeOutputs(SpecializedText &specialized, const Function &text, Builder &b) {
+    for (const OutputSlot &slot : text.outputs)
+        if (const auto v = specialized.output(0, slot.name, slot.component))
+            output(b, slot.name, slot.component, *v);
 }
 
 SpecializedText specialize(const Function &text, const Dependence &dependence, Builder &b,

@@ -64,6 +64,9 @@ struct SpecializedText {
     std::optional<ValueId> responseOutput(const OutputName &, int component);
 };
 
+/// Writes all outputs that the text has, as they have become under assumption 0.
+void writeOutputs(SpecializedText &, const Function &text, Builder &);
+
 /// Outputs are for the caller to write. Text and dependence must outlive the result.
 SpecializedText specialize(const Function &text, const Dependence &, Builder &,
                            const std::vector<Assumption> &, const SpecializationOptions &);
