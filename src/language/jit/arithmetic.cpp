@@ -68,7 +68,7 @@ Value *floatOperation(CodeFunction &code, Op op, Value *a, Value *b) {
     }
 }
 
-Value *logicOperation(CodeFunction &code, Op op, ir::Rate result,
+Value *logicOperation(CodeFunction &code, Op op, ir::Uniformity result,
                       llvm::function_ref<Value *(int k)> operand) {
     auto &make = code.builder;
     switch (op) {

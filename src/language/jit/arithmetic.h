@@ -14,8 +14,8 @@ Value *like(Value *model, float);
 /// An operation for which ir::isFloatArithmetic() holds; `b` is the last operand.
 Value *floatOperation(CodeFunction &, ir::Op, Value *a, Value *b);
 /// Comparisons, logic, choice, conversions (the classes of operations of those names).
-/// Operands are taken at the rate of the result.
-Value *logicOperation(CodeFunction &, ir::Op, ir::Rate result,
+/// Operands are taken as uniform as the result is.
+Value *logicOperation(CodeFunction &, ir::Op, ir::Uniformity result,
                       llvm::function_ref<Value *(int k)> operand);
 /// As ir::randomNumber(): of the lanes' seeds, the place in the text, and the turn.
 Value *randomNumber(CodeFunction &, Value *seed, int place, Value *turn);

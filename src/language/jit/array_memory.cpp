@@ -13,7 +13,7 @@ static llvm::Type *scalarOf(const CodeFunction &code, const ir::Array &array) {
 
 llvm::Type *ArrayMemory::rowOf(const ir::Array &array) const {
     auto *scalar = scalarOf(code_, array);
-    return array.rate == ir::Rate::Varying ? code_.lanes.varying(scalar) : scalar;
+    return array.uniformity == ir::Uniformity::Varying ? code_.lanes.varying(scalar) : scalar;
 }
 
 ArrayMemory::ArrayMemory(CodeFunction &code, ValueTable &values, RuntimeCalls &calls,
@@ -59,7 +59,7 @@ Value *ArrayMemory::elementAddress(const ir::Instruction &i, Value *&index) {
     checkIndex(i, raw, index);
     if (!index->getType()->isVectorTy())
         return builder_.CreateGEP(rowOf(array), memory, index);
-    if (array.rate == ir::Rate::Varying)
+    if (array.uniformity == ir::Uniformity::Varying)
         index = builder_.CreateAdd(
             builder_.CreateMul(index, code_.lanes.splat(builder_.getInt32(code_.lanes.width()))),
             code_.lanes.laneNumbers());
@@ -85,7 +85,7 @@ void ArrayMemory::store(const ir::Instruction &i) {
     auto *mask = code_.masks.current();
     Value *index = nullptr;
     auto *address = elementAddress(i, index);
-    auto *value = values_.get(i.operands[1], array.rate);
+    auto *value = values_.get(i.operands[1], array.uniformity);
     auto *row = rowOf(array);
     if (array.type == ir::Type::Bool)
         value = builder_.CreateZExt(value, row);

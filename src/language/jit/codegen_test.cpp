@@ -66,7 +66,7 @@ void collectPrint(void *context, const char *text) {
 template <typename Runner>
 Result run(TestBatch &batch, const ir::Function &function, Runner &&runner) {
     Result result;
-    batch.frame.assign(std::size_t(function.frameSlots) * batch.padded(), 0.25f);
+    batch.frame.assign(std::size_t(function.spillSlots) * batch.padded(), 0.25f);
     batch.callbacks = {&result.printed, collectPrint};
     result.outputs = batch.run(function, runner, unreached);
     result.frame = batch.frame;

@@ -9,8 +9,8 @@ namespace candela::codegen {
 
 using ir::Instruction;
 using ir::Op;
-using ir::Rate;
 using ir::Region;
+using ir::Uniformity;
 
 ControlFlow::ControlFlow(CodeFunction &code, ValueTable &values, TurnLimit &limit,
                          EmitRegion emitRegion)
@@ -18,7 +18,7 @@ ControlFlow::ControlFlow(CodeFunction &code, ValueTable &values, TurnLimit &limi
       emitRegion_(std::move(emitRegion)) {}
 
 void ControlFlow::emitIf(const Instruction &i) {
-    if (values_.rate(i.operands[0]) == Rate::Uniform)
+    if (values_.uniformity(i.operands[0]) == Uniformity::Uniform)
         emitUniformIf(i);
     else
         emitVaryingIf(i);
@@ -27,12 +27,12 @@ void ControlFlow::emitIf(const Instruction &i) {
 Values ControlFlow::yields(const Region &region, const Instruction &owner) const {
     Values result;
     for (std::size_t k = 0; k < owner.results.size(); ++k)
-        result.push_back(values_.get(region.yields[k], values_.rate(owner.results[k])));
+        result.push_back(values_.get(region.yields[k], values_.uniformity(owner.results[k])));
     return result;
 }
 
 void ControlFlow::emitUniformIf(const Instruction &i) {
-    auto *condition = values_.get(i.operands[0], Rate::Uniform);
+    auto *condition = values_.get(i.operands[0], Uniformity::Uniform);
     llvm::BasicBlock *starts[2] = {code_.block("then"), code_.block("else")};
     auto *join = code_.block("endif");
     builder_.CreateCondBr(condition, starts[0], starts[1]);
@@ -73,7 +73,7 @@ Values ControlFlow::emitBranch(const Region &region, Value *taken, const Instruc
 }
 
 void ControlFlow::emitVaryingIf(const Instruction &i) {
-    auto *condition = values_.get(i.operands[0], Rate::Varying);
+    auto *condition = values_.get(i.operands[0], Uniformity::Varying);
     const bool jumps = !isTrivial(i.regions[0]) || !isTrivial(i.regions[1]);
     auto *kept = jumps ? code_.lanes.kept(condition) : condition;
     const Values then = emitBranch(i.regions[0], code_.masks.currentAnd(condition), i);
@@ -89,11 +89,11 @@ void ControlFlow::emitVaryingIf(const Instruction &i) {
 
 void ControlFlow::emitLoop(const Instruction &i) {
     const Region &region = i.regions[0];
-    const bool varying = values_.rate(region.arguments[0]) == Rate::Varying;
+    const bool varying = values_.uniformity(region.arguments[0]) == Uniformity::Varying;
     // Masks are carried in the form that is kept.
     const auto isMask = [&](std::size_t k) {
         const ir::Value &value = values_.function().values[region.arguments[k]];
-        return value.type == ir::Type::Bool && value.rate == Rate::Varying;
+        return value.type == ir::Type::Bool && value.uniformity == Uniformity::Varying;
     };
     const auto kept = [&](std::size_t k, Value *value) {
         return isMask(k) ? code_.lanes.kept(value) : value;
@@ -103,7 +103,8 @@ void ControlFlow::emitLoop(const Instruction &i) {
     };
     Values initial;
     for (std::size_t k = 0; k < i.operands.size(); ++k)
-        initial.push_back(kept(k, values_.get(i.operands[k], values_.rate(region.arguments[k]))));
+        initial.push_back(
+            kept(k, values_.get(i.operands[k], values_.uniformity(region.arguments[k]))));
     TurnLimit::Scope turns(limit_, i);
     auto *from = builder_.GetInsertBlock();
     auto *head = code_.block("loop"), *body = code_.block("loop_body"),
@@ -131,9 +132,9 @@ void ControlFlow::emitLoop(const Instruction &i) {
     MaskStack::Scope scope(code_.masks, turns.take(code_.lanes.asMask(mask), done));
     emitRegion_(region);
     for (std::size_t k = 0; k < carried.size(); ++k) {
-        const Rate rate = values_.rate(region.arguments[k]);
-        auto *next = values_.get(region.yields[k], rate);
-        if (varying && rate == Rate::Varying)
+        const Uniformity uniformity = values_.uniformity(region.arguments[k]);
+        auto *next = values_.get(region.yields[k], uniformity);
+        if (varying && uniformity == Uniformity::Varying)
             next = builder_.CreateSelect(code_.masks.current(), next,
                                          values_.get(region.arguments[k]));
         carried[k]->addIncoming(kept(k, next), builder_.GetInsertBlock());

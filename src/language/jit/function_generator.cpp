@@ -23,8 +23,8 @@ namespace {
 using ir::Instruction;
 using ir::Op;
 using ir::OpClass;
-using ir::Rate;
 using ir::Region;
+using ir::Uniformity;
 
 struct PlaneStore {
     Value *value, *to;
@@ -34,14 +34,14 @@ bool isStore(const Instruction &i) { return i.op == Op::Output || i.op == Op::Fr
 
 PlaneStore planeStore(CodeFunction &code, ShaderArguments &arguments, const ValueTable &values,
                       const TurnLimit &limit, const Instruction &i) {
-    auto *value = values.get(i.operands[0], Rate::Varying);
+    auto *value = values.get(i.operands[0], Uniformity::Varying);
     if (i.op == Op::Output)
         return {limit.whereRunning(value, values.function().outputs[i.immediate].whenEnded),
                 arguments.plane(offsetof(ShaderArgs, outputs), i.immediate)};
     if (value->getType()->isIntOrIntVectorTy())
         value = code.builder.CreateUIToFP(value, code.lanes.varying(code.floatType));
     return {limit.whereRunning(value, 0),
-            arguments.frameSlot(i.immediate, values.function().frameSlots)};
+            arguments.spillSlot(i.immediate, values.function().spillSlots)};
 }
 
 /// Stores in a row. Where masking costs, one test, `allRun`, finds out whether all lanes run.
@@ -271,10 +271,10 @@ void FunctionGenerator::emit(const Instruction &i) {
 }
 
 Value *FunctionGenerator::operation(const Instruction &i) {
-    const Rate rate = values_.rate(i.results[0]);
-    const auto operand = [&](int k) { return values_.get(i.operands[k], rate); };
+    const Uniformity uniformity = values_.uniformity(i.results[0]);
+    const auto operand = [&](int k) { return values_.get(i.operands[k], uniformity); };
     if (!ir::isFloatArithmetic(i.op))
-        return logicOperation(code_, i.op, rate, operand);
+        return logicOperation(code_, i.op, uniformity, operand);
     auto *a = operand(0), *b = operand(int(i.operands.size()) - 1);
     return floatOperation(code_, i.op, a, b);
 }
@@ -318,11 +318,11 @@ Values FunctionGenerator::source(const Instruction &i) {
     case Op::Random: {
         auto *seeds = arguments_.plane(offsetof(ShaderArgs, inputs), int(ShaderInput::seed));
         return {randomNumber(code_, code_.lanes.load(code_.integerType, seeds), i.immediate,
-                             values_.get(i.operands[0], Rate::Varying))};
+                             values_.get(i.operands[0], Uniformity::Varying))};
     }
     case Op::FrameLoad:
         return {code_.lanes.load(code_.floatType,
-                                 arguments_.frameSlot(i.immediate, function_.frameSlots))};
+                                 arguments_.spillSlot(i.immediate, function_.spillSlots))};
     case Op::AnsweredRequest: return {answersRequest(i.immediate)};
     case Op::CategoryAccepts:
         return {acceptedByCategory(code_, arguments_, i.immediate, arguments_.firstPoint())};

@@ -50,10 +50,10 @@ void addFunction(ContentHash &hash, const ir::Function &function) {
     hash.add(std::uint64_t(function.colors.samples));
     hash.add(function.values.size());
     for (const ir::Value &value : function.values)
-        hash.add(std::uint64_t(value.type) << 8 | std::uint64_t(value.rate));
+        hash.add(std::uint64_t(value.type) << 8 | std::uint64_t(value.uniformity));
     hash.add(function.arrays.size());
     for (const ir::Array &array : function.arrays) {
-        hash.add(std::uint64_t(array.type) << 8 | std::uint64_t(array.rate));
+        hash.add(std::uint64_t(array.type) << 8 | std::uint64_t(array.uniformity));
         hash.add(std::uint64_t(array.size));
     }
     hash.add(function.requests.size());
@@ -65,7 +65,7 @@ void addFunction(ContentHash &hash, const ir::Function &function) {
     addTexts(hash, function.strings);
     addTexts(hash, ir::anyInstruction(function.body, namesPlace) ? function.files
                                                                  : std::vector<std::string>());
-    hash.add(std::uint64_t(function.frameSlots));
+    hash.add(std::uint64_t(function.spillSlots));
     hash.add(std::uint64_t(std::uint32_t(function.mostTurns)));
     for (const ir::OutputSlot &slot : function.outputs)
         hash.add(std::uint64_t(std::bit_cast<std::uint32_t>(slot.whenEnded)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// LLVM values by rate: uniform values are scalars; varying ones vectors of W lanes (at W = 1
+// LLVM values by uniformity: uniform values are scalars; varying ones vectors of W lanes (at W = 1
 // scalars too). Everything that depends on the width is decided here.
 //
 // Masks are vectors of bits where they are used, and kept as words as wide as the data from one
@@ -31,8 +31,8 @@ public:
     llvm::Type *varying(llvm::Type *scalar) const {
         return width_ == 1 ? scalar : llvm::FixedVectorType::get(scalar, width_);
     }
-    llvm::Type *type(ir::Type type, ir::Rate rate) const {
-        return rate == ir::Rate::Varying ? varying(scalarType(type)) : scalarType(type);
+    llvm::Type *type(ir::Type type, ir::Uniformity uniformity) const {
+        return uniformity == ir::Uniformity::Varying ? varying(scalarType(type)) : scalarType(type);
     }
 
     llvm::Value *splat(llvm::Value *value) const {

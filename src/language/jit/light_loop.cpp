@@ -9,7 +9,7 @@
 
 namespace candela::codegen {
 
-using ir::Rate;
+using ir::Uniformity;
 
 /// bytes[light] != 0, lane by lane. Inactive lanes look at light 0, so a byte a lane may be read
 /// without branches.
@@ -76,7 +76,7 @@ LightLoop::LightLoop(CodeFunction &code, ShaderArguments &arguments, ValueTable 
 
 void LightLoop::findCones() {
     const ir::Instruction &i = instruction_;
-    auto *angle = values_.get(i.operands[6], Rate::Varying);
+    auto *angle = values_.get(i.operands[6], Uniformity::Varying);
     if (request_.form == ir::ConeForm::Extended) {
         delta_ = builder_.CreateFCmpOLE(angle, like(angle, 0));
         if (auto *known = llvm::dyn_cast<llvm::Constant>(delta_); known && known->isZeroValue())
@@ -86,14 +86,14 @@ void LightLoop::findCones() {
         return;
     }
     coneAxis_ = normalized(
-        code_, values_.get({i.operands[3], i.operands[4], i.operands[5]}, Rate::Varying));
+        code_, values_.get({i.operands[3], i.operands[4], i.operands[5]}, Uniformity::Varying));
     coneCosine_ = callMath(code_, runtime::MathFunction::cos, {angle});
 }
 
 LightLoop::Sample LightLoop::deltaSample() {
     const ir::Instruction &i = instruction_;
     Sample sample;
-    sample.L = values_.get({i.operands[3], i.operands[4], i.operands[5]}, Rate::Varying);
+    sample.L = values_.get({i.operands[3], i.operands[4], i.operands[5]}, Uniformity::Varying);
     sample.Cl = arguments_.color(offsetof(ShaderArgs, answers), i.immediate * code_.colorSamples);
     auto *speaks = code_.masks.currentAnd(code_.lanes.asMask(delta_));
     sample.lanes = code_.lanes.kept(builder_.CreateAnd(speaks, anyNonZero(code_, sample.Cl)));
@@ -209,7 +209,7 @@ Values LightLoop::run(const Sample &light, const Values &carried, const EmitRegi
     Values after;
     for (std::size_t k = 0; k < carried.size(); ++k)
         after.push_back(builder_.CreateSelect(code_.lanes.asMask(light.lanes),
-                                              values_.get(region.yields[k], Rate::Varying),
+                                              values_.get(region.yields[k], Uniformity::Varying),
                                               carried[k]));
     return after;
 }
@@ -220,7 +220,7 @@ void LightLoop::emit(const EmitRegion &emitRegion) {
     Values initial;
     for (std::size_t k = 0; k < carriedCount; ++k)
         initial.push_back(
-            values_.get(i.operands[i.operands.size() - carriedCount + k], Rate::Varying));
+            values_.get(i.operands[i.operands.size() - carriedCount + k], Uniformity::Varying));
     auto *first = firstNumber();
     auto *count = arguments_.field(offsetof(ShaderArgs, sampleCount), code_.integerType);
     findPlanes(count);

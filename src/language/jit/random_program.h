@@ -20,7 +20,7 @@ public:
         function.parameters.resize(5);
         function.variables.resize(3);
         function.categories = {"key", "-key"};
-        function.frameSlots = 4;
+        function.spillSlots = 4;
         for (int k = 0; k < 2; ++k) // For AnsweredRequest.
             addRequest(b_, {ir::LightRequest::Kind::Trace, ir::ConeForm::Everywhere, 0, -1, 0});
         statements(14, 3);

@@ -5,7 +5,7 @@
 
 namespace candela::codegen {
 
-using ir::Rate;
+using ir::Uniformity;
 
 RuntimeCalls::RuntimeCalls(CodeFunction &code, const ShaderArguments &arguments, ValueTable &values,
                            const FunctionPieces &pieces)
@@ -84,9 +84,9 @@ void RuntimeCalls::call(const ir::Instruction &i) {
 }
 
 Values RuntimeCalls::evaluate(const ir::Instruction &i) {
-    const Rate rate = values_.rate(i.results[0]);
-    auto *type = code_.lanes.type(ir::Type::Float, rate);
-    Values arguments = values_.get(i.operands, rate);
+    const Uniformity uniformity = values_.uniformity(i.results[0]);
+    auto *type = code_.lanes.type(ir::Type::Float, uniformity);
+    Values arguments = values_.get(i.operands, uniformity);
     if (i.results.size() == 1)
         return {builder_.CreateCall(runtimeFunction(i, type), arguments)};
     Value *&others = callMemory_[code_.function];
@@ -111,7 +111,7 @@ void RuntimeCalls::print(const ir::Instruction &i) {
     for (std::size_t k = 0; k < i.operands.size(); ++k) {
         const ir::Type type = values_.function().values[i.operands[k]].type;
         types += type == ir::Type::Float ? 'f' : type == ir::Type::String ? 's' : 'i';
-        auto *value = values_.get(i.operands[k], Rate::Varying);
+        auto *value = values_.get(i.operands[k], Uniformity::Varying);
         value = type == ir::Type::Float  ? builder_.CreateBitCast(value, row)
                 : type == ir::Type::Bool ? builder_.CreateZExt(value, row)
                                          : value;

@@ -82,7 +82,7 @@ Values ShaderArguments::color(std::size_t tableField, int first) {
     });
 }
 
-Value *ShaderArguments::frameSlot(int slot, int slots) {
+Value *ShaderArguments::spillSlot(int slot, int slots) {
     auto *group =
         builder_.CreateSExt(builder_.CreateLShr(place_.firstPoint, 4), builder_.getInt64Ty());
     auto *lane =

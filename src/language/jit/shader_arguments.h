@@ -41,7 +41,7 @@ public:
     /// A colour's planes, from `first` on of a table that may be null: black then.
     Values color(std::size_t tableField, int first);
     /// A slot of the frame, which has `slots` for each group of 16 points.
-    Value *frameSlot(int slot, int slots);
+    Value *spillSlot(int slot, int slots);
     /// The elements of a named coordinate system's matrix.
     Values spaceMatrix(int space, bool inverse);
 

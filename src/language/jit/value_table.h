@@ -12,25 +12,25 @@ public:
         : function_(function), lanes_(lanes), values_(function.values.size()) {}
 
     const ir::Function &function() const { return function_; }
-    ir::Rate rate(ir::ValueId id) const { return function_.values[id].rate; }
+    ir::Uniformity uniformity(ir::ValueId id) const { return function_.values[id].uniformity; }
     /// For a function that is compiled in pieces, before any value is set.
     void keepIn(SpillArea &spills) { spills_ = &spills; }
-    /// Of a value's own rate.
+    /// As uniform as the value is.
     Value *get(ir::ValueId id) const {
         return spills_ ? spills_->here(id, values_[id]) : values_[id];
     }
-    /// Of the rate that is wanted, if the value's own is not above it.
-    Value *get(ir::ValueId id, ir::Rate wanted) const {
-        return wanted == ir::Rate::Varying ? lanes_.splat(get(id)) : get(id);
+    /// As is wanted: a varying one cannot be had as uniform.
+    Value *get(ir::ValueId id, ir::Uniformity wanted) const {
+        return wanted == ir::Uniformity::Varying ? lanes_.splat(get(id)) : get(id);
     }
-    Values get(const std::vector<ir::ValueId> &ids, ir::Rate wanted) const {
+    Values get(const std::vector<ir::ValueId> &ids, ir::Uniformity wanted) const {
         Values result;
         for (ir::ValueId id : ids)
             result.push_back(get(id, wanted));
         return result;
     }
     void set(ir::ValueId id, Value *value) {
-        values_[id] = rate(id) == ir::Rate::Varying ? lanes_.splat(value) : value;
+        values_[id] = uniformity(id) == ir::Uniformity::Varying ? lanes_.splat(value) : value;
         if (spills_)
             spills_->save(id, values_[id]);
     }

@@ -67,7 +67,7 @@ struct ShaderArgs {
     const std::int32_t *objectIndex = nullptr;
 
     /// Values saved between questions: slot k of lane i stands at
-    /// frame[((i / 16) * frameSlots + k) * 16 + i % 16].
+    /// frame[((i / 16) * spillSlots + k) * 16 + i % 16].
     float *frame = nullptr;
     /// Output planes in ir::Function::outputs order. Lanes that don't reach an output leave it
     /// as it was.

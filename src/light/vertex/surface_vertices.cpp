@@ -117,7 +117,7 @@ ShaderArgs SurfaceVertices::arguments() const {
 void SurfaceVertices::prepare(const float *const *ambient) {
     const QuestionCode &question = code().question(ir::Question::Prepare);
     reserve(storage_.outputs, int(question.function.outputs.size()), capacity_);
-    reserve(storage_.frame, question.function.frameSlots, capacity_);
+    reserve(storage_.frame, question.function.spillSlots, capacity_);
     storage_.outputTable.resize(question.function.outputs.size());
     for (std::size_t slot = 0; slot < storage_.outputTable.size(); ++slot)
         storage_.outputTable[slot] = storage_.outputs[int(slot)];

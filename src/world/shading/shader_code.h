@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One specialisation of a shader (its text with strings and steering parameters folded in, and
-// the primitive variables that override parameters) with native code for each question, and the
+// One specialisation of a shader (its text with strings and control-relevant parameters folded in,
+// and the primitive variables that override parameters) with native code for each question, and the
 // parameter blocks of all instances that share it.
 #pragma once
 

@@ -27,8 +27,8 @@ struct ShaderLibrary::State {
     std::shared_ptr<Jit> jit;
     std::shared_ptr<const ShaderMessages> messages;
     std::map<std::string, std::optional<ir::LoweredShader>> lowered; ///< By source and strings.
-    std::map<const ir::LoweredShader *, std::vector<int>> steering;  ///< Of those.
-    std::map<std::string, std::shared_ptr<ShaderCode>> codes;        ///< And by folded values.
+    std::map<const ir::LoweredShader *, std::vector<int>> controlRelevant; ///< Of those.
+    std::map<std::string, std::shared_ptr<ShaderCode>> codes; ///< And by folded values.
     std::vector<std::shared_ptr<ShaderCode>> inOrder;
     std::size_t ready = 0; ///< How many of these have been compiled.
 
@@ -166,10 +166,10 @@ std::optional<ShaderInstance> ShaderLibrary::instance(ShaderKind kind, const Sha
 
     std::vector<float> block = parameterBlock(*lowered, record, options, state_->diagnostics);
     std::vector<ir::FoldedValue> folded;
-    auto [steering, isNew] = state_->steering.try_emplace(lowered);
+    auto [controlRelevant, isNew] = state_->controlRelevant.try_emplace(lowered);
     if (isNew)
-        steering->second = ir::controlRelevantParameters(lowered->whole);
-    for (int slot : steering->second) {
+        controlRelevant->second = ir::controlRelevantParameters(lowered->whole);
+    for (int slot : controlRelevant->second) {
         folded.push_back({slot, block[slot]});
         key += " " + std::to_string(slot) + "=" +
                std::string(reinterpret_cast<const char *>(&block[slot]), sizeof(float));

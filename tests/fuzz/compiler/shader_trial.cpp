@@ -110,7 +110,7 @@ private:
     std::map<Question, ir::Function> slices_;
 };
 
-std::vector<ir::FoldedValue> steeringValues(const ir::Function &whole, Batch &batch) {
+std::vector<ir::FoldedValue> controlRelevantValues(const ir::Function &whole, Batch &batch) {
     std::vector<ir::FoldedValue> values;
     for (const int slot : ir::controlRelevantParameters(whole))
         values.push_back({slot, batch.makeEqual(slot)});
@@ -136,7 +136,7 @@ std::string tryUnder(ir::LightRule rule, const ir::LoweredShader &shader, Chance
     const bool isSurface = shader.kind == sl::ShaderKind::Surface;
     Batch batch(shader, chance);
     monitor.enter(Stage::Facts, "fold");
-    const auto values = steeringValues(shader.whole, batch);
+    const auto values = controlRelevantValues(shader.whole, batch);
     ir::Function whole = values.empty() ? shader.whole : ir::fold(shader.whole, values);
     if (const std::string problem =
             values.empty() ? "" : tryFolded(shader.whole, whole, batch, monitor);

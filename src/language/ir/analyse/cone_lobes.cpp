@@ -44,7 +44,7 @@ public:
 
 private:
     const Instruction *definition(ValueId v) const { return dependence_.definition[v].instruction; }
-    bool early(ValueId v) const { return dependence_.stage[v] < Stage::Response; }
+    bool early(ValueId v) const { return dependence_.bindingTime[v] < BindingTime::Response; }
     bool early(const Triple &t) const { return early(t[0]) && early(t[1]) && early(t[2]); }
 
     static std::vector<Product> times(const std::vector<Product> &a,

@@ -40,8 +40,8 @@ struct Cone {
 };
 
 /// The cones of all requests in the text, in request order. `recognize`: read lobes off classic
-/// loops; their values may stand in the loops' bodies, which are computed before if stages are told
-/// apart.
+/// loops; their values may stand in the loops' bodies, which are computed before if binding times
+/// are told apart.
 std::vector<Cone> conesOf(const Function &text, const Dependence &, bool recognize);
 
 } // namespace candela::ir

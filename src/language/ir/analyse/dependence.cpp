@@ -18,74 +18,75 @@ bool sampleDependent(int plane) {
 }
 
 /// What a value needs; by control, too.
-struct StageAnalysis : ForwardAnalysis<Stage> {
+struct BindingTimeAnalysis : ForwardAnalysis<BindingTime> {
     using ForwardAnalysis::ForwardAnalysis;
 
-    Stage latest(std::span<const ValueId> values, Stage start = Stage::Surface) const {
+    BindingTime latest(std::span<const ValueId> values,
+                       BindingTime start = BindingTime::Surface) const {
         for (ValueId v : values)
             start = std::max(start, at(v));
         return start;
     }
-    /// A frame slot holds a float; integers and strings that control flow chooses are chosen anew.
+    /// A spill slot holds a float; integers and strings that control flow chooses are chosen anew.
     bool canBeSaved(ValueId v) const {
         const Type type = function.values[v].type;
         return type == Type::Float || type == Type::Bool;
     }
 
     /// The latest condition that stands around; a light loop's is the light itself.
-    Stage conditionAround(const Enclosing *around) const {
-        Stage condition = Stage::Surface;
+    BindingTime conditionAround(const Enclosing *around) const {
+        BindingTime condition = BindingTime::Surface;
         for (; around; around = around->outer) {
             const auto decides = conditionOf(*around->owner);
-            condition = std::max(condition, decides ? at(*decides) : Stage::Response);
+            condition = std::max(condition, decides ? at(*decides) : BindingTime::Response);
         }
         return condition;
     }
     /// The latest value that a loop around carries.
-    Stage carriedAround(const Enclosing *around) const {
-        Stage carried = Stage::Surface;
+    BindingTime carriedAround(const Enclosing *around) const {
+        BindingTime carried = BindingTime::Surface;
         for (; around; around = around->outer)
             if (around->owner->op == Op::Loop)
                 carried = latest(around->owner->regions[0].arguments, carried);
         return carried;
     }
 
-    Stage result(const Instruction &i, std::size_t, const Enclosing *) const {
+    BindingTime result(const Instruction &i, std::size_t, const Enclosing *) const {
         if (i.op == Op::Input)
-            return sampleDependent(i.immediate) ? Stage::Response
-                   : viewDependent(i.immediate) ? Stage::View
-                                                : Stage::Surface;
+            return sampleDependent(i.immediate) ? BindingTime::Response
+                   : viewDependent(i.immediate) ? BindingTime::View
+                                                : BindingTime::Surface;
         if (isArrayAccess(i.op))
             return arrayOf(i);
-        return isAnswer(i.op) ? Stage::Response : latest(i.operands);
+        return isAnswer(i.op) ? BindingTime::Response : latest(i.operands);
     }
     /// Loads and stores of an array keep their order: all count to the latest.
-    Stage array(const Instruction &i, const Enclosing *around) const {
+    BindingTime array(const Instruction &i, const Enclosing *around) const {
         return std::max(
             {arrayOf(i), latest(i.operands, conditionAround(around)), carriedAround(around)});
     }
-    Stage flow(const ValueFlow &flow, const Enclosing *around) const {
+    BindingTime flow(const ValueFlow &flow, const Enclosing *around) const {
         const auto condition = conditionOf(flow.owner);
         if (!condition || !canBeSaved(flow.to))
-            return Stage::Response;
-        const Stage stage = latest(flow.from, at(*condition));
-        return flow.owner.op == Op::Loop ? std::max(stage, conditionAround(around)) : stage;
+            return BindingTime::Response;
+        const BindingTime time = latest(flow.from, at(*condition));
+        return flow.owner.op == Op::Loop ? std::max(time, conditionAround(around)) : time;
     }
-    Stage given(const Instruction &, std::size_t) const { return Stage::Response; }
+    BindingTime given(const Instruction &, std::size_t) const { return BindingTime::Response; }
 };
 
 /// Notes who makes the request, and whether it stands apart from all answers.
-void noteRequest(const StageAnalysis &stages, const Instruction &i, const Enclosing *around,
+void noteRequest(const BindingTimeAnalysis &times, const Instruction &i, const Enclosing *around,
                  Dependence &result) {
     result.request[i.immediate] = &i;
     const std::span<const ValueId> operands(i.operands);
-    const Stage asked =
-        stages.latest(i.op == Op::LightLoop ? operands.subspan(3, fixedOperands(i) - 3) : operands);
+    const BindingTime asked =
+        times.latest(i.op == Op::LightLoop ? operands.subspan(3, fixedOperands(i) - 3) : operands);
     bool repeated = false;
     for (const Enclosing *owner = around; owner; owner = owner->outer)
         repeated |= owner->owner->op != Op::If;
-    const bool isStatic =
-        !repeated && asked < Stage::Response && stages.conditionAround(around) < Stage::Response;
+    const bool isStatic = !repeated && asked < BindingTime::Response &&
+                          times.conditionAround(around) < BindingTime::Response;
     if (!isStatic && result.staticRequests) {
         result.staticRequests = false;
         result.notStaticLine = i.line;
@@ -95,20 +96,20 @@ void noteRequest(const StageAnalysis &stages, const Instruction &i, const Enclos
 } // namespace
 
 Dependence analyzeDependence(const Function &function) {
-    StageAnalysis stages(function);
-    solve(stages);
+    BindingTimeAnalysis times(function);
+    solve(times);
     Dependence result;
-    for (const auto &cell : stages.values)
-        result.stage.push_back(cell.fact);
-    for (const auto &cell : stages.arrays)
-        result.arrayStage.push_back(cell.fact);
+    for (const auto &cell : times.values)
+        result.bindingTime.push_back(cell.fact);
+    for (const auto &cell : times.arrays)
+        result.arrayBindingTime.push_back(cell.fact);
     result.definition.resize(function.values.size());
     result.request.assign(function.requests.size(), nullptr);
     forEachEnclosed(function.body, [&](const Instruction &i, const Enclosing *around) {
         for (std::size_t k = 0; k < i.results.size(); ++k)
             result.definition[i.results[k]] = {&i, int(k)};
         if (info(i.op).immediate == Immediate::Request)
-            noteRequest(stages, i, around, result);
+            noteRequest(times, i, around, result);
     });
     return result;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What depends on what: the stage of every value, and where it is made.
+// What depends on what: the binding time of every value, and where it is made.
 #pragma once
 
 #include "language/ir/core/ir.h"
@@ -10,7 +10,7 @@ namespace candela::ir {
 
 /// Values are partitioned by dependence: Surface (neither view nor light), View (depends on I) and
 /// Response (depends on a light sample or an answer).
-enum class Stage : std::uint8_t { Surface, View, Response };
+enum class BindingTime : std::uint8_t { Surface, View, Response };
 
 /// Dependence by data and by control. A value made in a branch does not depend on the branch's
 /// condition (it may be computed earlier, whatever the condition will be); what leaves the branch
@@ -20,16 +20,16 @@ struct Dependence {
         const Instruction *instruction = nullptr; ///< Null for arguments of regions.
         int result = 0;
     };
-    std::vector<Stage> stage;           ///< By ValueId.
-    std::vector<Stage> arrayStage;      ///< By array: of all its loads and stores.
-    std::vector<Definition> definition; ///< By ValueId.
+    std::vector<BindingTime> bindingTime;      ///< By ValueId.
+    std::vector<BindingTime> arrayBindingTime; ///< By array: of all its loads and stores.
+    std::vector<Definition> definition;        ///< By ValueId.
     /// By request: the instruction that makes it; null if it is gone.
     std::vector<const Instruction *> request;
     bool staticRequests = true;
     int notStaticLine = 0;
 
     /// Whether light reaches the value.
-    bool responds(ValueId v) const { return stage[v] == Stage::Response; }
+    bool responds(ValueId v) const { return bindingTime[v] == BindingTime::Response; }
 };
 
 /// The function must outlive the result.

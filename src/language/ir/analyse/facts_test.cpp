@@ -380,7 +380,7 @@ TEST(LightRule, GivesLoopsOnlyToThoseWithout) {
     EXPECT_EQ(print(applyLightRule(own, LightRule::Path)), print(own));
 }
 
-TEST(Fold, SteeringParametersVanish) {
+TEST(Fold, ControlRelevantParametersVanish) {
     Function whole = surface([](Builder &b) {
         Values shine = ifElse(
             b, less(b, number(b, 0), parameter(b, 2)), [&] { return specular(b, parameter(b, 3)); },

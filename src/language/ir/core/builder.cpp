@@ -3,7 +3,7 @@
 
 #include "language/ir/core/builder_fold.h"
 #include "language/ir/core/op_info.h"
-#include "language/ir/core/rates.h"
+#include "language/ir/core/uniformity.h"
 #include "language/runtime/runtime_functions.h"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ Builder::Builder(Function &function, Budget budget) : function_(function), budge
 
 void Builder::finish() {
     constants_.moveTo(function_);
-    inferRates(function_);
+    inferUniformity(function_);
     markInputsRead(function_);
 }
 
@@ -43,20 +43,21 @@ std::size_t Builder::KeyHash::operator()(const Key &key) const {
 
 namespace {
 
-Rate rateOfResults(const Function &function, Op op, const Values &operands) {
-    Rate rate = info(op).uniformity == ResultUniformity::Varying ? Rate::Varying : Rate::Uniform;
+Uniformity uniformityOfResults(const Function &function, Op op, const Values &operands) {
+    Uniformity uniformity = info(op).uniformity == ResultUniformity::Varying ? Uniformity::Varying
+                                                                             : Uniformity::Uniform;
     for (ValueId v : operands)
-        if (function.values[v].rate == Rate::Varying)
-            rate = Rate::Varying;
-    return rate;
+        if (function.values[v].uniformity == Uniformity::Varying)
+            uniformity = Uniformity::Varying;
+    return uniformity;
 }
 
 Values makeResults(Function &function, Op op, const Values &operands, int immediate) {
-    const Rate rate = rateOfResults(function, op, operands);
+    const Uniformity uniformity = uniformityOfResults(function, op, operands);
     Values results;
     const auto make = [&](Type type, int count) {
         for (int k = 0; k < count; ++k)
-            results.push_back(function.addValue(type, rate));
+            results.push_back(function.addValue(type, uniformity));
     };
     const Type same = isArrayAccess(op)  ? function.arrays[immediate].type
                       : operands.empty() ? Type::Float

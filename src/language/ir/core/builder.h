@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes IR functions: infers types and rates, pools constants, folds what can be folded without
-// changing a bit of any result, and reuses values that stand already.
+// Writes IR functions: infers types and uniformity, pools constants, folds what can be folded
+// without changing a bit of any result, and reuses values that stand already.
 //
 // The builder itself knows only instructions and regions; what one writes with it are functions
 // by subject: builder_sources.h (constants, inputs), builder_arithmetic.h, builder_vectors.h,
@@ -43,7 +43,7 @@ public:
     Builder(const Builder &) = delete;
     Builder &operator=(const Builder &) = delete;
 
-    /// Puts the constants at the body's head and infers all rates once more (a loop may have made
+    /// Puts the constants at the body's head and infers uniformity once more (a loop may have made
     /// its carried values varying after they were used). Nothing may be added after it.
     void finish();
 
@@ -51,7 +51,7 @@ public:
     const ColorBasis &colors() const { return function_.colors; }
     Type type(ValueId v) const { return function_.values[v].type; }
     /// What is known so far; a loop's carried values may turn out varying later.
-    Rate rate(ValueId v) const { return function_.values[v].rate; }
+    Uniformity uniformity(ValueId v) const { return function_.values[v].uniformity; }
     /// The instruction that defines a constant value, null for others: for callers that decide at
     /// compile time. Valid until the next constant is made.
     const Instruction *constant(ValueId v) const { return constants_.find(v); }
@@ -73,7 +73,7 @@ public:
     void append(Instruction);
     /// Builds a region apart, to be given to append(). Values made in it are visible only there.
     Region region(const Values &arguments, const std::function<Values()> &body);
-    ValueId newValue(Type t, Rate r) { return function_.addValue(t, r); }
+    ValueId newValue(Type t, Uniformity r) { return function_.addValue(t, r); }
     /// The number of the next call site of random numbers.
     int nextRandom() { return randoms_++; }
 

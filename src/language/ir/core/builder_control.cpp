@@ -24,9 +24,11 @@ Values ifElse(Builder &b, ValueId condition, const std::function<Values()> &then
         } else if (empty) {
             results.push_back(select(b, condition, x, y));
         } else {
-            bool varying = b.rate(condition) == Rate::Varying || b.rate(x) == Rate::Varying ||
-                           b.rate(y) == Rate::Varying;
-            results.push_back(b.newValue(b.type(x), varying ? Rate::Varying : Rate::Uniform));
+            bool varying = b.uniformity(condition) == Uniformity::Varying ||
+                           b.uniformity(x) == Uniformity::Varying ||
+                           b.uniformity(y) == Uniformity::Varying;
+            results.push_back(
+                b.newValue(b.type(x), varying ? Uniformity::Varying : Uniformity::Uniform));
             instruction.results.push_back(results.back());
             yesKept.yields.push_back(x);
             noKept.yields.push_back(y);
@@ -56,14 +58,15 @@ Values loop(Builder &b, const Values &initial, const std::function<Values(const 
     Instruction instruction{Op::Loop, initial, {}, {}, 0, 0, b.line(), b.file()};
     Values arguments;
     for (ValueId v : initial)
-        arguments.push_back(b.newValue(b.type(v), b.rate(v)));
+        arguments.push_back(b.newValue(b.type(v), b.uniformity(v)));
     instruction.regions.push_back(b.region(arguments, [&] { return body(arguments); }));
     const Values &yields = instruction.regions[0].yields;
     for (std::size_t k = 0; k < initial.size(); ++k) {
-        bool varying = b.rate(initial[k]) == Rate::Varying || b.rate(yields[k]) == Rate::Varying ||
-                       b.rate(yields[0]) == Rate::Varying;
+        bool varying = b.uniformity(initial[k]) == Uniformity::Varying ||
+                       b.uniformity(yields[k]) == Uniformity::Varying ||
+                       b.uniformity(yields[0]) == Uniformity::Varying;
         instruction.results.push_back(
-            b.newValue(b.type(initial[k]), varying ? Rate::Varying : Rate::Uniform));
+            b.newValue(b.type(initial[k]), varying ? Uniformity::Varying : Uniformity::Uniform));
     }
     Values results = instruction.results;
     b.append(std::move(instruction));

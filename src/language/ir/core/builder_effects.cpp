@@ -7,7 +7,7 @@ namespace candela::ir {
 
 int addArray(Builder &b, Type type, int size) {
     auto &arrays = b.function().arrays;
-    arrays.push_back({type, Rate::Uniform, size});
+    arrays.push_back({type, Uniformity::Uniform, size});
     return int(arrays.size()) - 1;
 }
 ValueId arrayLoad(Builder &b, int array, ValueId index) {

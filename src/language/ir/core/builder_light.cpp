@@ -23,18 +23,18 @@ Values lightLoop(Builder &b, int request, const Triple &position, const Values &
     Triple L;
     Values Cl, carried, arguments;
     for (ValueId &v : L)
-        arguments.push_back(v = b.newValue(Type::Float, Rate::Varying));
+        arguments.push_back(v = b.newValue(Type::Float, Uniformity::Varying));
     for (int k = 0; k < b.colors().samples; ++k) {
-        Cl.push_back(b.newValue(Type::Float, Rate::Varying));
+        Cl.push_back(b.newValue(Type::Float, Uniformity::Varying));
         arguments.push_back(Cl.back());
     }
     for (ValueId v : initial) {
-        carried.push_back(b.newValue(b.type(v), Rate::Varying));
+        carried.push_back(b.newValue(b.type(v), Uniformity::Varying));
         arguments.push_back(carried.back());
     }
     instruction.regions.push_back(b.region(arguments, [&] { return body(L, Cl, carried); }));
     for (ValueId v : initial)
-        instruction.results.push_back(b.newValue(b.type(v), Rate::Varying));
+        instruction.results.push_back(b.newValue(b.type(v), Uniformity::Varying));
     Values results = instruction.results;
     b.append(std::move(instruction));
     return results;

@@ -11,7 +11,8 @@ namespace candela::ir {
 ValueId ConstantPool::intern(Function &function, Op op, int immediate, float number) {
     auto [it, isNew] = known_.try_emplace({op, immediate, std::bit_cast<std::uint32_t>(number)});
     if (isNew) {
-        ValueId v = it->second = function.addValue(typeOf(info(op).results[0]), Rate::Uniform);
+        ValueId v = it->second =
+            function.addValue(typeOf(info(op).results[0]), Uniformity::Uniform);
         index_.resize(v + 1, -1);
         index_[v] = int(constants_.size());
         constants_.push_back({op, {}, {v}, {}, immediate, number, 0});

@@ -5,7 +5,7 @@
 //   integer or a string. Analyses (slicing, affinity, derivatives, bounds) go channel by channel.
 // - Structured: control flow is If, Loop and LightLoop, which own regions. break, continue and
 //   return have been turned into conditions by the lowering, so masks nest like the text does.
-// - Rates: every value is uniform (the same in all lanes) or varying; rates are inferred from the
+// - Uniformity: every value is uniform (the same in all lanes) or varying; it is inferred from the
 //   operands, not from declarations. Instance parameters are varying: lanes of one batch may
 //   belong to different instances.
 // - Local arrays of static size that are indexed by computed indices are memory (ArrayLoad and
@@ -29,11 +29,11 @@ namespace candela::ir {
 using ValueId = std::uint32_t;
 
 enum class Type : std::uint8_t { Float, Bool, Integer, String };
-enum class Rate : std::uint8_t { Uniform, Varying };
+enum class Uniformity : std::uint8_t { Uniform, Varying };
 
 struct Value {
     Type type = Type::Float;
-    Rate rate = Rate::Uniform;
+    Uniformity uniformity = Uniformity::Uniform;
 };
 
 enum class Op : std::uint8_t {
@@ -99,7 +99,7 @@ struct Emission {
 /// A local array in memory.
 struct Array {
     Type type = Type::Float;
-    Rate rate = Rate::Varying;
+    Uniformity uniformity = Uniformity::Varying;
     int size = 0;
 };
 
@@ -130,20 +130,20 @@ struct Function {
     std::vector<ParameterSlot> variables;  ///< Planes that override parameters.
     std::vector<OutputSlot> outputs;
     std::vector<bool> inputsRead; ///< By ShaderInput.
-    int frameSlots = 0;
+    int spillSlots = 0;
     /// Turns of a loop, those of the loops in it included, for a point: then the point's loop ends,
     /// and its outputs are as OutputSlot::whenEnded says.
     int mostTurns = mostLoopTurns;
 
-    ValueId addValue(Type type, Rate rate) {
-        values.push_back({type, rate});
+    ValueId addValue(Type type, Uniformity uniformity) {
+        values.push_back({type, uniformity});
         return ValueId(values.size() - 1);
     }
 };
 
 /// The function as text, for `--emit ir`, tests and people.
 std::string print(const Function &);
-/// What is wrong with it: types, rates, uses before definitions, arities; empty if nothing is.
+/// What is wrong with it: types, uniformity, uses before definitions, arities; empty if nothing is.
 /// Slopes are wrong in what is to be run: only texts whose derivatives are yet to be written may
 /// have them.
 std::string verify(const Function &, bool mayHaveSlopes = false);

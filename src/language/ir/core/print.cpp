@@ -37,7 +37,7 @@ public:
     explicit Printer(const Function &function) : function_(function) {}
 
     std::string run() {
-        line("function {} frame {}", function_.name, function_.frameSlots);
+        line("function {} frame {}", function_.name, function_.spillSlots);
         if (!function_.colors.isRgb())
             line("colors of {} samples", function_.colors.samples);
         for (std::size_t i = 0; i < function_.requests.size(); ++i)
@@ -47,7 +47,7 @@ public:
                  function_.emissions[i].distant ? "distant" : "local",
                  function_.emissions[i].repeated ? " repeated" : "", function_.emissions[i].line);
         for (std::size_t i = 0; i < function_.arrays.size(); ++i)
-            line("array {} {} {} [{}]", i, rateName(function_.arrays[i].rate),
+            line("array {} {} {} [{}]", i, uniformityName(function_.arrays[i].uniformity),
                  typeName(function_.arrays[i].type), function_.arrays[i].size);
         print(function_.body, 1);
         return text_;
@@ -60,7 +60,9 @@ private:
         text_ += '\n';
     }
 
-    static const char *rateName(Rate rate) { return rate == Rate::Varying ? "varying" : "uniform"; }
+    static const char *uniformityName(Uniformity uniformity) {
+        return uniformity == Uniformity::Varying ? "varying" : "uniform";
+    }
     static const char *typeName(Type type) {
         constexpr const char *names[] = {"float", "bool", "integer", "string"};
         return names[int(type)];
@@ -78,7 +80,7 @@ private:
     std::string value(ValueId v) const {
         constexpr char letters[] = "fbis";
         const Value &known = function_.values[v];
-        return fmt::format("{}{}{}", known.rate == Rate::Varying ? "%" : "$",
+        return fmt::format("{}{}{}", known.uniformity == Uniformity::Varying ? "%" : "$",
                            letters[int(known.type)], v);
     }
     std::string list(const std::vector<ValueId> &values) const {

@@ -2,7 +2,7 @@
 #include "foundation/units/color.h"
 #include "language/ir/core/ir.h"
 #include "language/ir/core/op_info.h"
-#include "language/ir/core/rates.h"
+#include "language/ir/core/uniformity.h"
 #include "language/runtime/runtime_functions.h"
 
 #include <fmt/format.h>
@@ -24,7 +24,7 @@ public:
             return "the body has arguments or yields";
         check(function_.body);
         if (fault_.empty())
-            checkRates();
+            checkUniformity();
         return fault_;
     }
 
@@ -117,7 +117,7 @@ private:
         case Immediate::Emission: return below(function_.emissions.size());
         case Immediate::Category: return below(function_.categories.size());
         case Immediate::Output: return below(function_.outputs.size());
-        case Immediate::Frame: return below(std::size_t(std::max(function_.frameSlots, 0)));
+        case Immediate::Frame: return below(std::size_t(std::max(function_.spillSlots, 0)));
         case Immediate::Direction:
             return expect(i, mayHaveSlopes_, "is not written out") && below(directionCount);
         }
@@ -223,15 +223,15 @@ private:
         return checkAll(i, floats, int(floats.size()));
     }
 
-    /// Stated rates may be higher than needed, never lower.
-    void checkRates() {
+    /// What is said to vary may be uniform, never the other way.
+    void checkUniformity() {
         Function inferred = function_;
-        inferRates(inferred);
+        inferUniformity(inferred);
         for (std::size_t v = 0; v < function_.values.size(); ++v)
-            if (inferred.values[v].rate > function_.values[v].rate && fault_.empty())
+            if (inferred.values[v].uniformity > function_.values[v].uniformity && fault_.empty())
                 fault_ = fmt::format("value {} varies but is said to be uniform", v);
         for (std::size_t a = 0; a < function_.arrays.size(); ++a)
-            if (inferred.arrays[a].rate > function_.arrays[a].rate && fault_.empty())
+            if (inferred.arrays[a].uniformity > function_.arrays[a].uniformity && fault_.empty())
                 fault_ = fmt::format("array {} varies but is said to be uniform", a);
     }
 

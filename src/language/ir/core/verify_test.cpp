@@ -68,11 +68,15 @@ TEST(Verify, CatchesCorruptions) {
         {"no such parameter", [](Function &f) { find(f, Op::Parameter).immediate = 5; }},
         {"no such output", [](Function &f) { find(f, Op::Output).immediate = -1; }},
         {"no such request", [](Function &f) { f.requests.clear(); }},
-        {"frame slot out of range", [](Function &f) { find(f, Op::Output).op = Op::FrameStore; }},
-        {"rate too low",
-         [](Function &f) { f.values[find(f, Op::Input).results[0]].rate = Rate::Uniform; }},
-        {"rate of what diverges",
-         [](Function &f) { f.values[find(f, Op::Loop).results[1]].rate = Rate::Uniform; }},
+        {"spill slot out of range", [](Function &f) { find(f, Op::Output).op = Op::FrameStore; }},
+        {"uniformity too low",
+         [](Function &f) {
+             f.values[find(f, Op::Input).results[0]].uniformity = Uniformity::Uniform;
+         }},
+        {"uniformity of what diverges",
+         [](Function &f) {
+             f.values[find(f, Op::Loop).results[1]].uniformity = Uniformity::Uniform;
+         }},
     };
     for (const auto &[name, corrupt] : corruptions) {
         Function function = sample();

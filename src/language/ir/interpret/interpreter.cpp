@@ -75,7 +75,7 @@ private:
 class LaneArguments {
 public:
     LaneArguments(const ShaderArgs &args, const Function &function, int lane)
-        : args_(args), colorSamples_(function.colors.samples), frameSlots_(function.frameSlots),
+        : args_(args), colorSamples_(function.colors.samples), spillSlots_(function.spillSlots),
           lane_(lane) {}
 
     float input(int plane) const { return args_.inputs[plane][lane_]; }
@@ -118,7 +118,7 @@ public:
     }
 
     float &frame(int slot) const {
-        auto block = std::size_t(lane_ / laneBlock) * frameSlots_ + slot;
+        auto block = std::size_t(lane_ / laneBlock) * spillSlots_ + slot;
         return args_.frame[block * laneBlock + lane_ % laneBlock];
     }
     float &output(int slot) const { return args_.outputs[slot][lane_]; }
@@ -140,7 +140,7 @@ private:
     }
 
     const ShaderArgs &args_;
-    int colorSamples_, frameSlots_, lane_;
+    int colorSamples_, spillSlots_, lane_;
 };
 
 /// How long the loops of a lane may still run: each outermost one begins anew.

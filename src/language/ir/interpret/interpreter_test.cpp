@@ -121,7 +121,7 @@ TEST(Interpreter, DeltaRequestsTakeTheirAnswer) {
 
 TEST(Interpreter, LoopsArraysFramesAndPrinting) {
     Function function;
-    function.frameSlots = 2;
+    function.spillSlots = 2;
     Builder b(function);
     int array = addArray(b, Type::Float, 4);
     auto truth = boolean(b, true);

@@ -96,7 +96,7 @@ public:
     template <typename Run>
     std::vector<Plane> run(const Function &function, Run &&runner, float clear = 0) {
         std::vector<Plane> outputs(function.outputs.size(), Plane(padded(), clear));
-        if (std::size_t needed = std::size_t(function.frameSlots) * padded(); frame.size() < needed)
+        if (std::size_t needed = std::size_t(function.spillSlots) * padded(); frame.size() < needed)
             frame.resize(needed); // Never shrinks: what one question saved, another loads.
         ShaderArgs args;
         args.count = count;

@@ -114,7 +114,7 @@ void removeUnused(Function &function, std::vector<ShaderParameter> &parameters) 
     function.spaces = tables.spaces.apply(function.spaces);
     function.variables = tables.variables.apply(function.variables);
     function.categories = tables.categories.apply(function.categories);
-    Builder(function).finish(); // Rates and the inputs that are still read.
+    Builder(function).finish(); // Uniformity and the inputs that are still read.
 }
 
 } // namespace candela::ir

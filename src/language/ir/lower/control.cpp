@@ -79,7 +79,7 @@ void branch(Lowering &lowering, ValueId condition, const std::function<void()> &
         } else {
             thenRegion.yields.push_back(a);
             otherRegion.yields.push_back(o);
-            cells[i] = b.newValue(b.type(a), Rate::Uniform);
+            cells[i] = b.newValue(b.type(a), Uniformity::Uniform);
             instruction.results.push_back(cells[i]);
         }
     }

@@ -236,8 +236,8 @@ TEST(LowerControl, ConstantLoopsStayUniform) {
     ASSERT_TRUE(run.lowered);
     for (const Instruction &i : run.lowered->whole.body.body)
         if (i.op == Op::Loop) {
-            EXPECT_EQ(int(run.lowered->whole.values[i.regions[0].arguments[0]].rate),
-                      int(Rate::Uniform));
+            EXPECT_EQ(int(run.lowered->whole.values[i.regions[0].arguments[0]].uniformity),
+                      int(Uniformity::Uniform));
         }
 }
 

@@ -12,7 +12,7 @@ namespace candela::ir {
 
 namespace {
 
-/// Writes the text anew, so that equal values are one value and have one frame slot.
+/// Writes the text anew, so that equal values are one value and have one spill slot.
 void eliminateCommonSubexpressions(Function &text, std::vector<ConeTest> &coneTests) {
     Dependence dependence = analyzeDependence(text);
     Function shared = emptyLike(text);

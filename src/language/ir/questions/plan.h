@@ -13,7 +13,7 @@
 
 namespace candela::ir {
 
-/// Frame slots of the values that later stages need. The slot of Ce's channel k has the key
+/// Spill slots of the values that later binding times need. The slot of Ce's channel k has the key
 /// text.values.size() + k.
 struct FramePlan {
     std::map<ValueId, int> all;     ///< For Surface and View.
@@ -29,17 +29,17 @@ struct Plan {
     std::vector<Cone> cones;
     std::vector<bool> emits;   ///< By channel: Ce is not provably zero.
     bool readsAmbient = false; ///< Ci does.
-    bool framed = false;       ///< Requests are static; the stages are told apart.
+    bool framed = false;       ///< Requests are static; the binding times are told apart.
     FramePlan frame;           ///< Empty if not framed.
 };
 
-/// Outputs of a surface's Ci under an assumption, in one stage, as output `to`.
+/// Outputs of a surface's Ci under an assumption, in one binding time, as output `to`.
 Function specializeUnder(const Plan &, const Assumption &, OutputKind from, OutputKind to);
 
 FramePlan planFrame(const Plan &);
 
 /// The framed functions. Loads and stores that `slots` does not name are numbered by ValueId.
-Function specializePrepare(const Plan &, Stage first, const std::map<ValueId, int> &slots);
+Function specializePrepare(const Plan &, BindingTime first, const std::map<ValueId, int> &slots);
 Function specializeSurface(const Plan &, const std::map<ValueId, int> &slots);
 Function specializeScatter(const Plan &, const std::map<ValueId, int> &slots);
 /// Output slots of Prepare, in order: cones, Ce, Ca, Oi.

@@ -59,9 +59,9 @@ ValueId importanceOf(SpecializedText &specialized, Builder &b, int assumption,
 void finishFramed(const Plan &plan, Builder &b, Function &function,
                   const std::map<ValueId, int> &slots) {
     if (plan.framed) {
-        function.frameSlots = 0;
+        function.spillSlots = 0;
         for (auto [value, slot] : slots)
-            function.frameSlots = std::max(function.frameSlots, slot + 1);
+            function.spillSlots = std::max(function.spillSlots, slot + 1);
     }
     b.finish();
     removeDeadCode(function);
@@ -87,7 +87,7 @@ std::vector<OutputSlot> prepareOutputs(const Plan &plan) {
 
 /// With the importance of the first `probes` cones that are not stated; of the others it is said to
 /// be 1. Nothing if it becomes too large, which it does not without probes.
-static std::optional<Function> prepareWith(const Plan &plan, Stage first,
+static std::optional<Function> prepareWith(const Plan &plan, BindingTime first,
                                            const std::map<ValueId, int> &slots,
                                            std::size_t probes) {
     Function result = emptyLike(plan.text);
@@ -96,7 +96,7 @@ static std::optional<Function> prepareWith(const Plan &plan, Stage first,
     SpecializationOptions options;
     options.first = first;
     options.framed = plan.framed;
-    options.fused = first == Stage::Surface;
+    options.fused = first == BindingTime::Surface;
     options.recomputeCost = viewRecomputes;
     options.prints = true;
     options.slots = &slots;
@@ -136,7 +136,8 @@ static std::optional<Function> prepareWith(const Plan &plan, Stage first,
     return result;
 }
 
-Function specializePrepare(const Plan &plan, Stage first, const std::map<ValueId, int> &slots) {
+Function specializePrepare(const Plan &plan, BindingTime first,
+                           const std::map<ValueId, int> &slots) {
     const std::size_t most = mostMapped / (plan.text.values.size() + 1);
     for (std::size_t probes = std::min(plan.cones.size(), most);; probes /= 4)
         if (auto prepared = prepareWith(plan, first, slots, probes))
@@ -147,7 +148,7 @@ Function specializeSurface(const Plan &plan, const std::map<ValueId, int> &slots
     Function result = emptyLike(plan.text);
     Builder b(result);
     SpecializationOptions options;
-    options.last = Stage::Surface;
+    options.last = BindingTime::Surface;
     options.framed = true;
     options.slots = &slots;
     options.coneTests = &plan.coneTests;
@@ -161,7 +162,7 @@ Function specializeScatter(const Plan &plan, const std::map<ValueId, int> &slots
     Function result = emptyLike(plan.text);
     Builder b(result);
     SpecializationOptions options;
-    options.first = plan.framed ? Stage::Response : Stage::Surface;
+    options.first = plan.framed ? BindingTime::Response : BindingTime::Surface;
     options.framed = plan.framed;
     options.recomputeCost = scatterRecomputes;
     options.slots = &slots;
@@ -195,7 +196,7 @@ FramePlan planFrame(const Plan &plan) {
     std::map<ValueId, int> byValue;
     for (ValueId v : scatter)
         byValue[v] = int(v);
-    std::set<ValueId> view = loadsOf(specializePrepare(plan, Stage::View, byValue));
+    std::set<ValueId> view = loadsOf(specializePrepare(plan, BindingTime::View, byValue));
     int next = 0;
     for (ValueId v : scatter)
         frame.all[v] = frame.scatter[v] = next++;

@@ -2,7 +2,7 @@
 // One procedural text, many questions: how a lowered shader is sliced into the functions that
 // answer them (data specialisation; DESIGN section 3).
 //
-// `Prepare` runs the Surface and View stages (analyse/dependence.h) once a point and view and saves
+// `Prepare` runs the Surface and View parts (analyse/dependence.h) once a point and view and saves
 // in the frame what `Scatter` needs; `Scatter` then runs once a light direction.
 #pragma once
 

@@ -39,12 +39,15 @@ Function sliceFramed(const Plan &plan, Question question) {
     switch (question) {
     case Question::Surface: result = specializeSurface(plan, frame.all); break;
     case Question::View:
-        result = specializePrepare(plan, plan.framed ? Stage::View : Stage::Surface, frame.all);
+        result = specializePrepare(plan, plan.framed ? BindingTime::View : BindingTime::Surface,
+                                   frame.all);
         break;
-    case Question::Prepare: result = specializePrepare(plan, Stage::Surface, frame.scatter); break;
+    case Question::Prepare:
+        result = specializePrepare(plan, BindingTime::Surface, frame.scatter);
+        break;
     default: result = specializeScatter(plan, frame.scatter); break;
     }
-    result.frameSlots = int(frame.all.size());
+    result.spillSlots = int(frame.all.size());
     return result;
 }
 

@@ -85,7 +85,7 @@ struct Subject {
 
     void forgetFrame() {
         const Function &prepare = slice(Question::Prepare);
-        batch.frame.assign(std::size_t(prepare.frameSlots) * batch.padded(),
+        batch.frame.assign(std::size_t(prepare.spillSlots) * batch.padded(),
                            std::numeric_limits<float>::quiet_NaN());
     }
 
@@ -170,7 +170,7 @@ TEST(Slice, FramesAreUsed) {
     int framed = 0, statics = 0;
     for (unsigned seed = 0; seed < 40; ++seed) {
         Function whole = RandomText(seed, false).make();
-        framed += slice(whole, Question::Scatter).frameSlots > 0;
+        framed += slice(whole, Question::Scatter).spillSlots > 0;
         statics += surfaceFacts(whole).staticRequests;
     }
     EXPECT_GT(statics, 12);

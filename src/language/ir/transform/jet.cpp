@@ -32,7 +32,7 @@ void addSlopes(Function &function, const Instruction &output, Direction d,
                std::vector<Instruction> &body) {
     const OutputSlot of = function.outputs[size_t(output.immediate)];
     Instruction slope{.op = Op::Slope, .operands = output.operands, .results = {}, .regions = {}};
-    slope.results = {function.addValue(Type::Float, Rate::Varying)};
+    slope.results = {function.addValue(Type::Float, Uniformity::Varying)};
     slope.immediate = int(d);
     slope.line = output.line;
     Instruction write{.op = Op::Output, .operands = slope.results, .results = {}, .regions = {}};

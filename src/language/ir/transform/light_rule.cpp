@@ -59,7 +59,7 @@ void addTo(Op op, const Values &more, Function &function, Region &region) {
         std::vector<Instruction> sums;
         if (i.op == op)
             for (int k = 0; k < function.colors.samples; ++k) {
-                ValueId own = function.addValue(Type::Float, Rate::Varying);
+                ValueId own = function.addValue(Type::Float, Uniformity::Varying);
                 sums.push_back({Op::Add, {own, more[k]}, {i.results[k]}, {}, 0, 0, i.line});
                 i.results[k] = own;
             }

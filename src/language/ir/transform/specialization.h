@@ -7,9 +7,9 @@
 
 namespace candela::ir {
 
-struct StageRange {
-    Stage first, last;
-    bool has(Stage s) const { return first <= s && s <= last; }
+struct BindingTimes {
+    BindingTime first, last;
+    bool has(BindingTime s) const { return first <= s && s <= last; }
 };
 
 struct Specialization {
@@ -27,9 +27,9 @@ struct Specialization {
     int loopDepth = 0;
     int repeating = 0; ///< > 0: what is being written was written, and saved, before.
 
-    /// The stage that a value of a stage counts to.
-    Stage counted(Stage) const;
-    Stage stageOf(ValueId v) const { return counted(dependence.stage[v]); }
+    /// The binding time that a value of a binding time counts to.
+    BindingTime counted(BindingTime) const;
+    BindingTime bindingTimeOf(ValueId v) const { return counted(dependence.bindingTime[v]); }
 
     /// A value is the same under all active assumptions; it is saved where a frame wants it.
     void assignShared(ValueId old, ValueId now);
@@ -42,11 +42,11 @@ struct Specialization {
     }
 };
 
-/// Write what belongs to the range of stages.
-void walk(Specialization &, const Region &, StageRange);
-void walkLoop(Specialization &, const Instruction &, StageRange);
-void walkLightLoop(Specialization &, const Instruction &, StageRange);
+/// Write what belongs to the range of binding times.
+void walk(Specialization &, const Region &, BindingTimes);
+void walkLoop(Specialization &, const Instruction &, BindingTimes);
+void walkLightLoop(Specialization &, const Instruction &, BindingTimes);
 /// Answer, Ambient, Irradiance.
-void walkAnswer(Specialization &, const Instruction &, StageRange);
+void walkAnswer(Specialization &, const Instruction &, BindingTimes);
 
 } // namespace candela::ir

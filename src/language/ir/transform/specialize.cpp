@@ -61,10 +61,10 @@ Specialization::Specialization(const Function &text, const Dependence &dependenc
         active.push_back(h);
 }
 
-Stage Specialization::counted(Stage stage) const {
+BindingTime Specialization::counted(BindingTime time) const {
     if (!options.framed)
-        return Stage::Surface;
-    return options.fused && stage == Stage::View ? Stage::Surface : stage;
+        return BindingTime::Surface;
+    return options.fused && time == BindingTime::View ? BindingTime::Surface : time;
 }
 
 void Specialization::assignShared(ValueId old, ValueId now) {
@@ -101,12 +101,13 @@ void walkStatement(Specialization &s, const Instruction &i) {
         s.b.emit(i.op, s.mapping.values(0, i.operands), i.immediate);
 }
 
-void walkPlain(Specialization &s, const Instruction &i, StageRange range) {
+void walkPlain(Specialization &s, const Instruction &i, BindingTimes range) {
     bool memory = i.op == Op::ArrayLoad || i.op == Op::ArrayStore;
-    Stage stage = memory ? s.dependence.arrayStage[i.immediate] : s.dependence.stage[i.results[0]];
-    if (!range.has(s.counted(stage)))
+    BindingTime time = memory ? s.dependence.arrayBindingTime[i.immediate]
+                              : s.dependence.bindingTime[i.results[0]];
+    if (!range.has(s.counted(time)))
         return;
-    bool shared = stage < Stage::Response;
+    bool shared = time < BindingTime::Response;
     for (int h : s.active) {
         int immediate = memory ? s.mapping.array(h, i.immediate) : i.immediate;
         Values results = s.b.emit(i.op, s.mapping.values(h, i.operands), immediate, i.number);
@@ -118,11 +119,11 @@ void walkPlain(Specialization &s, const Instruction &i, StageRange range) {
     }
 }
 
-/// `content` is the range of stages that the branches hold.
-void emitIf(Specialization &s, const Instruction &i, StageRange range, StageRange content) {
+/// `content` is the range of binding times that the branches hold.
+void emitIf(Specialization &s, const Instruction &i, BindingTimes range, BindingTimes content) {
     std::vector<std::pair<int, int>> kept; // Assumption, result.
     for (int k = 0; k < int(i.results.size()); ++k)
-        if (range.has(s.stageOf(i.results[k])))
+        if (range.has(s.bindingTimeOf(i.results[k])))
             for (int h : s.active) {
                 kept.push_back({h, k});
                 if (!s.dependence.responds(i.results[k]))
@@ -145,22 +146,22 @@ void emitIf(Specialization &s, const Instruction &i, StageRange range, StageRang
     }
 }
 
-void walkIf(Specialization &s, const Instruction &i, StageRange range) {
-    Stage condition = s.stageOf(i.operands[0]);
-    auto hoist = [&](Stage last) {
+void walkIf(Specialization &s, const Instruction &i, BindingTimes range) {
+    BindingTime condition = s.bindingTimeOf(i.operands[0]);
+    auto hoist = [&](BindingTime last) {
         for (const Region &region : i.regions)
             walk(s, region, {range.first, last});
     };
     if (condition > range.last)
         return hoist(range.last);
     if (s.loopDepth == 0 && condition > range.first) {
-        hoist(Stage(int(condition) - 1));
+        hoist(BindingTime(int(condition) - 1));
         range.first = condition;
     }
     // What a hoisted branch holds is not visible here: it is written again, but not saved again.
     // (No stores to memory are among it, since those stay behind all their conditions.)
     bool again = condition < range.first && range.first > s.options.first;
-    StageRange content{again ? s.options.first : range.first, range.last};
+    BindingTimes content{again ? s.options.first : range.first, range.last};
     s.repeating += again;
     for (auto &group : groupsBy(s, i.operands[0]))
         s.under(group, [&] { emitIf(s, i, range, content); });
@@ -169,7 +170,7 @@ void walkIf(Specialization &s, const Instruction &i, StageRange range) {
 
 } // namespace
 
-static void walk(Specialization &s, const Instruction &i, StageRange range) {
+static void walk(Specialization &s, const Instruction &i, BindingTimes range) {
     s.b.setLine(i.line);
     s.b.setFile(i.file);
     switch (i.op) {
@@ -190,7 +191,7 @@ static void walk(Specialization &s, const Instruction &i, StageRange range) {
     }
 }
 
-void walk(Specialization &s, const Region &region, StageRange range) {
+void walk(Specialization &s, const Region &region, BindingTimes range) {
     for (const Instruction &i : region.body)
         walk(s, i, range);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Writes a shader's text anew, under one or several assumptions about the light at once, keeping
-// only some stages. All questions are answered by it.
+// only some binding times. All questions are answered by it.
 #pragma once
 
 #include "language/ir/analyse/dependence.h"
@@ -32,11 +32,12 @@ struct Assumption {
 };
 
 struct SpecializationOptions {
-    Stage first = Stage::Surface, last = Stage::Response;
-    /// Stages are told apart: what is earlier than `first` comes from the frame or is recomputed
-    /// if it costs at most `recomputeCost` operations. Otherwise all is written in place.
+    BindingTime first = BindingTime::Surface, last = BindingTime::Response;
+    /// Binding times are told apart: what is earlier than `first` comes from the frame or is
+    /// recomputed if it costs at most `recomputeCost` operations. Otherwise all is written in
+    /// place.
     bool framed = false;
-    bool fused = false; ///< Surface and View count as one stage.
+    bool fused = false; ///< Surface and View count as one binding time.
     int recomputeCost = 1;
     bool prints = false;
     /// Loops of known count are unrolled where they hold light requests or are small.

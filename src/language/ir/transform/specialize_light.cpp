@@ -54,7 +54,7 @@ Values givenLoop(Specialization &s, int h, const Instruction &i) {
         now.insert(now.end(), carried.begin(), carried.end());
         for (std::size_t k = 0; k < now.size(); ++k)
             s.mapping.assign(h, region.arguments[k], now[k]);
-        s.under({h}, [&] { walk(s, region, {s.options.first, Stage::Response}); });
+        s.under({h}, [&] { walk(s, region, {s.options.first, BindingTime::Response}); });
         return s.mapping.values(h, region.yields);
     };
     return lightLoop(s.b, requestFor(s, i.immediate), position, cones, initial, body);
@@ -89,8 +89,8 @@ Values sampledLoop(Specialization &s, int h, const Instruction &i) {
     for (std::size_t k = 0; k < initial.size(); ++k)
         s.mapping.assign(h, region.arguments[3 + s.text.colors.samples + k], initial[k]);
     auto body = [&] {
-        Stage first = s.options.framed ? Stage::Response : s.options.first;
-        s.under({h}, [&] { walk(s, region, {first, Stage::Response}); });
+        BindingTime first = s.options.framed ? BindingTime::Response : s.options.first;
+        s.under({h}, [&] { walk(s, region, {first, BindingTime::Response}); });
         return s.mapping.values(h, region.yields);
     };
     return ifElse(s.b, sampleReaches(s, h, i), body, [&] { return initial; });
@@ -122,8 +122,8 @@ Values lightLoopUnder(Specialization &s, int h, const Instruction &i) {
 
 } // namespace
 
-void walkAnswer(Specialization &s, const Instruction &i, StageRange range) {
-    if (range.last < Stage::Response)
+void walkAnswer(Specialization &s, const Instruction &i, BindingTimes range) {
+    if (range.last < BindingTime::Response)
         return;
     if (i.op == Op::Answer && s.options.cones && s.active[0] == 0)
         stateCones(s, i);
@@ -149,11 +149,11 @@ void walkAnswer(Specialization &s, const Instruction &i, StageRange range) {
     }
 }
 
-void walkLightLoop(Specialization &s, const Instruction &i, StageRange range) {
+void walkLightLoop(Specialization &s, const Instruction &i, BindingTimes range) {
     // What the body computes without looking at the light is computed once, before.
-    if (s.options.framed && s.loopDepth == 0 && range.first < Stage::Response)
-        walk(s, i.regions[0], {range.first, std::min(range.last, Stage::View)});
-    if (range.last < Stage::Response)
+    if (s.options.framed && s.loopDepth == 0 && range.first < BindingTime::Response)
+        walk(s, i.regions[0], {range.first, std::min(range.last, BindingTime::View)});
+    if (range.last < BindingTime::Response)
         return;
     if (s.options.cones && s.active[0] == 0)
         stateCones(s, i);

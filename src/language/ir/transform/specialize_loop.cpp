@@ -35,7 +35,7 @@ Size sizeOf(const Region &region) {
     return size;
 }
 
-bool unrollLoop(Specialization &s, const Instruction &i, StageRange range) {
+bool unrollLoop(Specialization &s, const Instruction &i, BindingTimes range) {
     std::map<ValueId, Known> known;
     for (ValueId old = 0; old < ValueId(s.text.values.size()); ++old)
         if (auto now = s.mapping.known(s.active[0], old)) {
@@ -69,9 +69,10 @@ bool unrollLoop(Specialization &s, const Instruction &i, StageRange range) {
     return true;
 }
 
-bool storesIn(const Specialization &s, const Region &region, StageRange range) {
+bool storesIn(const Specialization &s, const Region &region, BindingTimes range) {
     for (const Instruction &i : region.body) {
-        if (i.op == Op::ArrayStore && range.has(s.counted(s.dependence.arrayStage[i.immediate])))
+        if (i.op == Op::ArrayStore &&
+            range.has(s.counted(s.dependence.arrayBindingTime[i.immediate])))
             return true;
         for (const Region &inner : i.regions)
             if (storesIn(s, inner, range))
@@ -80,24 +81,24 @@ bool storesIn(const Specialization &s, const Region &region, StageRange range) {
     return false;
 }
 
-bool wantsLoop(const Specialization &s, const Instruction &i, StageRange range) {
-    if (s.stageOf(i.regions[0].arguments[0]) > range.last)
+bool wantsLoop(const Specialization &s, const Instruction &i, BindingTimes range) {
+    if (s.bindingTimeOf(i.regions[0].arguments[0]) > range.last)
         return false;
     if (s.loopDepth > 0 || !s.options.framed)
         return true;
     return storesIn(s, i.regions[0], range) ||
            std::any_of(i.results.begin(), i.results.end(),
-                       [&](ValueId v) { return range.has(s.stageOf(v)); });
+                       [&](ValueId v) { return range.has(s.bindingTimeOf(v)); });
 }
 
-/// Writes the whole loop, also what belongs to earlier stages: it differs from turn to turn and so
-/// cannot come from the frame.
-void emitLoop(Specialization &s, const Instruction &i, StageRange range) {
+/// Writes the whole loop, also what belongs to earlier binding times: it differs from turn to turn
+/// and so cannot come from the frame.
+void emitLoop(Specialization &s, const Instruction &i, BindingTimes range) {
     const Region &region = i.regions[0];
     std::vector<std::pair<int, int>> carried; // Assumption, which.
     Values initial;
     for (int k = 0; k < int(i.results.size()); ++k) {
-        if (s.stageOf(i.results[k]) > range.last)
+        if (s.bindingTimeOf(i.results[k]) > range.last)
             continue;
         for (int h : s.active) {
             carried.push_back({h, k});
@@ -109,7 +110,7 @@ void emitLoop(Specialization &s, const Instruction &i, StageRange range) {
     auto spread = [&](const Values &old, const Values &now, bool onlyInRange) {
         for (std::size_t n = 0; n < carried.size(); ++n) {
             auto [h, k] = carried[n];
-            if (onlyInRange && !range.has(s.stageOf(old[k])))
+            if (onlyInRange && !range.has(s.bindingTimeOf(old[k])))
                 continue;
             s.dependence.responds(old[k]) ? s.mapping.assign(h, old[k], now[n])
                                           : s.assignShared(old[k], now[n]);
@@ -118,7 +119,7 @@ void emitLoop(Specialization &s, const Instruction &i, StageRange range) {
     Values results = loop(s.b, initial, [&](const Values &arguments) {
         ++s.loopDepth;
         spread(region.arguments, arguments, false);
-        walk(s, region, {Stage::Surface, range.last});
+        walk(s, region, {BindingTime::Surface, range.last});
         Values yields;
         for (auto [h, k] : carried)
             yields.push_back(s.mapping.value(h, region.yields[k]));
@@ -130,7 +131,7 @@ void emitLoop(Specialization &s, const Instruction &i, StageRange range) {
 
 } // namespace
 
-void walkLoop(Specialization &s, const Instruction &i, StageRange range) {
+void walkLoop(Specialization &s, const Instruction &i, BindingTimes range) {
     if (!wantsLoop(s, i, range) || (s.options.unrolls && unrollLoop(s, i, range)))
         return;
     if (!s.dependence.responds(i.regions[0].arguments[0]))

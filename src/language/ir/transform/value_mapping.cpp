@@ -26,7 +26,7 @@ std::optional<ValueId> ValueMapping::known(int assumption, ValueId old) const {
 
 ValueId ValueMapping::value(int assumption, ValueId old) {
     ValueId now = maps_[assumption][old];
-    return now == nothing ? fetch(assumption, old) : now;
+    return now == nothing ? rematerialise(assumption, old) : now;
 }
 
 Values ValueMapping::values(int assumption, const Values &old) {
@@ -42,7 +42,7 @@ Triple ValueMapping::triple(int assumption, const Triple &old) {
 
 /// Slots hold floats; integers and strings are always recomputed (see
 /// DependenceSweep::canBeSaved).
-ValueId ValueMapping::fetch(int assumption, ValueId old) {
+ValueId ValueMapping::rematerialise(int assumption, ValueId old) {
     auto definition = dependence_.definition[old];
     Type type = text_.values[old].type;
     bool slotless = type == Type::Integer || type == Type::String;
@@ -81,7 +81,7 @@ void ValueMapping::save(ValueId old, ValueId now) {
 }
 
 int ValueMapping::array(int assumption, int old) {
-    bool shared = dependence_.arrayStage[old] < Stage::Response;
+    bool shared = dependence_.arrayBindingTime[old] < BindingTime::Response;
     auto [it, isNew] = arrays_.try_emplace({shared ? -1 : assumption, old});
     if (isNew)
         it->second = addArray(b_, text_.arrays[old].type, text_.arrays[old].size);

@@ -12,8 +12,8 @@
 
 namespace candela::ir {
 
-/// The new values by assumption and old value. What an earlier stage has computed is not written
-/// anew but recomputed where that is cheap, else it comes from the frame.
+/// The new values by assumption and old value. What an earlier binding time has computed is not
+/// written anew but recomputed where that is cheap, else it comes from the frame.
 class ValueMapping {
 public:
     /// `slots` as SpecializationOptions has them.
@@ -23,7 +23,7 @@ public:
     void assign(int assumption, ValueId old, ValueId now) { maps_[assumption][old] = now; }
     /// Nothing if it stands nowhere yet.
     std::optional<ValueId> known(int assumption, ValueId old) const;
-    /// If need be from an earlier stage.
+    /// If need be from an earlier binding time.
     ValueId value(int assumption, ValueId old);
     Values values(int assumption, const Values &old);
     Triple triple(int assumption, const Triple &old);
@@ -34,7 +34,7 @@ public:
     int array(int assumption, int old);
 
 private:
-    ValueId fetch(int assumption, ValueId old);
+    ValueId rematerialise(int assumption, ValueId old);
     int cost(ValueId) const;
 
     const Function &text_;
