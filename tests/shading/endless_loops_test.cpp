@@ -52,6 +52,15 @@ const Endless endless[] = {
      "illuminance(P, n, PI / 2) {\n  while (u > 0.5) x += 1;\n  Ci += x * Cl * (normalize(L) . "
      "n); }\n}\n",
      nullptr, "t.sl:7:", rightHalf},
+    {"BesideLight",
+     "surface t() {\n normal n = faceforward(normalize(N), I);\n float x = 1;\n Oi = 1;\n"
+     " while (u > 0.5) x += 1;\n Ci = diffuse(n) + x * specular(n, -normalize(I), .1);\n}\n",
+     nullptr, "t.sl:5:", rightHalf},
+    {"BesideEveryKindOfLight",
+     "surface t() {\n normal n = faceforward(normalize(N), I);\n float x = 0;\n Oi = 1;\n"
+     " while (u > 0.5) x += 1;\n Ci = ambient() + diffuse(n) + .2 * trace(P, n);\n"
+     " illuminance(P, n, PI / 2) Ci += Cl * (normalize(L) . n);\n Ci += 1 + x;\n}\n",
+     nullptr, "t.sl:5:", rightHalf},
     {"InALight", lit,
      "light l() {\n float x = 1;\n solar(vector(0, 0, 1), 0) {\n  while (x > 0) x += 1;\n  Cl = "
      "x;\n }\n}\n",

@@ -39,6 +39,13 @@ void seeFirstSurface(PathWave &wave) {
     }
 }
 
+/// Nothing comes back from where a loop was ended, also through what does not need the loop.
+void blacken(const float *completed, PathsAtVertices &paths, int count) {
+    for (int c = 0; c < colorSamples; ++c)
+        for (int i = 0; i < count; ++i)
+            paths.throughput[c][i] *= completed[i];
+}
+
 } // namespace
 
 void ask(PathWave &wave) {
@@ -57,11 +64,14 @@ void ask(PathWave &wave) {
 }
 
 void see(PathWave &wave) {
-    if (lanes::allEqual(wave.chunk.count(), wave.chunk.paths.seen, 0))
-        return;
-    seeOpacity(wave);
-    if (wave.vertex == 0)
-        seeFirstSurface(wave);
+    VertexChunk &chunk = wave.chunk;
+    if (!lanes::allEqual(chunk.count(), chunk.paths.seen, 0)) {
+        seeOpacity(wave);
+        if (wave.vertex == 0)
+            seeFirstSurface(wave);
+    }
+    if (const float *completed = chunk.vertices.prepared().completed)
+        blacken(completed, chunk.paths, chunk.count());
 }
 
 /// As long as no path has ended or been binned apart: at most first vertices.

@@ -30,7 +30,8 @@ void meet(PathWave &);
 void emit(PathWave &);
 /// Asks the shader for importance, opacity and the answer to ambient light.
 void ask(PathWave &);
-/// What the camera sees at first hand: opacity, and the channels of the first surface.
+/// What the camera sees at first hand: opacity, and the channels of the first surface. Points at
+/// which a loop was ended are black from there on.
 void see(PathWave &);
 /// The density of directions, from the cones that the shader has stated.
 void stateLobes(PathWave &);

@@ -129,6 +129,8 @@ void SurfaceVertices::prepare(const float *const *ambient) {
     args.frame = storage_.frame[0];
     args.ambient = ambient;
     question.ask(args);
+    const int completed = question.output(ir::OutputKind::Completed);
+    prepared_.completed = completed >= 0 ? outputs[completed] : nullptr;
     const int Oi = question.output(ir::OutputKind::Oi), Ca = question.output(ir::OutputKind::Ca);
     for (int c = 0; c < colorSamples; ++c) {
         clampOpacities(points.count, outputs[Oi + c]);

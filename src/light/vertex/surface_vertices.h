@@ -15,6 +15,7 @@ struct PreparedSurface {
     std::vector<ConePlanes> cones;                ///< One for each of facts().cones.
     std::array<const float *, colorSamples> Oi{}; ///< In [0,1].
     std::array<const float *, colorSamples> Ca{}; ///< Null = none.
+    const float *completed = nullptr; ///< 0 where a loop was ended: black. Null = nowhere.
 };
 
 class SurfaceVertices {

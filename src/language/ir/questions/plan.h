@@ -42,7 +42,7 @@ FramePlan planFrame(const Plan &);
 Function specializePrepare(const Plan &, BindingTime first, const std::map<ValueId, int> &slots);
 Function specializeSurface(const Plan &, const std::map<ValueId, int> &slots);
 Function specializeScatter(const Plan &, const std::map<ValueId, int> &slots);
-/// Output slots of Prepare, in order: cones, Ce, Ca, Oi.
+/// Output slots of Prepare, in order: cones, Ce, Ca, Oi, and Completed where a loop may be ended.
 std::vector<OutputSlot> prepareOutputs(const Plan &);
 
 } // namespace candela::ir

@@ -32,6 +32,12 @@ std::set<ValueId> loadsOf(const Function &function) {
     return loads;
 }
 
+/// There are loops whose turns are counted.
+bool mayEndLoops(const Plan &plan) {
+    return anyInstruction(
+        plan.text.body, [](const Instruction &i) { return i.op == Op::Loop && i.immediate == 0; });
+}
+
 ValueId emissionKey(const Plan &plan, int channel) {
     return ValueId(plan.text.values.size()) + channel;
 }
@@ -82,6 +88,8 @@ std::vector<OutputSlot> prepareOutputs(const Plan &plan) {
     if (plan.readsAmbient)
         add(OutputKind::Ca);
     add(OutputKind::Oi);
+    if (mayEndLoops(plan))
+        add(OutputKind::Completed);
     return slots;
 }
 
@@ -130,6 +138,8 @@ static std::optional<Function> prepareWith(const Plan &plan, BindingTime first,
     for (std::size_t n = probes; n < plan.cones.size(); ++n)
         if (plan.cones[n].kind != Cone::Kind::Stated)
             output(b, {OutputKind::ConeImportance, int(n)}, 0, number(b, 1));
+    if (mayEndLoops(plan))
+        output(b, OutputKind::Completed, 0, number(b, 1));
     if (b.budget().exceeded() || (probes > 0 && arrayNumbers(result) > mostArrayNumbers))
         return {};
     finishFramed(plan, b, result, slots);
