@@ -114,6 +114,8 @@ std::vector<LargeShader> largeShaders() {
          conditionsThatCall(40) + calls("f0")},
         {"three functions of ten lines that call each other 5 times", Compiles,
          tenLinesEach(3, 5) + calls("g0")},
+        {"five functions of ten lines that call each other 5 times", Compiles,
+         tenLinesEach(5, 5) + calls("g0")},
         {"five functions of ten lines that call each other 6 times", Refused,
          tenLinesEach(5, 6) + calls("g0"), "g0"},
         {"20 functions that call the next twice", Refused, tenLinesEach(20, 2) + calls("g0"), "g0"},

@@ -12,7 +12,7 @@ namespace candela::ir {
 /// loop as it is, fewer cones).
 inline constexpr std::size_t mostInstructions = 1 << 16;
 /// Instructions of functions' bodies that are in the text already: each call writes another copy.
-inline constexpr std::size_t mostCopied = 1 << 14;
+inline constexpr std::size_t mostCopied = 1 << 15;
 /// Numbers in all arrays of a function: each is one a lane on the stack.
 inline constexpr std::size_t mostArrayNumbers = 1 << 16;
 /// Characters of a string that concat() or format() makes, and of all strings together.
