@@ -51,7 +51,7 @@ int countIn(const std::string &text, const std::string &what) {
 /// Outputs, the frame, a condition with a jump, a loop over light of a quarter turn about N.
 ir::Function litSurface() {
     ir::Function function;
-    function.spillSlots = 1;
+    function.viewSlots = 1;
     ir::Builder b(function);
     const ir::Triple N = normalize(b, input3(b, ShaderInput::N));
     ir::LightRequest request;
@@ -129,9 +129,9 @@ void expectInterpreted(const ir::Function &function, const JitOptions &options) 
         if (masked)
             batch.active = {0xffff, 0x3fc1, 0x0015};
         const auto results = [&](auto &&run) {
-            batch.frame.assign(std::size_t(function.spillSlots) * batch.padded(), 0.25f);
+            batch.frames.clear(function, batch.padded(), 0.25f);
             auto planes = batch.run(function, run, -1.0f);
-            planes.emplace_back(batch.frame.begin(), batch.frame.end());
+            planes.push_back(batch.frames.view);
             return planes;
         };
         const auto expected = results(ir::interpret);

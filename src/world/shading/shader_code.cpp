@@ -16,7 +16,7 @@ ShaderCode::ShaderCode(ir::LoweredShader shader, ir::LightRule rule, std::shared
 }
 
 void ShaderCode::readText() {
-    if (shader_.kind == sl::ShaderKind::Surface) {
+    if (ir::isPlanned(shader_.kind)) {
         shader_.whole = ir::applyLightRule(shader_.whole, rule_);
         plan_ = ir::makePlan(shader_.whole);
         facts_ = ir::surfaceFacts(*plan_);
