@@ -165,10 +165,8 @@ void SurfaceVertices::shade(int sampleCount, float *const *L, float *const *Cl,
     reserve(storage_.shadeOutputs, int(outputs.size()), capacity_);
     for (std::size_t slot = 0; slot < outputs.size(); ++slot)
         outputs[slot] = storage_.shadeOutputs[int(slot)];
-    for (int c = 0; c < colorSamples; ++c) {
-        outputs[question.output(ir::OutputKind::Ci) + c] = Ci[c];
-        outputs[question.output(ir::OutputKind::Oi) + c] = Oi[c];
-    }
+    question.place(ir::OutputKind::Ci, Ci, outputs);
+    question.place(ir::OutputKind::Oi, Oi, outputs);
     ShaderArgs args = arguments();
     args.outputs = outputs.data();
     args.sampleCount = sampleCount;

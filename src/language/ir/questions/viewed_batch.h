@@ -28,7 +28,7 @@ public:
           responses(whole, pointCount * viewsOfPoint * responsesOfView, seed + 2), whole_(whole),
           bits_(seed) {
         views.answers.givesAmbient = true;
-        activate(points, {});
+        activate(points);
         surfaceLane = shuffled(points, views);
         activate(views, surfaceLane);
         viewLane = shuffled(views, responses);
@@ -112,13 +112,14 @@ private:
         return lanes;
     }
 
-    /// Some lanes, among them the first, and a block's all; the others look nowhere.
-    void activate(TestBatch &batch, const Lanes &) {
+    /// Some lanes, among them a block's all.
+    void activate(TestBatch &batch) {
         for (int word = 0; word < batch.padded() / laneBlock; ++word)
             batch.active.push_back(std::uint16_t(word == 1 ? 0xffff : bits_() | 1));
     }
+    /// The others look nowhere.
     void activate(TestBatch &batch, Lanes &lanes) {
-        activate(batch, std::as_const(lanes));
+        activate(batch);
         for (int i = 0; i < batch.padded(); ++i)
             if (!isActive(batch, i))
                 lanes[std::size_t(i)] = nowhere;
