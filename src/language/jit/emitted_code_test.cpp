@@ -92,6 +92,31 @@ TEST(EmittedCode, TakesARegisterOfPointsAtATime) {
                 << int(level) << " " << int(other);
 }
 
+/// A view of points: u, read twice, and a slot of theirs.
+ir::Function viewOfPoints(BindingTime lanes) {
+    ir::Function function;
+    function.lanes = lanes;
+    function.surfaceSlots = 2;
+    ir::Builder b(function);
+    const ir::ValueId u = input(b, ShaderInput::u), saved = b.emit(ir::Op::FrameLoad, {}, 1)[0];
+    output(b, "a", 0, mul(b, add(b, u, input(b, ShaderInput::u)), input(b, ShaderInput::I)));
+    output(b, "a", 1, saved);
+    b.finish();
+    return function;
+}
+
+/// Each plane and slot once, at the head of a block; where lanes are points, nowhere.
+TEST(EmittedCode, LooksUpOtherLanesOnce) {
+    const ir::Function view = viewOfPoints(BindingTime::View);
+    const std::string text = textOf(view, IsaLevel::V4, false);
+    EXPECT_EQ(countIn(text, "call <16 x float> @llvm.masked.gather"), 2);
+    EXPECT_EQ(countIn(textOf(view, IsaLevel::V3, false), "masked.gather"), 0);
+    for (IsaLevel level : levels) {
+        EXPECT_GT(countIn(textOf(view, level, false), "look_up:"), 0);
+        EXPECT_EQ(countIn(textOf(viewOfPoints(BindingTime::Surface), level, false), "look_up"), 0);
+    }
+}
+
 /// Noise and its slopes at the same place, in either order, and at another place.
 ir::Function noiseAndSlopes(RuntimeFunction plain, bool slopesFirst) {
     ir::Function function;
