@@ -36,7 +36,7 @@ std::optional<CompiledShader> compileShader(const sl::TypedShader &shader, ir::L
 
     CompiledShader compiled;
     std::shared_ptr<const ir::Plan> plan;
-    if (lowered->kind == sl::ShaderKind::Surface) {
+    if (ir::isPlanned(lowered->kind)) {
         whole = ir::applyLightRule(whole, rule);
         listener("light rule", whole);
         plan = ir::makePlan(whole);

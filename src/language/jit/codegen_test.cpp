@@ -51,7 +51,7 @@ constexpr float unreached = -123;
 
 struct Result {
     std::vector<TestBatch::Plane> outputs;
-    TestBatch::Plane frame;
+    ir::TestFrames frames;
     std::vector<std::string> printed; ///< Sorted: widths print in different orders.
 };
 
@@ -66,10 +66,10 @@ void collectPrint(void *context, const char *text) {
 template <typename Runner>
 Result run(TestBatch &batch, const ir::Function &function, Runner &&runner) {
     Result result;
-    batch.frame.assign(std::size_t(function.spillSlots) * batch.padded(), 0.25f);
+    batch.frames.clear(function, batch.padded(), 0.25f);
     batch.callbacks = {&result.printed, collectPrint};
     result.outputs = batch.run(function, runner, unreached);
-    result.frame = batch.frame;
+    result.frames = batch.frames;
     std::sort(result.printed.begin(), result.printed.end());
     return result;
 }
@@ -77,7 +77,7 @@ Result run(TestBatch &batch, const ir::Function &function, Runner &&runner) {
 /// Where a lane's loop is ended, it is not said which way it takes at branches from there on: what
 /// random programs write in them is not compared, what they write at the end is.
 void forgetBranches(const ir::Function &function, Result &result) {
-    result.frame.clear();
+    result.frames = {};
     for (std::size_t k = 0; k < result.outputs.size(); ++k)
         if (function.outputs[k].name == "side")
             result.outputs[k].clear();
@@ -92,7 +92,8 @@ void expectSame(const Result &expected, const Result &found, const std::string &
             ASSERT_TRUE(sameBits(expected.outputs[k][i], found.outputs[k][i]))
                 << what << ": output " << k << " lane " << i << ": " << expected.outputs[k][i]
                 << " expected, " << found.outputs[k][i] << " found";
-    EXPECT_TRUE(same(expected.frame, found.frame)) << what << ": frames differ";
+    EXPECT_TRUE(same(expected.frames.surface, found.frames.surface)) << what << ": surface frame";
+    EXPECT_TRUE(same(expected.frames.view, found.frames.view)) << what << ": view frame";
     EXPECT_EQ(expected.printed, found.printed) << what;
 }
 
@@ -125,6 +126,9 @@ TestBatch randomBatch(const ir::Function &function, unsigned seed) {
         for (int &light : batch.samples.light)
             light = int(bits() % 3);
     }
+    for (auto *lanes : {&batch.surfaceLane, &batch.viewLane})
+        for (int i = 0, named = int(bits() % 2); i < batch.padded() && named; ++i)
+            lanes->push_back(int(bits() % unsigned(batch.count)));
     return batch;
 }
 

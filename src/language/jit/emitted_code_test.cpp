@@ -51,7 +51,7 @@ int countIn(const std::string &text, const std::string &what) {
 /// Outputs, the frame, a condition with a jump, a loop over light of a quarter turn about N.
 ir::Function litSurface() {
     ir::Function function;
-    function.spillSlots = 1;
+    function.viewSlots = 1;
     ir::Builder b(function);
     const ir::Triple N = normalize(b, input3(b, ShaderInput::N));
     ir::LightRequest request;
@@ -92,6 +92,31 @@ TEST(EmittedCode, TakesARegisterOfPointsAtATime) {
                 << int(level) << " " << int(other);
 }
 
+/// A view of points: u, read twice, and a slot of theirs.
+ir::Function viewOfPoints(BindingTime lanes) {
+    ir::Function function;
+    function.lanes = lanes;
+    function.surfaceSlots = 2;
+    ir::Builder b(function);
+    const ir::ValueId u = input(b, ShaderInput::u), saved = b.emit(ir::Op::FrameLoad, {}, 1)[0];
+    output(b, "a", 0, mul(b, add(b, u, input(b, ShaderInput::u)), input(b, ShaderInput::I)));
+    output(b, "a", 1, saved);
+    b.finish();
+    return function;
+}
+
+/// Each plane and slot once, at the head of a block; where lanes are points, nowhere.
+TEST(EmittedCode, LooksUpOtherLanesOnce) {
+    const ir::Function view = viewOfPoints(BindingTime::View);
+    const std::string text = textOf(view, IsaLevel::V4, false);
+    EXPECT_EQ(countIn(text, "call <16 x float> @llvm.masked.gather"), 2);
+    EXPECT_EQ(countIn(textOf(view, IsaLevel::V3, false), "masked.gather"), 0);
+    for (IsaLevel level : levels) {
+        EXPECT_GT(countIn(textOf(view, level, false), "look_up:"), 0);
+        EXPECT_EQ(countIn(textOf(viewOfPoints(BindingTime::Surface), level, false), "look_up"), 0);
+    }
+}
+
 /// Noise and its slopes at the same place, in either order, and at another place.
 ir::Function noiseAndSlopes(RuntimeFunction plain, bool slopesFirst) {
     ir::Function function;
@@ -129,9 +154,9 @@ void expectInterpreted(const ir::Function &function, const JitOptions &options) 
         if (masked)
             batch.active = {0xffff, 0x3fc1, 0x0015};
         const auto results = [&](auto &&run) {
-            batch.frame.assign(std::size_t(function.spillSlots) * batch.padded(), 0.25f);
+            batch.frames.clear(function, batch.padded(), 0.25f);
             auto planes = batch.run(function, run, -1.0f);
-            planes.emplace_back(batch.frame.begin(), batch.frame.end());
+            planes.push_back(batch.frames.view);
             return planes;
         };
         const auto expected = results(ir::interpret);

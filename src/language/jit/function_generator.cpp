@@ -6,6 +6,7 @@
 #include "language/ir/core/op_info.h"
 #include "language/jit/arithmetic.h"
 #include "language/jit/array_memory.h"
+#include "language/jit/earlier_lanes.h"
 #include "language/jit/function_pieces.h"
 #include "language/jit/gathers.h"
 #include "language/jit/light_loop.h"
@@ -37,11 +38,11 @@ PlaneStore planeStore(CodeFunction &code, ShaderArguments &arguments, const Valu
     auto *value = values.get(i.operands[0], Uniformity::Varying);
     if (i.op == Op::Output)
         return {limit.whereRunning(value, values.function().outputs[i.immediate].whenEnded),
-                arguments.plane(offsetof(ShaderArgs, outputs), i.immediate)};
+                arguments.plane({offsetof(ShaderArgs, outputs), i.immediate})};
     if (value->getType()->isIntOrIntVectorTy())
         value = code.builder.CreateUIToFP(value, code.lanes.varying(code.floatType));
     return {limit.whereRunning(value, 0),
-            arguments.spillSlot(i.immediate, values.function().spillSlots)};
+            arguments.slotToSave(ir::spillSlot(values.function(), i.immediate))};
 }
 
 /// Stores in a row. Where masking costs, one test, `allRun`, finds out whether all lanes run.
@@ -108,6 +109,7 @@ private:
     llvm::IRBuilder<> &builder_;
     ValueTable values_;
     ShaderArguments arguments_;
+    EarlierLanes earlier_;
     Gathers gathers_;
     RuntimeCalls calls_;
     TurnLimit limit_;
@@ -120,9 +122,9 @@ FunctionGenerator::FunctionGenerator(const ir::Function &function, const CodeTar
                                      const std::string &symbol, llvm::Module &module)
     : function_(function), code_(target, module, symbol),
       pieces_(cutIntoPieces(function, target.longestFunction)), builder_(code_.builder),
-      values_(function, code_.lanes), arguments_(code_), gathers_(code_, arguments_, function.body),
-      calls_(code_, arguments_, values_, pieces_), limit_(code_, values_, calls_),
-      arrays_(code_, values_, calls_, limit_),
+      values_(function, code_.lanes), arguments_(code_), earlier_(code_, arguments_, function),
+      gathers_(code_, arguments_, function.body), calls_(code_, arguments_, values_, pieces_),
+      limit_(code_, values_, calls_), arrays_(code_, values_, calls_, limit_),
       control_(code_, values_, limit_, [this](const Region &region) { emitRegion(region); }) {
     code_.colorSamples = function.colors.samples;
     if (!pieces_.whole())
@@ -140,6 +142,7 @@ void FunctionGenerator::generate() {
          *body = code_.block("body"), *next = code_.block("next"), *done = code_.block("done");
     builder_.CreateCondBr(builder_.CreateICmpSGT(count, builder_.getInt32(0)), prepare, done);
     builder_.SetInsertPoint(prepare);
+    earlier_.begin();
     builder_.CreateBr(head);
 
     builder_.SetInsertPoint(head);
@@ -155,6 +158,7 @@ void FunctionGenerator::generate() {
         MaskStack::Scope scope(code_.masks, code_.lanes.maskOf(bits));
         arrays_.clear();
         limit_.begin();
+        earlier_.load();
         gathers_.load();
         if (spills_)
             loadAtHead(function_.body);
@@ -209,6 +213,9 @@ void FunctionGenerator::emitAll(std::span<const Instruction> instructions) {
 void FunctionGenerator::emitPiece(std::span<const Instruction> instructions) {
     Values given{arguments_.pointer(), arguments_.firstPoint(), code_.masks.currentBits(),
                  spills_->base()};
+    if (arguments_.rows())
+        given.push_back(arguments_.rows());
+    const auto fixed = std::ptrdiff_t(given.size());
     const Values turns = limit_.memory();
     given.insert(given.end(), turns.begin(), turns.end());
     given.insert(given.end(), arrays_.memory().begin(), arrays_.memory().end());
@@ -227,14 +234,16 @@ void FunctionGenerator::emitPiece(std::span<const Instruction> instructions) {
     Values taken;
     for (llvm::Argument &argument : function->args())
         taken.push_back(&argument);
-    const auto turnsEnd = taken.begin() + 4 + std::ptrdiff_t(turns.size());
-    Standing caller = exchangeStanding({function,
-                                        {taken[0], taken[1], prepare, {}},
-                                        {code_.lanes.kept(code_.lanes.maskOf(taken[2]))},
-                                        allLanesIn(code_, taken[2]),
-                                        taken[3],
-                                        {taken.begin() + 4, turnsEnd},
-                                        {turnsEnd, taken.end()}});
+    const auto turnsBegin = taken.begin() + fixed;
+    const auto turnsEnd = turnsBegin + std::ptrdiff_t(turns.size());
+    Standing caller =
+        exchangeStanding({function,
+                          {taken[0], taken[1], prepare, fixed > 4 ? taken[4] : nullptr},
+                          {code_.lanes.kept(code_.lanes.maskOf(taken[2]))},
+                          allLanesIn(code_, taken[2]),
+                          taken[3],
+                          {turnsBegin, turnsEnd},
+                          {turnsEnd, taken.end()}});
     emitAll(instructions);
     builder_.CreateRetVoid();
     exchangeStanding(std::move(caller));
@@ -300,7 +309,7 @@ Value *FunctionGenerator::answersRequest(int request) {
 
 Values FunctionGenerator::source(const Instruction &i) {
     const auto load = [&](std::size_t tableField, int plane) {
-        return code_.lanes.load(code_.floatType, arguments_.plane(tableField, plane));
+        return code_.lanes.load(code_.floatType, arguments_.plane({tableField, plane}));
     };
     switch (i.op) {
     case Op::ConstFloat:
@@ -316,13 +325,13 @@ Values FunctionGenerator::source(const Instruction &i) {
     case Op::Object: return gathers_.objectMatrix(false);
     case Op::ObjectInverse: return gathers_.objectMatrix(true);
     case Op::Random: {
-        auto *seeds = arguments_.plane(offsetof(ShaderArgs, inputs), int(ShaderInput::seed));
+        auto *seeds = arguments_.plane({offsetof(ShaderArgs, inputs), int(ShaderInput::seed)});
         return {randomNumber(code_, code_.lanes.load(code_.integerType, seeds), i.immediate,
                              values_.get(i.operands[0], Uniformity::Varying))};
     }
     case Op::FrameLoad:
         return {code_.lanes.load(code_.floatType,
-                                 arguments_.spillSlot(i.immediate, function_.spillSlots))};
+                                 arguments_.slotToLoad(ir::spillSlot(function_, i.immediate)))};
     case Op::AnsweredRequest: return {answersRequest(i.immediate)};
     case Op::CategoryAccepts:
         return {acceptedByCategory(code_, arguments_, i.immediate, arguments_.firstPoint())};

@@ -65,7 +65,9 @@ void addFunction(ContentHash &hash, const ir::Function &function) {
     addTexts(hash, function.strings);
     addTexts(hash, ir::anyInstruction(function.body, namesPlace) ? function.files
                                                                  : std::vector<std::string>());
-    hash.add(std::uint64_t(function.spillSlots));
+    hash.add(std::uint64_t(function.lanes));
+    hash.add(std::uint64_t(std::uint32_t(function.surfaceSlots)) << 32 |
+             std::uint64_t(std::uint32_t(function.viewSlots)));
     hash.add(std::uint64_t(std::uint32_t(function.mostTurns)));
     for (const ir::OutputSlot &slot : function.outputs)
         hash.add(std::uint64_t(std::bit_cast<std::uint32_t>(slot.whenEnded)));

@@ -137,8 +137,7 @@ void Gathers::load(Table &table) {
         return;
     const Lanes &lanes = code_.lanes;
     auto *base = arguments_.fieldPointer(table.baseField);
-    auto *indexPlane = builder_.CreateGEP(
-        code_.integerType, arguments_.fieldPointer(table.indexField), arguments_.firstPoint());
+    auto *indexPlane = arguments_.plane({table.indexField});
     Values values;
     if (lanes.width() > 1) {
         values = broadcastOrGather(table, base, indexPlane);

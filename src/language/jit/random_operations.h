@@ -171,12 +171,21 @@ private:
         }
         }
     }
+    /// Frames that lanes look up are not written to.
     void frame() {
-        if (below(2)) {
-            pools_.floats.push_back(b_.emit(Op::FrameLoad, {}, below(4))[0]);
+        const ir::Function &function = b_.function();
+        const int slots = function.surfaceSlots + function.viewSlots;
+        const int firstOwn = function.lanes == BindingTime::Surface ? 0
+                             : function.lanes == BindingTime::View  ? function.surfaceSlots
+                                                                    : slots;
+        if (below(2) || firstOwn == slots) {
+            const bool loadsAny = function.lanes != BindingTime::View;
+            const int slot = below(loadsAny ? slots : function.surfaceSlots);
+            pools_.floats.push_back(b_.emit(Op::FrameLoad, {}, slot)[0]);
         } else {
             const bool isBool = below(3) == 0;
-            b_.emit(Op::FrameStore, {pick(isBool ? pools_.bools : pools_.floats)}, below(4));
+            b_.emit(Op::FrameStore, {pick(isBool ? pools_.bools : pools_.floats)},
+                    firstOwn + below(slots - firstOwn));
         }
     }
     void print() {

@@ -2,11 +2,20 @@
 #include "world/shading/shader_code.h"
 
 #include "language/ir/transform/light_rule.h"
+
 #include <algorithm>
 
 namespace candela {
 
 int QuestionCode::output(ir::OutputKind kind) const { return ir::slotOf(function.outputs, kind); }
+
+void QuestionCode::place(ir::OutputKind kind, float *const *planes,
+                         std::vector<float *> &outputs) const {
+    outputs.resize(function.outputs.size());
+    for (std::size_t slot = 0; slot < outputs.size(); ++slot)
+        if (function.outputs[slot].name == kind)
+            outputs[slot] = planes[function.outputs[slot].component];
+}
 
 ShaderCode::ShaderCode(ir::LoweredShader shader, ir::LightRule rule, std::shared_ptr<Jit> jit,
                        std::shared_ptr<const ShaderMessages> messages)
@@ -16,7 +25,7 @@ ShaderCode::ShaderCode(ir::LoweredShader shader, ir::LightRule rule, std::shared
 }
 
 void ShaderCode::readText() {
-    if (shader_.kind == sl::ShaderKind::Surface) {
+    if (ir::isPlanned(shader_.kind)) {
         shader_.whole = ir::applyLightRule(shader_.whole, rule_);
         plan_ = ir::makePlan(shader_.whole);
         facts_ = ir::surfaceFacts(*plan_);
@@ -41,7 +50,7 @@ const QuestionCode &ShaderCode::question(ir::Question which) const {
 std::vector<ir::Question> ShaderCode::questionsAsked() const {
     using ir::Question;
     if (!plan_)
-        return {Question::Light};
+        return {ir::questionsOf(shader_.kind).front()};
     std::vector<Question> asked{Question::Prepare, Question::Scatter, Question::Opacity};
     const bool classic = rule_ == ir::LightRule::Classic;
     if (classic || !facts_.affine)

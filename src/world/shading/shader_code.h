@@ -33,6 +33,9 @@ struct QuestionCode {
 
     /// Index of the output's first plane; -1 if the question doesn't have it.
     int output(ir::OutputKind) const;
+    /// Puts the output's planes, as far as the question has them, where ShaderArgs::outputs wants
+    /// them.
+    void place(ir::OutputKind, float *const *planes, std::vector<float *> &outputs) const;
     bool reads(ShaderInput input) const { return function.inputsRead[int(input)]; }
 };
 

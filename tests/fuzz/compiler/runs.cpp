@@ -79,9 +79,12 @@ std::string differenceOf(const RunResult &expected, const RunResult &found) {
         for (std::size_t i = 0; i < expected.outputs[k].size(); ++i)
             if (!sameBits(expected.outputs[k][i], found.outputs[k][i]))
                 return differenceAt("output", k, i, expected.outputs[k][i], found.outputs[k][i]);
-    for (std::size_t i = 0; i < expected.frame.size(); ++i)
-        if (!sameBits(expected.frame[i], found.frame[i]))
-            return differenceAt("frame", 0, i, expected.frame[i], found.frame[i]);
+    for (const auto frame : {&ir::TestFrames::surface, &ir::TestFrames::view}) {
+        const Plane &a = expected.frames.*frame, &b = found.frames.*frame;
+        for (std::size_t i = 0; i < a.size(); ++i)
+            if (!sameBits(a[i], b[i]))
+                return differenceAt("frame", frame == &ir::TestFrames::view, i, a[i], b[i]);
+    }
     if (expected.lines != found.lines || expected.digest != found.digest)
         return std::to_string(expected.lines) + " lines printed, other than " +
                std::to_string(found.lines);
@@ -152,7 +155,7 @@ RunResult Batch::run(const ir::Function &function, const Code &code, Light light
         code(function, args);
     };
     result.outputs = points_.run(function, withLight, unreached);
-    result.frame = points_.frame;
+    result.frames = points_.frames;
     return result;
 }
 

@@ -30,7 +30,7 @@ void addOutputSlots(std::vector<OutputSlot> &slots, const OutputName &name, int 
 }
 
 OutputSlot outputSlot(const OutputName &name, int component) {
-    return {name, component, name == OutputKind::Oi ? 1.0f : 0.0f};
+    return {name, component, valueWhenEnded(name.kind)};
 }
 
 void output(Builder &b, const OutputName &name, int component, ValueId value) {

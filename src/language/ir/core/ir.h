@@ -130,7 +130,11 @@ struct Function {
     std::vector<ParameterSlot> variables;  ///< Planes that override parameters.
     std::vector<OutputSlot> outputs;
     std::vector<bool> inputsRead; ///< By ShaderInput.
-    int spillSlots = 0;
+    /// What a lane of its batches is: a point, a view of one, or a response for a view.
+    BindingTime lanes = BindingTime::Surface;
+    /// Of the two frames. FrameStore and FrameLoad count the surface frame's slots first and then
+    /// the view frame's.
+    int surfaceSlots = 0, viewSlots = 0;
     /// Turns of a loop, those of the loops in it included, for a point: then the point's loop ends,
     /// and its outputs are as OutputSlot::whenEnded says.
     int mostTurns = mostLoopTurns;
@@ -140,6 +144,17 @@ struct Function {
         return ValueId(values.size() - 1);
     }
 };
+
+/// A slot of one of the frames.
+struct SpillSlot {
+    BindingTime frame; ///< Surface or View.
+    int slot, slots;   ///< Which of how many.
+};
+inline SpillSlot spillSlot(const Function &function, int number) {
+    if (number < function.surfaceSlots)
+        return {BindingTime::Surface, number, function.surfaceSlots};
+    return {BindingTime::View, number - function.surfaceSlots, function.viewSlots};
+}
 
 /// The function as text, for `--emit ir`, tests and people.
 std::string print(const Function &);

@@ -12,12 +12,12 @@ namespace candela::ir {
 namespace {
 
 constexpr const char *inputNames[] = {
-#define SHADER_INPUT(name, components, meaning) #name,
+#define SHADER_INPUT(name, components, time, meaning) #name,
 #include "language/runtime/shader_inputs.def"
 #undef SHADER_INPUT
 };
 constexpr int inputComponents[] = {
-#define SHADER_INPUT(name, components, meaning) components,
+#define SHADER_INPUT(name, components, time, meaning) components,
 #include "language/runtime/shader_inputs.def"
 #undef SHADER_INPUT
 };
@@ -37,7 +37,9 @@ public:
     explicit Printer(const Function &function) : function_(function) {}
 
     std::string run() {
-        line("function {} frame {}", function_.name, function_.spillSlots);
+        constexpr const char *lanes[] = {"points", "views", "responses"};
+        line("function {} of {}, frames {} + {}", function_.name, lanes[int(function_.lanes)],
+             function_.surfaceSlots, function_.viewSlots);
         if (!function_.colors.isRgb())
             line("colors of {} samples", function_.colors.samples);
         for (std::size_t i = 0; i < function_.requests.size(); ++i)

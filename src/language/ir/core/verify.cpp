@@ -117,7 +117,8 @@ private:
         case Immediate::Emission: return below(function_.emissions.size());
         case Immediate::Category: return below(function_.categories.size());
         case Immediate::Output: return below(function_.outputs.size());
-        case Immediate::Frame: return below(std::size_t(std::max(function_.spillSlots, 0)));
+        case Immediate::Frame:
+            return below(std::size_t(function_.surfaceSlots + function_.viewSlots));
         case Immediate::Direction:
             return expect(i, mayHaveSlopes_, "is not written out") && below(directionCount);
         }

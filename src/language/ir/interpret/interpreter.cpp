@@ -75,17 +75,25 @@ private:
 class LaneArguments {
 public:
     LaneArguments(const ShaderArgs &args, const Function &function, int lane)
-        : args_(args), colorSamples_(function.colors.samples), spillSlots_(function.spillSlots),
-          lane_(lane) {}
-
-    float input(int plane) const { return args_.inputs[plane][lane_]; }
-    float parameter(int slot) const {
-        return args_.parameters[args_.parameterOffset[lane_] + slot];
+        : args_(args), function_(function), colorSamples_(function.colors.samples), lane_(lane) {
+        const bool responds = function.lanes == BindingTime::Response;
+        const bool isPoint = function.lanes == BindingTime::Surface;
+        viewLane_ = responds && args.viewLane ? args.viewLane[lane] : lane;
+        surfaceLane_ = !isPoint && args.surfaceLane ? args.surfaceLane[viewLane_] : viewLane_;
     }
-    float variable(int plane) const { return args_.variables[plane][lane_]; }
+
+    float input(int plane) const {
+        return args_.inputs[plane][laneOf(bindingTimeOf(ShaderInput(plane)))];
+    }
+    float parameter(int slot) const {
+        return args_.parameters[args_.parameterOffset[surfaceLane_] + slot];
+    }
+    float variable(int plane) const { return args_.variables[plane][surfaceLane_]; }
     /// currentFromSpace and then spaceFromCurrent.
     const float *space(int index) const { return args_.spaces[index]; }
-    const float *object() const { return args_.objectMatrices + 32 * args_.objectIndex[lane_]; }
+    const float *object() const {
+        return args_.objectMatrices + 32 * args_.objectIndex[surfaceLane_];
+    }
     float random(int site, float turn) const {
         return randomNumber(std::bit_cast<std::uint32_t>(input(int(ShaderInput::seed))), site,
                             turn);
@@ -117,14 +125,22 @@ public:
         }
     }
 
-    float &frame(int slot) const {
-        auto block = std::size_t(lane_ / laneBlock) * spillSlots_ + slot;
-        return args_.frame[block * laneBlock + lane_ % laneBlock];
-    }
+    float load(int slot) const { return frame(slot, laneOf(spillSlot(function_, slot).frame)); }
+    void save(int slot, float value) const { frame(slot, lane_) = value; }
     float &output(int slot) const { return args_.outputs[slot][lane_]; }
     const ShaderCallbacks *callbacks() const { return args_.callbacks; }
 
 private:
+    int laneOf(BindingTime time) const {
+        return time == BindingTime::Surface ? surfaceLane_
+               : time == BindingTime::View  ? viewLane_
+                                            : lane_;
+    }
+    float &frame(int number, int lane) const {
+        const SpillSlot at = spillSlot(function_, number);
+        float *memory = at.frame == BindingTime::View ? args_.viewFrame : args_.surfaceFrame;
+        return memory[frameIndex(lane, at.slot, at.slots)];
+    }
     /// Black where the caller gave none.
     Color colorOf(const float *const *planes, int index) const {
         Color color{};
@@ -140,7 +156,8 @@ private:
     }
 
     const ShaderArgs &args_;
-    int colorSamples_, spillSlots_, lane_;
+    const Function &function_;
+    int colorSamples_, lane_, viewLane_, surfaceLane_;
 };
 
 /// How long the loops of a lane may still run: each outermost one begins anew.
@@ -256,11 +273,11 @@ private:
         switch (i.op) {
         case Op::ArrayLoad: cells_[i.results[0]] = element(i); return true;
         case Op::ArrayStore: element(i) = cells_[i.operands[1]]; return true;
-        case Op::FrameLoad: cells_.set(i, args_.frame(i.immediate)); return true;
+        case Op::FrameLoad: cells_.set(i, args_.load(i.immediate)); return true;
         case Op::FrameStore: {
             bool isBool = function_.values[i.operands[0]].type == Type::Bool;
             float value = isBool ? float(truth(i, 0)) : number(i, 0);
-            args_.frame(i.immediate) = turns_.ended() ? 0 : value;
+            args_.save(i.immediate, turns_.ended() ? 0 : value);
             return true;
         }
         case Op::Output:

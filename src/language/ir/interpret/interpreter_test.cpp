@@ -121,7 +121,7 @@ TEST(Interpreter, DeltaRequestsTakeTheirAnswer) {
 
 TEST(Interpreter, LoopsArraysFramesAndPrinting) {
     Function function;
-    function.spillSlots = 2;
+    function.surfaceSlots = 1, function.viewSlots = 2;
     Builder b(function);
     int array = addArray(b, Type::Float, 4);
     auto truth = boolean(b, true);
@@ -131,7 +131,7 @@ TEST(Interpreter, LoopsArraysFramesAndPrinting) {
         ValueId next = add(b, carried[1], number(b, 1));
         return Values{less(b, next, number(b, 6)), next};
     });
-    b.emit(Op::FrameStore, {less(b, number(b, 0), input(b, ShaderInput::u))}, 1);
+    b.emit(Op::FrameStore, {less(b, number(b, 0), input(b, ShaderInput::u))}, 2);
     output(b, "a", 0, arrayLoad(b, array, integer(b, 2)));
     output(b, "last", 0, arrayLoad(b, array, integer(b, 99)));
     output(b, "n", 0, result[1]);
@@ -150,7 +150,7 @@ TEST(Interpreter, LoopsArraysFramesAndPrinting) {
         EXPECT_EQ(out[1][i], 25) << "indices outside are clamped";
         EXPECT_EQ(out[2][i], 6);
         float u = batch.inputs[int(ShaderInput::u)][i];
-        EXPECT_EQ(batch.frame[(i / 16 * 2 + 1) * 16 + i % 16], u > 0 ? 1.0f : 0.0f);
+        EXPECT_EQ(batch.frames.view[frameIndex(i, 1, 2)], u > 0 ? 1.0f : 0.0f);
     }
     ASSERT_EQ(lines.size(), 17u);
     EXPECT_EQ(lines[0], "n = 6.000000, 1.000000 2.000000 3.000000!");

@@ -6,6 +6,7 @@
 #include "language/ir/core/ir.h"
 #include "language/runtime/shader_abi.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <random>
@@ -32,6 +33,26 @@ struct TestSamples {
     /// As ShaderArgs has them; empty = all categories accept all lights.
     std::vector<std::uint8_t> categoryAccepts;
     int lightCount = 0;
+};
+
+/// The memory for values between questions. It never shrinks: what one question saved, another
+/// loads.
+struct TestFrames {
+    TestPlane surface, view;
+
+    /// Room for so many lanes, all `value`.
+    void clear(const Function &function, int lanes, float value) {
+        surface.assign(std::size_t(function.surfaceSlots * lanes), value);
+        view.assign(std::size_t(function.viewSlots * lanes), value);
+    }
+    void grow(const Function &function, int lanes) {
+        const auto fit = [&](TestPlane &frame, int slots) {
+            if (std::size_t(slots * lanes) > frame.size())
+                frame.resize(std::size_t(slots * lanes));
+        };
+        fit(surface, function.surfaceSlots);
+        fit(view, function.viewSlots);
+    }
 };
 
 /// What the requests other than light loops are answered.
@@ -75,6 +96,12 @@ public:
 
     int padded() const { return (count + laneBlock - 1) / laneBlock * laneBlock; }
 
+    /// The same in all lanes.
+    void setParameters(const std::vector<float> &values) {
+        for (int i = 0; i < padded(); ++i)
+            std::copy(values.begin(), values.end(), parameters.begin() + parameterOffset[i]);
+    }
+
     /// `rows` light samples a point: rows of L and Cl.
     void setSamples(int rows, unsigned seed) {
         std::mt19937 bits(seed);
@@ -96,8 +123,7 @@ public:
     template <typename Run>
     std::vector<Plane> run(const Function &function, Run &&runner, float clear = 0) {
         std::vector<Plane> outputs(function.outputs.size(), Plane(padded(), clear));
-        if (std::size_t needed = std::size_t(function.spillSlots) * padded(); frame.size() < needed)
-            frame.resize(needed); // Never shrinks: what one question saved, another loads.
+        frames.grow(function, padded());
         ShaderArgs args;
         args.count = count;
         args.active = active.empty() ? nullptr : active.data();
@@ -110,7 +136,10 @@ public:
         args.spaces = spacePointers.data();
         args.objectMatrices = objects.data();
         args.objectIndex = objectIndex.data();
-        args.frame = frame.data();
+        args.surfaceFrame = frames.surface.data();
+        args.viewFrame = frames.view.data();
+        args.surfaceLane = surfaceLane.empty() ? nullptr : surfaceLane.data();
+        args.viewLane = viewLane.empty() ? nullptr : viewLane.data();
         args.outputs = outputPointers.data();
         auto LPointers = pointers(samples.L), ClPointers = pointers(samples.Cl);
         args.sampleCount = samples.rows;
@@ -140,7 +169,8 @@ public:
     TestSamples samples;
     TestAnswers answers;
     std::vector<std::int32_t> answeredRequest; ///< Of each point; finiteRequests at first.
-    Plane frame;
+    TestFrames frames;
+    std::vector<std::int32_t> surfaceLane, viewLane; ///< Empty = the same lanes.
     ShaderCallbacks callbacks;
 
 private:

@@ -85,8 +85,7 @@ struct Subject {
 
     void forgetFrame() {
         const Function &prepare = slice(Question::Prepare);
-        batch.frame.assign(std::size_t(prepare.spillSlots) * batch.padded(),
-                           std::numeric_limits<float>::quiet_NaN());
+        batch.frames.clear(prepare, batch.padded(), std::numeric_limits<float>::quiet_NaN());
     }
 
     void checkScatter() {
@@ -170,7 +169,8 @@ TEST(Slice, FramesAreUsed) {
     int framed = 0, statics = 0;
     for (unsigned seed = 0; seed < 40; ++seed) {
         Function whole = RandomText(seed, false).make();
-        framed += slice(whole, Question::Scatter).spillSlots > 0;
+        const Function scatter = slice(whole, Question::Scatter);
+        framed += scatter.surfaceSlots > 0 && scatter.viewSlots > 0;
         statics += surfaceFacts(whole).staticRequests;
     }
     EXPECT_GT(statics, 12);

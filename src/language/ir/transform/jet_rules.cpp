@@ -226,7 +226,7 @@ std::string inputName(int plane) {
         const char *name;
         int components;
     } inputs[] = {
-#define SHADER_INPUT(name, components, meaning) {#name, components},
+#define SHADER_INPUT(name, components, time, meaning) {#name, components},
 #include "language/runtime/shader_inputs.def"
 #undef SHADER_INPUT
     };
