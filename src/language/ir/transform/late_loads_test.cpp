@@ -15,6 +15,7 @@ namespace {
 /// The names of the operations, in order, constants left out.
 std::string operationsOf(const std::function<void(Builder &)> &write) {
     Function function;
+    function.parameters.resize(2);
     Builder b(function);
     write(b);
     b.finish();
