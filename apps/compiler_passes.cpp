@@ -18,7 +18,7 @@ ir::Function withDefaults(const ir::LoweredShader &lowered, DiagnosticSink &diag
     std::vector<ir::FoldedValue> folded;
     for (const int slot : ir::controlRelevantParameters(lowered.whole))
         folded.push_back({slot, block[size_t(slot)]});
-    return folded.empty() ? lowered.whole : ir::fold(lowered.whole, folded);
+    return ir::fold(lowered.whole, folded);
 }
 
 } // namespace

@@ -48,15 +48,18 @@ int countIn(const std::string &text, const std::string &what) {
     return count;
 }
 
-/// Outputs, the frame, a condition with a jump, a loop over light of a quarter turn about N.
-ir::Function litSurface() {
+/// Outputs, the frame, a condition with a jump, a loop over light of a quarter turn about N, of all
+/// light or of a category.
+ir::Function litSurface(int category = -1) {
     ir::Function function;
     function.viewSlots = 1;
+    function.categories = {"key"};
     ir::Builder b(function);
     const ir::Triple N = normalize(b, input3(b, ShaderInput::N));
     ir::LightRequest request;
     request.form = ir::ConeForm::Classic;
     request.coneCount = 1;
+    request.category = category;
     const ir::ValueId angle = number(b, std::numbers::pi_v<float> / 2);
     const ir::Values lit = lightLoop(
         b, addRequest(b, request), input3(b, ShaderInput::P), {N[0], N[1], N[2], angle},
@@ -81,6 +84,16 @@ TEST(EmittedCode, AsksNoCosineOfAnAngleThatIsKnown) {
         if (roundsAsHost(level)) {
             EXPECT_EQ(countIn(textOf(litSurface(), level, false), "cosf"), 0) << int(level);
         }
+}
+
+/// Whether a sample reaches a lane: bits of colours, and words that are joined as words.
+TEST(EmittedCode, FindsTheLanesOfASampleInFewInstructions) {
+    const ir::Function function = litSurface(0);
+    for (IsaLevel level : levels) {
+        EXPECT_EQ(countIn(textOf(function, level, false), "fcmp une"), 0) << int(level);
+        EXPECT_EQ(countIn(textOf(function, level, false), "extractelement"), 0) << int(level);
+    }
+    EXPECT_EQ(countIn(textOf(function, IsaLevel::V3, true), "vpsrad"), 0);
 }
 
 TEST(EmittedCode, TakesARegisterOfPointsAtATime) {

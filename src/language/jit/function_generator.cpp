@@ -334,7 +334,8 @@ Values FunctionGenerator::source(const Instruction &i) {
                                  arguments_.slotToLoad(ir::spillSlot(function_, i.immediate)))};
     case Op::AnsweredRequest: return {answersRequest(i.immediate)};
     case Op::CategoryAccepts:
-        return {acceptedByCategory(code_, arguments_, i.immediate, arguments_.firstPoint())};
+        return {code_.lanes.asMask(acceptedByCategory(
+            code_, arguments_, i.immediate, arguments_.firstPoint(), code_.masks.current()))};
     case Op::Answer:
         return arguments_.color(offsetof(ShaderArgs, answers), i.immediate * code_.colorSamples);
     case Op::Ambient: return arguments_.color(offsetof(ShaderArgs, ambient), 0);

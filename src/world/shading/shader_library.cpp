@@ -177,8 +177,7 @@ std::optional<ShaderInstance> ShaderLibrary::instance(ShaderKind kind, const Sha
     std::shared_ptr<ShaderCode> &code = state_->codes[key];
     if (!code) {
         ir::LoweredShader specialised = *lowered;
-        if (!folded.empty())
-            specialised.whole = ir::fold(lowered->whole, folded);
+        specialised.whole = ir::fold(lowered->whole, folded);
         code = std::make_shared<ShaderCode>(std::move(specialised), rule, state_->jit,
                                             state_->messages);
         state_->inOrder.push_back(code);

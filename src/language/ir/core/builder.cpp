@@ -82,7 +82,9 @@ Values Builder::emit(Op op, const Values &operands, int immediate, float number)
         if (auto known = known_.find(key); known != known_.end())
             return known->second;
     Values results = makeResults(function_, op, operands, immediate);
-    append({op, operands, results, {}, immediate, number, line_, file_});
+    append({op, operands, results, {}, immediate, number, place_.line, place_.file});
+    if (results.size() == 1)
+        unitVectors.note(op, operands, results[0]);
     if (isPure(op)) {
         known_.emplace(key, results);
         scopes_.back().known.push_back(std::move(key));

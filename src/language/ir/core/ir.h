@@ -81,8 +81,9 @@ struct LightRequest {
     enum class Kind : std::uint8_t { Loop, Trace };
     Kind kind = Kind::Loop;
     ConeForm form = ConeForm::Everywhere;
-    /// Operands of a LightLoop: position (3), then cones: (axis 3, angle) for Classic; (axis 3,
-    /// angle, exponent, importance) each for Extended; then the initial carried values.
+    /// Operands of a LightLoop: position (3), then cones: (axis 3, angle) for Classic, the axis
+    /// normalised; (axis 3, angle, exponent, importance) each for Extended; then the initial
+    /// carried values.
     int coneCount = 0;
     int category = -1; ///< Index into Function::categories, -1 = all.
     int line = 0;

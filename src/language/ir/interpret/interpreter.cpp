@@ -348,7 +348,7 @@ private:
 
     /// Of a classic loop.
     bool isInsideCone(const Instruction &i, const Vector &L) const {
-        float cosine = dot(normalize(L), normalize(cells_.vector(i, 3)));
+        float cosine = dot(normalize(L), cells_.vector(i, 3));
         return cosine >= runtime::cos(number(i, 6));
     }
 

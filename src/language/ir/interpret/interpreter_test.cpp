@@ -28,9 +28,10 @@ Function lightSum(ConeForm form, const Values &extra, int category = -1) {
     request.category = category;
     int index = addRequest(b, request);
     Values cones;
+    const Triple N = input3(b, ShaderInput::N);
+    const Triple axis = form == ConeForm::Classic ? normalize(b, N) : N;
     if (form != ConeForm::Everywhere)
-        for (ValueId v : input3(b, ShaderInput::N))
-            cones.push_back(v);
+        cones.insert(cones.end(), axis.begin(), axis.end());
     for (ValueId v : extra)
         cones.push_back(number(b, float(v)));
     auto sum = lightLoop(b, index, input3(b, ShaderInput::P), cones, {number(b, 0)},

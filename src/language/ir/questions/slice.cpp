@@ -5,6 +5,7 @@
 #include "language/ir/questions/emission.h"
 #include "language/ir/questions/questions.h"
 #include "language/ir/transform/dead_code.h"
+#include "language/ir/transform/late_loads.h"
 #include "language/ir/transform/short_loops.h"
 
 #include <algorithm>
@@ -104,6 +105,7 @@ std::vector<ConeSlot> coneSlots(const Plan &plan) {
 Function named(Function function, const Function &whole, Question question) {
     function.name = whole.name + "." + nameOf(question);
     function.lanes = lanesOf(question);
+    loadLate(function);
     markShortLoops(function);
     return function;
 }
