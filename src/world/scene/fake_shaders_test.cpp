@@ -112,7 +112,7 @@ ir::LoweredShader lowered(const std::string &name, const std::set<std::string> &
 int QuestionCode::output(ir::OutputKind kind) const { return ir::slotOf(function.outputs, kind); }
 
 ShaderCode::ShaderCode(ir::LoweredShader shader, ir::LightRule rule, std::shared_ptr<Jit> jit,
-                       std::shared_ptr<const ShaderMessages>)
+                       std::shared_ptr<const ShaderMessages>, std::shared_ptr<const ShaderAnswers>)
     : shader_(std::move(shader)), rule_(rule), jit_(std::move(jit)) {
     facts_.emits = name() == "glow";
     facts_.opaqueIfOsIs1 = name() != "glass";
@@ -158,6 +158,7 @@ ShaderLibrary::ShaderLibrary(ShaderLibrarySettings, DiagnosticSink &)
     : state_(std::make_unique<State>()) {}
 ShaderLibrary::~ShaderLibrary() = default;
 void ShaderLibrary::makeReady() {}
+void ShaderLibrary::bindOptions(const Options &) {}
 
 std::optional<std::vector<ShaderLookup::ParameterType>>
 ShaderLibrary::parametersOf(ShaderKind, const std::string &, const Options &,

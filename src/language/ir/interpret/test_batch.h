@@ -4,6 +4,7 @@
 
 #include "foundation/units/color.h"
 #include "language/ir/core/ir.h"
+#include "language/ir/interpret/test_services.h"
 #include "language/runtime/shader_abi.h"
 
 #include <array>
@@ -128,6 +129,7 @@ public:
         args.ambient = answers.givesAmbient ? ambientPointers.data() : nullptr;
         args.irradiance = answers.givesAmbient ? irradiancePointers.data() : nullptr;
         args.callbacks = &callbacks;
+        args.services = &services;
         runner(function, args);
         return outputs;
     }
@@ -142,6 +144,7 @@ public:
     std::vector<std::int32_t> answeredRequest; ///< Of each point; finiteRequests at first.
     Plane frame;
     ShaderCallbacks callbacks;
+    ShaderServices services = testServices();
 
 private:
     static Plane matrices(std::mt19937 &bits) {

@@ -57,7 +57,7 @@ Function sliceWhole(const Function &whole, Question question) {
         return sliceEmission(whole);
     Function result = whole;
     if (question == Question::Shade)
-        removeAll(Op::Print, result.body);
+        removeAll(Op::Command, result.body);
     removeAll(Op::EmissionCone, result.body);
     removeDeadCode(result);
     return result;
