@@ -8,7 +8,7 @@
 #include "language/ir/core/builder_services.h"
 #include "language/ir/core/builder_sources.h"
 #include "language/ir/core/op_info.h"
-#include "language/ir/interpret/test_services.h"
+#include "language/ir/core/test_services.h"
 #include "language/runtime/runtime_functions.h"
 
 #include <algorithm>

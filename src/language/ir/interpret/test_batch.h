@@ -4,7 +4,7 @@
 
 #include "foundation/units/color.h"
 #include "language/ir/core/ir.h"
-#include "language/ir/interpret/test_services.h"
+#include "language/ir/core/test_services.h"
 #include "language/runtime/shader_abi.h"
 
 #include <array>

@@ -11,7 +11,7 @@
 #include "language/ir/core/builder_services.h"
 #include "language/ir/core/builder_sources.h"
 #include "language/ir/core/builder_vectors.h"
-#include "language/ir/interpret/test_services.h"
+#include "language/ir/core/test_services.h"
 
 #include <random>
 
