@@ -65,16 +65,16 @@ Value *ServiceCalls::site(const ir::Instruction &i) {
     const std::string types = typesOf(i);
     const auto number = [&](auto n) { return builder_.getInt32(std::uint32_t(n)); };
     const std::string file = function.files.empty() ? "" : function.files[std::size_t(i.file)];
-    llvm::Constant *fields[] = {
-        strings_.global(use.info->name),
-        number(use.info->service),
-        number(i.operands.size()),
-        number(use.results),
-        number(i.line),
-        strings_.global(file),
-        texts(use),
-        strings_.global(types),
-        types.find('s') == std::string::npos ? strings_.global("") : strings_.all()};
+    llvm::Constant *fields[] = {strings_.global(use.info->name),
+                                number(use.info->service),
+                                number(i.operands.size()),
+                                number(use.results),
+                                number(i.line),
+                                strings_.global(file),
+                                texts(use),
+                                strings_.global(types),
+                                types.find('s') == std::string::npos ? strings_.global("")
+                                                                     : strings_.all()};
     auto *value = llvm::ConstantStruct::getAnon(fields);
     return new llvm::GlobalVariable(code_.module, value->getType(), true,
                                     llvm::GlobalValue::PrivateLinkage, value, "site");
@@ -99,10 +99,9 @@ void ServiceCalls::ask(const ir::Instruction &i) {
     const Memory &own = memory();
     storeOperands(i, uniformity, own.operands);
     auto *integer = code_.integerType, *pointer = code_.pointerType;
-    auto *signature =
-        llvm::FunctionType::get(builder_.getVoidTy(),
-                                {pointer, pointer, pointer, pointer, integer, integer, integer},
-                                false);
+    auto *signature = llvm::FunctionType::get(
+        builder_.getVoidTy(), {pointer, pointer, pointer, pointer, integer, integer, integer},
+        false);
     const int lanes = uniformity == Uniformity::Varying ? code_.lanes.width() : 1;
     builder_.CreateCall(code_.external(serviceSymbol, signature, false),
                         {arguments_.pointer(), site(i), own.operands, own.results,

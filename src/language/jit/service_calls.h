@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Calls of the renderer's services (language/runtime/services.h): one for each block of points, from
-// all of its lanes that run.
+// Calls of the renderer's services (language/runtime/services.h): one for each block of points,
+// from all of its lanes that run.
 #pragma once
 
 #include "language/jit/constant_strings.h"

@@ -154,18 +154,18 @@ const std::vector<Control> &controls() {
          }},
         {"illuminance",
          [](Builder &b, const Ask &ask) {
-             result(b, lightLoop(b, addRequest(b, {}), input3(b, ShaderInput::P), {},
-                                 {number(b, 0)},
-                                 [&](const ir::Triple &L, const Values &, const Values &carried) {
-                                     return Values{add(b, carried[0], ask("lit", L[0]))};
-                                 })[0]);
+             result(b,
+                    lightLoop(b, addRequest(b, {}), input3(b, ShaderInput::P), {}, {number(b, 0)},
+                              [&](const ir::Triple &L, const Values &, const Values &carried) {
+                                  return Values{add(b, carried[0], ask("lit", L[0]))};
+                              })[0]);
          },
          [](const LaneInputs &in, std::string_view) { return in.light; }},
         // Ended after two turns; nobody is asked from there on.
         {"loops that are ended",
          [](Builder &b, const Ask &ask) {
-             const ValueId sum = counted(b, timesFour(b, x(b)),
-                                         [&](ValueId turn) { return ask("turn", turn); });
+             const ValueId sum =
+                 counted(b, timesFour(b, x(b)), [&](ValueId turn) { return ask("turn", turn); });
              result(b, add(b, sum, ask("after", y(b))));
          },
          [](const LaneInputs &in, std::string_view text) {
@@ -205,16 +205,15 @@ struct Runners {
             const ShaderFunction code = jit->compile(function);
             EXPECT_TRUE(code) << diagnostics.text();
             if (code)
-                all.emplace_back(name, [code](const ir::Function &, const ShaderArgs &args) {
-                    code(&args);
-                });
+                all.emplace_back(
+                    name, [code](const ir::Function &, const ShaderArgs &args) { code(&args); });
         }
         return all;
     }
     Runners() {
         using runtime::IsaLevel;
-        for (auto [name, level] : {std::pair("v2", IsaLevel::V2), {"v3", IsaLevel::V3},
-                                   {"v4", IsaLevel::V4}})
+        for (auto [name, level] :
+             {std::pair("v2", IsaLevel::V2), {"v3", IsaLevel::V3}, {"v4", IsaLevel::V4}})
             for (int width : {1, 16}) {
                 if (!Jit::hostRuns(level))
                     continue;
@@ -246,8 +245,7 @@ struct Batch : TestBatch {
         uniform_ = uniform;
     }
     bool runs(int lane) const {
-        return lane < count &&
-               (active.empty() || active[std::size_t(lane / 16)] >> lane % 16 & 1);
+        return lane < count && (active.empty() || active[std::size_t(lane / 16)] >> lane % 16 & 1);
     }
     LaneInputs of(int lane) const {
         const auto at = std::size_t(lane);
@@ -266,7 +264,11 @@ struct Masks {
     int count;
     std::vector<std::uint16_t> active;
 };
-const Masks masks[] = {{1, {}}, {7, {}}, {16, {}}, {40, {}}, {40, {0x8001, 0, 0x00f0}},
+const Masks masks[] = {{1, {}},
+                       {7, {}},
+                       {16, {}},
+                       {40, {}},
+                       {40, {0x8001, 0, 0x00f0}},
                        {37, {0xbeef, 0x0100, 0xffff}}};
 
 TEST(Services, ActiveLanesAreAskedAsOftenAsTheyComeThereAndNoOthers) {
@@ -333,10 +335,10 @@ TEST(Services, ABlockAsksOnceForAllOfItsLanes) {
     Runners runners;
     const ir::Function function = program(controls()[0], Asked::Query);
     for (const auto &[name, runner] : runners.of(function)) {
-        const int width = !name.ends_with("16")      ? 1
-                          : name.starts_with("v2")   ? 4
-                          : name.starts_with("v3")   ? 8
-                                                     : 16;
+        const int width = !name.ends_with("16")    ? 1
+                          : name.starts_with("v2") ? 4
+                          : name.starts_with("v3") ? 8
+                                                   : 16;
         Batch batch(function, 48, {0xffff, 0, 0x8001}, 1);
         ServiceLog log;
         batch.services = ir::testServices(&log);
@@ -357,8 +359,7 @@ TEST(Services, UniformQueriesAreAskedOnceABlockIfAnyLaneAsks) {
         const auto ask = [&] {
             return query(b, ir::testSample, {"u"}, {uniform(b), number(b, 3)}, 1)[0];
         };
-        result(b, conditional ? choose(
-                                    b, isNegative(b, x(b)), ask, [&] { return number(b, -1); })
+        result(b, conditional ? choose(b, isNegative(b, x(b)), ask, [&] { return number(b, -1); })
                               : ask());
         b.finish();
         ASSERT_EQ(ir::verify(function), "");

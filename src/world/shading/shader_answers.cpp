@@ -51,8 +51,8 @@ std::vector<float> optionValue(const Options &options, std::string_view name,
     if (!wanted)
         return {};
     if (std::vector<float> values = standardOption(options, name); !values.empty()) {
-        const bool fits = wanted->type == ValueType::Float &&
-                          wanted->arraySize == int(values.size());
+        const bool fits =
+            wanted->type == ValueType::Float && wanted->arraySize == int(values.size());
         return fits ? values : std::vector<float>{};
     }
     const Parameter *given = options.named.find(std::string(name));

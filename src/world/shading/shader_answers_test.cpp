@@ -35,18 +35,23 @@ TEST(ShaderAnswers, OptionsOfRequestsByName) {
 TEST(ShaderAnswers, NamedOptionsAndWhatDoesNotFit) {
     Options options;
     options.named["user:gain"] = {"gain", {StorageClass::Uniform, ValueType::Float, 1}, {2.5f}, {}};
-    options.named["user:steps"] = {"steps", {StorageClass::Uniform, ValueType::Integer, 2},
-                                   {3, 4}, {}};
-    options.named["user:tint"] = {"tint", {StorageClass::Uniform, ValueType::Color, 1},
-                                  {0.1f, 0.2f, 0.3f}, {}};
+    options.named["user:steps"] = {
+        "steps", {StorageClass::Uniform, ValueType::Integer, 2}, {3, 4}, {}};
+    options.named["user:tint"] = {
+        "tint", {StorageClass::Uniform, ValueType::Color, 1}, {0.1f, 0.2f, 0.3f}, {}};
     options.named["user:name"] = {"name", {StorageClass::Uniform, ValueType::String, 1}, {}, {"a"}};
     EXPECT_EQ(optionValue(options, "user:gain", "float"), Numbers{2.5f});
     EXPECT_EQ(optionValue(options, "user:steps", "float[2]"), (Numbers{3, 4}));
     EXPECT_EQ(optionValue(options, "user:tint", "color"), (Numbers{0.1f, 0.2f, 0.3f}));
-    for (auto [name, type] : {std::pair("user:gain", "float[2]"), {"user:gain", "color"},
-                              {"user:tint", "float[3]"}, {"user:tint", "point"},
-                              {"user:name", "float"}, {"user:nothing", "float"},
-                              {"Format", "float"}, {"Format", "color"}, {"", "float"}})
+    for (auto [name, type] : {std::pair("user:gain", "float[2]"),
+                              {"user:gain", "color"},
+                              {"user:tint", "float[3]"},
+                              {"user:tint", "point"},
+                              {"user:name", "float"},
+                              {"user:nothing", "float"},
+                              {"Format", "float"},
+                              {"Format", "color"},
+                              {"", "float"}})
         EXPECT_TRUE(optionValue(options, name, type).empty()) << name << " as " << type;
 }
 

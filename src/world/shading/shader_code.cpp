@@ -11,8 +11,8 @@ int QuestionCode::output(ir::OutputKind kind) const { return ir::slotOf(function
 ShaderCode::ShaderCode(ir::LoweredShader shader, ir::LightRule rule, std::shared_ptr<Jit> jit,
                        std::shared_ptr<const ShaderMessages> messages,
                        std::shared_ptr<const ShaderAnswers> answers)
-    : shader_(std::move(shader)), rule_(rule), jit_(std::move(jit)),
-      messages_(std::move(messages)), answers_(std::move(answers)) {
+    : shader_(std::move(shader)), rule_(rule), jit_(std::move(jit)), messages_(std::move(messages)),
+      answers_(std::move(answers)) {
     readText();
 }
 

@@ -93,8 +93,8 @@ enum class SlopeRule : std::uint8_t {
     Chain,  ///< The one operand's, times a factor of operand and result.
     Angle,  ///< Of atan2.
     Power,
-    Memory, ///< An array of slopes beside the array.
-    Call,   ///< functions.def names a function that gives slopes.
+    Memory,  ///< An array of slopes beside the array.
+    Call,    ///< functions.def names a function that gives slopes.
     Service, ///< services.def.
     Control,
     Raised,  ///< The operand's of an order higher.

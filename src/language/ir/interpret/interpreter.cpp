@@ -295,9 +295,8 @@ private:
         LaneService service(function_, i);
         for (ValueId v : i.operands)
             service.add(function_.values[v].type, {.integer = cells_.integer(v)});
-        const std::vector<float> answer =
-            turns_.ended() ? std::vector<float>(i.results.size())
-                           : service.ask(args_.all(), args_.lane());
+        const std::vector<float> answer = turns_.ended() ? std::vector<float>(i.results.size())
+                                                         : service.ask(args_.all(), args_.lane());
         cells_.setAll(i, answer.data());
     }
 

@@ -2,11 +2,11 @@
 #include "language/ir/core/builder_arithmetic.h"
 #include "language/ir/core/builder_control.h"
 #include "language/ir/core/builder_effects.h"
-#include "language/ir/core/builder_services.h"
-#include "language/ir/core/print_format.h"
 #include "language/ir/core/builder_light.h"
+#include "language/ir/core/builder_services.h"
 #include "language/ir/core/builder_sources.h"
 #include "language/ir/core/builder_vectors.h"
+#include "language/ir/core/print_format.h"
 #include "language/ir/interpret/interpreter.h"
 
 #include "language/ir/core/builder.h"

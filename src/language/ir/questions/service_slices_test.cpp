@@ -51,16 +51,16 @@ Function text() {
         return Values{less(b, next, number(b, 2)), next,
                       add(b, carried[2], ask("turn", add(b, carried[1], N[0])))};
     })[2]);
-    const Values lit = lightLoop(
-        b, addRequest(b, {}), input3(b, ShaderInput::P), {}, {zero, zero, zero},
-        [&](const Triple &L, const Values &Cl, const Values &carried) {
-            note("light note");
-            const ValueId weight = mul(b, ask("light", L[0]), ask("in the light", N[2]));
-            Values sums;
-            for (std::size_t k = 0; k < 3; ++k)
-                sums.push_back(add(b, carried[k], mul(b, Cl[k], weight)));
-            return sums;
-        });
+    const Values lit =
+        lightLoop(b, addRequest(b, {}), input3(b, ShaderInput::P), {}, {zero, zero, zero},
+                  [&](const Triple &L, const Values &Cl, const Values &carried) {
+                      note("light note");
+                      const ValueId weight = mul(b, ask("light", L[0]), ask("in the light", N[2]));
+                      Values sums;
+                      for (std::size_t k = 0; k < 3; ++k)
+                          sums.push_back(add(b, carried[k], mul(b, Cl[k], weight)));
+                      return sums;
+                  });
     for (int k = 0; k < 3; ++k) {
         output(b, "Ci", k, mul(b, lit[std::size_t(k)], factor));
         output(b, "Oi", k, input(b, ShaderInput::Os, k));

@@ -256,7 +256,8 @@ std::string slopeNote(const Function &function, const Instruction &i) {
         return stays("the derivative of " + function.variables[size_t(i.immediate)].name);
     case Op::FrameLoad: return "derivatives of values from a frame are not known";
     case Op::Call: return "there are no derivatives of noise beyond the second";
-    case Op::Query: return stays("what " + std::string(serviceOf(function, i).info->name) + "() gives");
+    case Op::Query:
+        return stays("what " + std::string(serviceOf(function, i).info->name) + "() gives");
     default: return stays("light");
     }
 }
