@@ -5,6 +5,7 @@
 #include "language/ir/core/builder_control.h"
 #include "language/ir/core/builder_effects.h"
 #include "language/ir/core/builder_sources.h"
+#include "language/ir/core/print_format.h"
 #include "language/ir/interpret/interpreter.h"
 #include "language/ir/interpret/test_batch.h"
 #include "language/jit/jit.h"
@@ -55,19 +56,27 @@ struct Result {
     std::vector<std::string> printed; ///< Sorted: widths print in different orders.
 };
 
-void collectPrint(void *context, const char *text) {
-    std::string line = text;
-    // The sign of NaN is not defined.
-    for (std::size_t at; (at = line.find("-nan")) != std::string::npos;)
-        line.erase(at, 1);
-    static_cast<std::vector<std::string> *>(context)->push_back(line);
+void collectPrint(void *context, const ServiceCall &call) {
+    for (int lane = 0; lane < call.laneCount; ++lane) {
+        if (!call.asks(lane))
+            continue;
+        std::string line = ir::printedText(call, lane);
+        // The sign of NaN is not defined.
+        for (std::size_t at; (at = line.find("-nan")) != std::string::npos;)
+            line.erase(at, 1);
+        static_cast<std::vector<std::string> *>(context)->push_back(line);
+    }
 }
 
 template <typename Runner>
 Result run(TestBatch &batch, const ir::Function &function, Runner &&runner) {
     Result result;
     batch.frames.clear(function, batch.padded(), 0.25f);
-    batch.callbacks = {&result.printed, collectPrint};
+    batch.services.context = &result.printed;
+    batch.services[Service::print] = collectPrint;
+    batch.services[Service::option] = [](void *, const ServiceCall &call) {
+        ir::answerService(nullptr, call);
+    };
     result.outputs = batch.run(function, runner, unreached);
     result.frames = batch.frames;
     std::sort(result.printed.begin(), result.printed.end());
@@ -413,7 +422,7 @@ TEST_P(Codegen, IndicesOutsideAreClampedAndReportedAtEveryWidth) {
                         expected.emplace("a.sl", line);
                 const auto runWith = [&](auto &&runner) {
                     Places places;
-                    batch.callbacks = {&places, nullptr, Places::note};
+                    batch.callbacks = {&places, Places::note};
                     auto outputs = batch.run(function, runner, unreached);
                     EXPECT_EQ(places.said, expected) << x << " " << y;
                     return outputs;

@@ -10,6 +10,7 @@
 #include "language/jit/function_pieces.h"
 #include "language/jit/gathers.h"
 #include "language/jit/light_loop.h"
+#include "language/jit/service_calls.h"
 #include "language/runtime/shader_abi.h"
 
 #include <cstddef>
@@ -111,7 +112,9 @@ private:
     ShaderArguments arguments_;
     EarlierLanes earlier_;
     Gathers gathers_;
+    ConstantStrings strings_;
     RuntimeCalls calls_;
+    ServiceCalls services_;
     TurnLimit limit_;
     ArrayMemory arrays_;
     ControlFlow control_;
@@ -123,8 +126,10 @@ FunctionGenerator::FunctionGenerator(const ir::Function &function, const CodeTar
     : function_(function), code_(target, module, symbol),
       pieces_(cutIntoPieces(function, target.longestFunction)), builder_(code_.builder),
       values_(function, code_.lanes), arguments_(code_), earlier_(code_, arguments_, function),
-      gathers_(code_, arguments_, function.body), calls_(code_, arguments_, values_, pieces_),
-      limit_(code_, values_, calls_), arrays_(code_, values_, calls_, limit_),
+      gathers_(code_, arguments_, function.body), strings_(code_, function),
+      calls_(code_, arguments_, values_, strings_, pieces_),
+      services_(code_, arguments_, values_, strings_), limit_(code_, values_, calls_),
+      arrays_(code_, values_, calls_, limit_),
       control_(code_, values_, limit_, [this](const Region &region) { emitRegion(region); }) {
     code_.colorSamples = function.colors.samples;
     if (!pieces_.whole())
@@ -316,7 +321,7 @@ Values FunctionGenerator::source(const Instruction &i) {
         return {llvm::ConstantFP::get(code_.module.getContext(), llvm::APFloat(i.number))};
     case Op::ConstBool: return {builder_.getInt1(i.immediate != 0)};
     case Op::ConstInteger: return {builder_.getInt32(i.immediate)};
-    case Op::ConstString: return {calls_.string(i.immediate)};
+    case Op::ConstString: return {strings_.value(i.immediate)};
     case Op::Input: return {load(offsetof(ShaderArgs, inputs), i.immediate)};
     case Op::Variable: return {load(offsetof(ShaderArgs, variables), i.immediate)};
     case Op::Parameter: return {gathers_.parameter(i.immediate)};
@@ -349,9 +354,10 @@ void FunctionGenerator::emitMemory(const Instruction &i) {
     case Op::ArrayLoad: return values_.set(i.results[0], arrays_.load(i));
     case Op::ArrayStore: return arrays_.store(i);
     case Op::Call: return calls_.call(i);
-    case Op::Print: {
+    case Op::Query:
+    case Op::Command: {
         MaskStack::Scope scope(code_.masks, limit_.running(code_.masks.current()));
-        return calls_.print(i);
+        return services_.ask(i);
     }
     case Op::EmissionCone: return; // For Question::Emission.
     default: return;

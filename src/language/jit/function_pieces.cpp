@@ -33,7 +33,8 @@ int ownWeight(const Instruction &i) {
     case Op::If:
     case Op::Loop: return 4 + int(i.results.size());
     case Op::Call: return 4 + int(i.operands.size() + i.results.size());
-    case Op::Print: return 20 + int(i.operands.size());
+    case Op::Query:
+    case Op::Command: return 8 + int(i.operands.size() + i.results.size());
     default: return ir::info(i.op).kind == ir::OpClass::Transcendental ? 4 : 1;
     }
 }

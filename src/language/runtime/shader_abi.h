@@ -8,6 +8,7 @@
 
 #include "foundation/base/planes.h"
 #include "foundation/units/color_basis.h"
+#include "language/runtime/services.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -43,17 +44,19 @@ constexpr std::size_t frameIndex(std::int32_t lane, int slot, int slots) {
            std::size_t(lane % laneBlock);
 }
 
-/// What the runtime does for shaders outside the fast path.
+/// Who is told of mistakes; what shaders ask for are services (services.h).
 struct ShaderCallbacks {
     void *context = nullptr;
-    /// printf(): the text for one lane, already formatted.
-    void (*print)(void *context, const char *text) = nullptr;
     /// An array is indexed outside its elements there: called from any thread, as often as it
     /// happens.
     void (*indexOutside)(void *context, const char *file, std::int32_t line) = nullptr;
     /// The loop there has run for as long as it may at some points, and has been ended: called from
     /// any thread, as often as it happens.
     void (*loopEnded)(void *context, const char *file, std::int32_t line) = nullptr;
+    /// Nobody answers for the service that is asked there: called from any thread, as often as it
+    /// happens.
+    void (*serviceAbsent)(void *context, const char *service, const char *file,
+                          std::int32_t line) = nullptr;
 };
 
 /// No question but finite light samples: see ShaderArgs::answeredRequest.
@@ -132,6 +135,7 @@ struct ShaderArgs {
     const float *const *irradiance = nullptr;
 
     const ShaderCallbacks *callbacks = nullptr;
+    const ShaderServices *services = nullptr;
 };
 
 using ShaderFunction = void (*)(const ShaderArgs *);

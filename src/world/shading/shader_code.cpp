@@ -18,9 +18,10 @@ void QuestionCode::place(ir::OutputKind kind, float *const *planes,
 }
 
 ShaderCode::ShaderCode(ir::LoweredShader shader, ir::LightRule rule, std::shared_ptr<Jit> jit,
-                       std::shared_ptr<const ShaderMessages> messages)
-    : shader_(std::move(shader)), rule_(rule), jit_(std::move(jit)),
-      messages_(std::move(messages)) {
+                       std::shared_ptr<const ShaderMessages> messages,
+                       std::shared_ptr<const ShaderAnswers> answers)
+    : shader_(std::move(shader)), rule_(rule), jit_(std::move(jit)), messages_(std::move(messages)),
+      answers_(std::move(answers)) {
     readText();
 }
 
@@ -108,6 +109,7 @@ void ShaderCode::bind(ShaderArgs &args) const {
     args.spaces = spaces_.data();
     categories_.bind(args);
     args.callbacks = &messages_->callbacks();
+    args.services = &answers_->services();
 }
 
 } // namespace candela

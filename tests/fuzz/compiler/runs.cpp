@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runs.h"
 
+#include "language/ir/core/print_format.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -13,14 +15,18 @@ namespace {
 
 using Plane = ir::TestBatch::Plane;
 
-void notePrint(void *context, const char *text) {
-    std::string line = text;
-    // The sign of NaN is not defined.
-    for (std::size_t at; (at = line.find("-nan")) != std::string::npos;)
-        line.erase(at, 1);
-    RunResult &run = *static_cast<RunResult *>(context);
-    ++run.lines;
-    run.digest += std::hash<std::string>()(line);
+void notePrint(void *context, const ServiceCall &call) {
+    for (int lane = 0; lane < call.laneCount; ++lane) {
+        if (!call.asks(lane))
+            continue;
+        std::string line = ir::printedText(call, lane);
+        // The sign of NaN is not defined.
+        for (std::size_t at; (at = line.find("-nan")) != std::string::npos;)
+            line.erase(at, 1);
+        RunResult &run = *static_cast<RunResult *>(context);
+        ++run.lines;
+        run.digest += std::hash<std::string>()(line);
+    }
 }
 
 void noteOutside(void *context, const char *file, std::int32_t line) {
@@ -141,7 +147,9 @@ void Batch::fit(const ir::Function &function) {
 
 RunResult Batch::run(const ir::Function &function, const Code &code, Light light) {
     RunResult result;
-    points_.callbacks = {&result, notePrint, noteOutside};
+    points_.callbacks = {&result, noteOutside};
+    points_.services.context = &result;
+    points_.services[Service::print] = notePrint;
     const auto ambient = pointersTo(ambient_), answers = pointersTo(answers_);
     const auto withLight = [&](const ir::Function &, const ShaderArgs &dark) {
         ShaderArgs args = dark;

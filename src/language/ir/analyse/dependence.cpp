@@ -43,11 +43,13 @@ struct BindingTimeAnalysis : ForwardAnalysis<BindingTime> {
         return carried;
     }
 
-    BindingTime result(const Instruction &i, std::size_t, const Enclosing *) const {
+    BindingTime result(const Instruction &i, std::size_t, const Enclosing *around) const {
         if (i.op == Op::Input)
             return bindingTimeOf(ShaderInput(i.immediate));
         if (isArrayAccess(i.op))
             return arrayOf(i);
+        if (isService(i.op))
+            return latest(i.operands, conditionAround(around));
         return isAnswer(i.op) ? BindingTime::Response : latest(i.operands);
     }
     /// Loads and stores of an array keep their order: all count to the latest.

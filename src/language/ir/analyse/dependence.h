@@ -10,7 +10,8 @@ namespace candela::ir {
 
 /// Dependence by data and by control. A value made in a branch does not depend on the branch's
 /// condition (it may be computed earlier, whatever the condition will be); what leaves the branch
-/// does. Loops stay behind their conditions, since only then do they surely end.
+/// does. Loops stay behind their conditions, since only then do they surely end; and so do
+/// services, since nobody may be asked in vain.
 struct Dependence {
     struct Definition {
         const Instruction *instruction = nullptr; ///< Null for arguments of regions.

@@ -43,9 +43,13 @@ std::size_t Builder::KeyHash::operator()(const Key &key) const {
 
 namespace {
 
-Uniformity uniformityOfResults(const Function &function, Op op, const Values &operands) {
-    Uniformity uniformity = info(op).uniformity == ResultUniformity::Varying ? Uniformity::Varying
-                                                                             : Uniformity::Uniform;
+Uniformity uniformityOfResults(const Function &function, Op op, const Values &operands,
+                               int immediate) {
+    const ResultUniformity rule = info(op).uniformity;
+    const bool varies = rule == ResultUniformity::Varying ||
+                        (rule == ResultUniformity::Service &&
+                         variesByItself(function.services[std::size_t(immediate)]));
+    Uniformity uniformity = varies ? Uniformity::Varying : Uniformity::Uniform;
     for (ValueId v : operands)
         if (function.values[v].uniformity == Uniformity::Varying)
             uniformity = Uniformity::Varying;
@@ -53,7 +57,7 @@ Uniformity uniformityOfResults(const Function &function, Op op, const Values &op
 }
 
 Values makeResults(Function &function, Op op, const Values &operands, int immediate) {
-    const Uniformity uniformity = uniformityOfResults(function, op, operands);
+    const Uniformity uniformity = uniformityOfResults(function, op, operands, immediate);
     Values results;
     const auto make = [&](Type type, int count) {
         for (int k = 0; k < count; ++k)
@@ -64,7 +68,9 @@ Values makeResults(Function &function, Op op, const Values &operands, int immedi
                                          : function.values[operands.back()].type;
     for (char letter : info(op).results)
         if (letter == '*')
-            make(Type::Float, runtime::info(runtime::RuntimeFunction(immediate)).outputs);
+            make(Type::Float, isService(op)
+                                  ? function.services[std::size_t(immediate)].results
+                                  : runtime::info(runtime::RuntimeFunction(immediate)).outputs);
         else
             make(letter == '.' ? same : typeOf(letter), countOf(letter, function.colors.samples));
     return results;

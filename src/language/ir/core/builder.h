@@ -4,7 +4,8 @@
 //
 // The builder itself knows only instructions and regions; what one writes with it are functions
 // by subject: builder_sources.h (constants, inputs), builder_arithmetic.h, builder_vectors.h,
-// builder_control.h, builder_light.h, builder_effects.h (arrays, outputs).
+// builder_control.h, builder_light.h, builder_effects.h (arrays, outputs),
+// builder_services.h.
 //
 //     Builder b(function);
 //     Values lit = lightLoop(b, request, position, cones, {number(b, 0)},

@@ -65,7 +65,8 @@ struct Instruction {
     std::int32_t immediate = 0;
     float number = 0;
     int line = 0; ///< Of the shader's source, for messages; 0 = made by the compiler.
-    int file = 0; ///< Into Function::files, for messages at run time: of array accesses and loops.
+    /// Into Function::files, for messages at run time: of array accesses, loops and services.
+    int file = 0;
 };
 
 /// How a light loop chooses its samples and states its importance.
@@ -97,6 +98,15 @@ struct Emission {
     int line = 0;
 };
 
+/// What a Query or a Command asks, beside its operands; equal ones are one. Where it is asked, the
+/// instruction says.
+struct ServiceUse {
+    const ServiceInfo *info = nullptr;
+    std::vector<int> texts; ///< Into Function::strings.
+    int results = 0;        ///< All of them floats.
+    bool operator==(const ServiceUse &) const = default;
+};
+
 /// A local array in memory.
 struct Array {
     Type type = Type::Float;
@@ -122,6 +132,7 @@ struct Function {
     std::vector<Array> arrays;
     std::vector<LightRequest> requests;
     std::vector<Emission> emissions;       ///< Of light shaders, in the order of the text.
+    std::vector<ServiceUse> services;      ///< By the immediate of Query and Command.
     std::vector<std::string> strings;      ///< By ConstString's immediate.
     std::vector<std::string> files;        ///< Source files, by Instruction::file.
     std::vector<std::string> spaces;       ///< Named coordinate systems, by Space's immediate.

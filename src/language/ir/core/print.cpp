@@ -95,6 +95,13 @@ private:
         return fmt::format("\"{}\".{}", slots[index].name.text(), slots[index].component);
     }
 
+    std::string service(const ServiceUse &use) const {
+        std::string text = fmt::format(" {}", use.info->name);
+        for (int constant : use.texts)
+            text += fmt::format(" \"{}\"", function_.strings[std::size_t(constant)]);
+        return text;
+    }
+
     std::string immediate(const Instruction &i) const {
         if (i.op == Op::ConstFloat)
             return fmt::format(" {:a} ({})", i.number, i.number);
@@ -112,6 +119,7 @@ private:
             const ParameterSlot &known = function_.parameters[i.immediate];
             return fmt::format(" {} \"{}\".{}", i.immediate, known.name, known.component);
         }
+        case Immediate::Service: return service(serviceOf(function_, i));
         case Immediate::Number:
         case Immediate::Variable:
         case Immediate::Array:

@@ -4,7 +4,7 @@
 #include "foundation/units/color.h"
 #include "language/ir/core/evaluate.h"
 #include "language/ir/core/op_info.h"
-#include "language/ir/core/print_format.h"
+#include "language/ir/interpret/lane_service.h"
 #include "language/runtime/runtime_functions.h"
 #include "language/runtime/scalar_math.h"
 
@@ -129,6 +129,8 @@ public:
     void save(int slot, float value) const { frame(slot, lane_) = value; }
     float &output(int slot) const { return args_.outputs[slot][lane_]; }
     const ShaderCallbacks *callbacks() const { return args_.callbacks; }
+    const ShaderArgs &all() const { return args_; }
+    int lane() const { return lane_; }
 
 private:
     int laneOf(BindingTime time) const {
@@ -284,7 +286,8 @@ private:
             args_.output(i.immediate) =
                 turns_.ended() ? function_.outputs[i.immediate].whenEnded : number(i, 0);
             return true;
-        case Op::Print: print(i); return true;
+        case Op::Query:
+        case Op::Command: ask(i); return true;
         case Op::EmissionCone: return true; // For Question::Emission.
         default: return false;
         }
@@ -304,21 +307,14 @@ private:
         return function_.files.empty() ? "" : function_.files[i.file].c_str();
     }
 
-    void print(const Instruction &i) const {
-        const ShaderCallbacks *callbacks = args_.callbacks();
-        if (!callbacks || !callbacks->print || turns_.ended())
-            return;
-        std::vector<PrintArgument> values;
-        for (std::size_t k = 1; k < i.operands.size(); ++k) {
-            ValueId v = i.operands[k];
-            switch (function_.values[v].type) {
-            case Type::Float: values.push_back({cells_.number(v), nullptr}); break;
-            case Type::String: values.push_back({0, &text(v)}); break;
-            default: values.push_back({float(cells_.integer(v)), nullptr}); break;
-            }
-        }
-        std::string line = formatPrint(text(i.operands[0]), values);
-        callbacks->print(callbacks->context, line.c_str());
+    /// Where a loop has been ended nobody is asked.
+    void ask(const Instruction &i) {
+        LaneService service(function_, i);
+        for (ValueId v : i.operands)
+            service.add(function_.values[v].type, {.integer = cells_.integer(v)});
+        const std::vector<float> answer = turns_.ended() ? std::vector<float>(i.results.size())
+                                                         : service.ask(args_.all(), args_.lane());
+        cells_.setAll(i, answer.data());
     }
 
     bool runLight(const Instruction &i) {

@@ -3,8 +3,10 @@
 #include "language/ir/core/builder_control.h"
 #include "language/ir/core/builder_effects.h"
 #include "language/ir/core/builder_light.h"
+#include "language/ir/core/builder_services.h"
 #include "language/ir/core/builder_sources.h"
 #include "language/ir/core/builder_vectors.h"
+#include "language/ir/core/print_format.h"
 #include "language/ir/interpret/interpreter.h"
 
 #include "language/ir/core/builder.h"
@@ -141,9 +143,9 @@ TEST(Interpreter, LoopsArraysFramesAndPrinting) {
     ASSERT_EQ(verify(function), "") << print(function);
     TestBatch batch(function, 17, 9);
     std::vector<std::string> lines;
-    batch.callbacks.context = &lines;
-    batch.callbacks.print = [](void *context, const char *text) {
-        static_cast<std::vector<std::string> *>(context)->push_back(text);
+    batch.services.context = &lines;
+    batch.services[Service::print] = [](void *context, const ServiceCall &call) {
+        static_cast<std::vector<std::string> *>(context)->push_back(printedText(call, 0));
     };
     auto out = batch.run(function, interpret);
     for (int i = 0; i < 17; ++i) {

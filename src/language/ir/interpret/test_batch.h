@@ -4,6 +4,7 @@
 
 #include "foundation/units/color.h"
 #include "language/ir/core/ir.h"
+#include "language/ir/core/test_services.h"
 #include "language/runtime/shader_abi.h"
 
 #include <algorithm>
@@ -157,6 +158,7 @@ public:
         args.ambient = answers.givesAmbient ? ambientPointers.data() : nullptr;
         args.irradiance = answers.givesAmbient ? irradiancePointers.data() : nullptr;
         args.callbacks = &callbacks;
+        args.services = &services;
         runner(function, args);
         return outputs;
     }
@@ -172,6 +174,7 @@ public:
     TestFrames frames;
     std::vector<std::int32_t> surfaceLane, viewLane; ///< Empty = the same lanes.
     ShaderCallbacks callbacks;
+    ShaderServices services = testServices();
 
 private:
     static Plane matrices(std::mt19937 &bits) {

@@ -56,7 +56,7 @@ ConeSlot coneSlot(const std::vector<OutputSlot> &outputs, int cone, int request)
 
 Function answerEmission(const Function &whole) {
     Function result = whole;
-    removeAll(Op::Print, result.body);
+    removeAll(Op::Command, result.body);
     removeAll(Op::Output, result.body);
     result.outputs = emissionOutputs(whole);
     writeEmissions(result.body, result.outputs);

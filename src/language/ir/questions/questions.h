@@ -18,8 +18,9 @@
 
 namespace candela::ir {
 
-/// A surface shader's printf() speaks in Prepare alone (or in View, which stands for it), so that a
-/// point prints once, whatever else it is asked; what stands in light loops prints nothing.
+/// A surface shader's printf() (all of its services with effects) speaks in Prepare alone (or in
+/// View, which stands for it), so that a point prints once, whatever else it is asked; what stands
+/// in light loops prints nothing.
 enum class Question : std::uint8_t {
 #define QUESTION(name, ...) name,
 #include "language/ir/questions/questions.def"

@@ -76,7 +76,7 @@ static Function answerWhole(const Function &whole) {
 
 Function answerShade(const Function &whole) {
     Function quiet = whole;
-    removeAll(Op::Print, quiet.body);
+    removeAll(Op::Command, quiet.body);
     return answerWhole(quiet);
 }
 
