@@ -4,7 +4,7 @@
 #include "language/ir/interpret/interpreter.h"
 #include "language/ir/lower/lower.h"
 #include "language/ir/questions/random_text.h"
-#include "language/ir/questions/viewed_answers.h"
+#include "language/ir/questions/viewed_answers_test_support.h"
 #include "language/ir/transform/light_rule.h"
 #include "language/jit/jit.h"
 #include "language/semantics/front.h"

@@ -20,7 +20,7 @@ std::string frame(int number, const std::string &size, const std::string &option
 
 std::string square(const std::string &where) {
     return "TransformBegin\nTranslate " + where +
-           "\nPolygon \"P\" [-.3 -.3 0 .3 -.3 0 .3 .3 0 -.3 .3 0]\nTransformEnd\n";
+           "\nPolygon \"P\" [-.8 -.8 0 .8 -.8 0 .8 .8 0 -.8 .8 0]\nTransformEnd\n";
 }
 
 /// What the shaders say, each line once.

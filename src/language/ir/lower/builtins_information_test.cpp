@@ -27,7 +27,8 @@ struct Told {
             return;
         shader.batch->services = testServices(&log);
         shader.batch->services[Service::option] = haveEvenNames;
-        for (const auto &plane : shader.run().at("result"))
+        const auto outputs = shader.run();
+        for (const auto &plane : outputs.at("result"))
             result.push_back(plane[0]);
     }
     ShaderRun shader;

@@ -5,7 +5,7 @@
 #include "language/ir/core/regions.h"
 #include "language/ir/interpret/interpreter.h"
 #include "language/ir/questions/random_text.h"
-#include "language/ir/questions/viewed_answers.h"
+#include "language/ir/questions/viewed_answers_test_support.h"
 
 #include <gtest/gtest.h>
 

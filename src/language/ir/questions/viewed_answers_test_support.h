@@ -3,7 +3,7 @@
 // anew for each of them.
 #pragma once
 
-#include "language/ir/questions/viewed_batch.h"
+#include "language/ir/questions/viewed_batch_test_support.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
