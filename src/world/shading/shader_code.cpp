@@ -34,8 +34,14 @@ void ShaderCode::readText() {
     categories_ = LightCategories(shader_.whole.requests);
 }
 
+/// A point speaks once. Under the classic rule all its light is there when it is shaded; else it
+/// comes direction by direction, and what the point says it says without.
 ir::Function ShaderCode::slice(ir::Question which) const {
-    return plan_ ? ir::slice(*plan_, which) : ir::slice(shader_.whole, which);
+    if (!plan_)
+        return ir::slice(shader_.whole, which);
+    ir::Function function = ir::slice(*plan_, which);
+    const bool shaded = which == ir::Question::Shade, lit = rule_ == ir::LightRule::Classic;
+    return shaded == lit ? function : ir::silenced(std::move(function));
 }
 
 const QuestionCode &ShaderCode::question(ir::Question which) const {

@@ -150,6 +150,9 @@ RunResult Batch::run(const ir::Function &function, const Code &code, Light light
     points_.callbacks = {&result, noteOutside};
     points_.services.context = &result;
     points_.services[Service::print] = notePrint;
+    points_.services[Service::option] = [](void *, const ServiceCall &call) {
+        ir::answerService(nullptr, call);
+    };
     const auto ambient = pointersTo(ambient_), answers = pointersTo(answers_);
     const auto withLight = [&](const ir::Function &, const ShaderArgs &dark) {
         ShaderArgs args = dark;

@@ -18,9 +18,10 @@
 
 namespace candela::ir {
 
-/// A surface shader's printf() (all of its services with effects) speaks in Prepare alone (or in
-/// View, which stands for it), so that a point prints once, whatever else it is asked; what stands
-/// in light loops prints nothing.
+/// A surface shader's printf() (all of its services with effects) speaks in two questions: in Shade
+/// as the text has it, and in Prepare (or View, which stands for it) as the text has it without any
+/// light, so that what stands in light loops says nothing. Who asks both silences one
+/// (silenced()), so that a point speaks once.
 enum class Question : std::uint8_t {
 #define QUESTION(name, ...) name,
 #include "language/ir/questions/questions.def"
@@ -73,7 +74,12 @@ struct SurfaceFacts {
     /// Scatter re-run the text (no frame is saved), and the facts say so for the caller's warning.
     bool staticRequests = true;
     int notStaticLine = 0;
+    /// The line of a printf() that light decides about: by what it prints, or whether; 0 = none.
+    int printsLightLine = 0;
 };
+
+/// The function without its services with effects.
+Function silenced(Function);
 
 /// What slicing must know of a planned text before it answers any question.
 struct Plan;

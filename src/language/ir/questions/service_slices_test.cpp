@@ -149,14 +149,17 @@ TEST(ServiceSlices, SurfaceAsksWhatNoViewChangesAndViewTheRest) {
 
 TEST(ServiceSlices, WholeTextsAskInOrder) {
     Subject subject;
-    subject.expect(subject.ask(Question::Shade),
-                   together({surfaceQueries, viewQueries, lightQueries}), "Shade");
+    const auto queries = together({surfaceQueries, viewQueries, lightQueries});
+    const auto all = together({queries, notes, {"light note"}});
+    subject.expect(subject.ask(Question::Shade), all, "Shade");
     subject.expect(subject.ask(Question::Opacity), {}, "Opacity");
     ServiceLog log;
     subject.batch.services = testServices(&log);
     subject.batch.run(subject.whole, interpret);
-    subject.expect(
-        log, together({surfaceQueries, viewQueries, lightQueries, notes, {"light note"}}), "whole");
+    subject.expect(log, all, "whole");
+    log = {};
+    subject.batch.run(silenced(slice(subject.whole, Question::Shade)), interpret);
+    subject.expect(log, queries, "Shade, silenced");
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/ir/analyse/affine.h"
 #include "language/ir/analyse/opacity.h"
+#include "language/ir/core/regions.h"
 #include "language/ir/questions/answers.h"
 #include "language/ir/questions/emission.h"
 #include "language/ir/questions/questions.h"
@@ -74,11 +75,7 @@ static Function answerWhole(const Function &whole) {
     return result;
 }
 
-Function answerShade(const Function &whole) {
-    Function quiet = whole;
-    removeAll(Op::Command, quiet.body);
-    return answerWhole(quiet);
-}
+Function answerShade(const Function &whole) { return answerWhole(whole); }
 
 Function answerLight(const Function &whole) { return answerWhole(whole); }
 
@@ -110,6 +107,27 @@ Function named(Function function, const Function &whole, Question question) {
     return function;
 }
 
+/// Light decides about what a command says, or whether it stands in what is run.
+bool dependsOnLight(const Plan &plan, const Instruction &command, const Enclosing *around) {
+    const auto responds = [&](ValueId v) { return plan.dependence.responds(v); };
+    if (std::ranges::any_of(command.operands, responds))
+        return true;
+    for (; around; around = around->outer)
+        if (around->owner->op == Op::LightLoop ||
+            std::ranges::any_of(around->owner->operands, responds))
+            return true;
+    return false;
+}
+
+int printsLightLine(const Plan &plan) {
+    int line = 0;
+    forEachEnclosed(plan.text.body, [&](const Instruction &i, const Enclosing *around) {
+        if (line == 0 && i.op == Op::Command && dependsOnLight(plan, i, around))
+            line = i.line;
+    });
+    return line;
+}
+
 bool hasLoops(const Plan &plan) {
     for (const Instruction *i : plan.dependence.request)
         if (i && i->op == Op::LightLoop)
@@ -118,6 +136,12 @@ bool hasLoops(const Plan &plan) {
 }
 
 } // namespace
+
+Function silenced(Function function) {
+    removeAll(Op::Command, function.body);
+    removeDeadCode(function);
+    return function;
+}
 
 Function slice(const Plan &plan, Question question) {
     const QuestionRow &asked = rowOf(question);
@@ -144,6 +168,7 @@ SurfaceFacts surfaceFacts(const Plan &plan) {
     facts.notAffineLine = proof.line;
     facts.staticRequests = plan.dependence.staticRequests;
     facts.notStaticLine = plan.dependence.notStaticLine;
+    facts.printsLightLine = printsLightLine(plan);
     return facts;
 }
 

@@ -174,9 +174,15 @@ void checkQuestions(unsigned seed, bool dynamic) {
     subject.expectOutput(emit, subject.batch.run(emit, interpret), "Ce", none, nullptr, "Ci");
     const Function &opacity = subject.slice(Question::Opacity);
     subject.expectOutput(opacity, subject.batch.run(opacity, interpret), "Oi", none, nullptr, "Oi");
+    subject.told();
     auto lit = subject.shade(subject.whole, 1);
+    const auto saidLit = subject.told();
     const Function &shade = subject.slice(Question::Shade);
     subject.expectOutput(shade, subject.shade(shade, 1), "Ci", lit, nullptr, "Ci");
+    EXPECT_EQ(subject.told(), saidLit) << "Shade speaks as the text, seed " << seed;
+    const Function silent = silenced(shade);
+    subject.expectOutput(silent, subject.shade(silent, 1), "Ci", lit, nullptr, "Ci");
+    EXPECT_TRUE(subject.told().empty()) << seed;
 }
 
 TEST(Slice, AnswersAsTheWholeTextDoes) {
