@@ -94,11 +94,11 @@ void ShaderCode::bindCategories(std::vector<std::uint8_t> accepts, int lightCoun
     categories_.bind(std::move(accepts), lightCount);
 }
 
-void ShaderCode::bind(ShaderArgs &args) const {
+void ShaderCode::bind(ShaderArgs &args, bool prints) const {
     args.parameters = blocks_.data();
     args.spaces = spaces_.data();
     categories_.bind(args);
-    args.callbacks = &messages_->callbacks();
+    args.callbacks = &messages_->callbacks(prints);
 }
 
 } // namespace candela

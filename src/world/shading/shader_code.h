@@ -71,8 +71,9 @@ public:
     void bindCategories(std::vector<std::uint8_t> accepts, int lightCount);
     const LightCategories &categories() const { return categories_; }
 
-    /// Fills what belongs to the shader: parameters, spaces, categories, and where it speaks.
-    void bind(ShaderArgs &) const;
+    /// Fills what belongs to the shader: parameters, spaces, categories, and where it speaks
+    /// (`prints` as ShaderMessages::callbacks()).
+    void bind(ShaderArgs &, bool prints = true) const;
 
 private:
     struct CompiledQuestion {

@@ -17,6 +17,8 @@ ShaderMessages::ShaderMessages(DiagnosticSink &diagnostics) : diagnostics_(diagn
     callbacks_.loopEnded = [](void *context, const char *file, std::int32_t line) {
         static_cast<ShaderMessages *>(context)->loopEnded(file, line);
     };
+    silent_ = callbacks_;
+    silent_.print = nullptr;
 }
 
 bool ShaderMessages::isNew(std::string_view mistake, std::string_view file, int line) {

@@ -20,7 +20,10 @@ public:
     ShaderMessages(const ShaderMessages &) = delete;
     ShaderMessages &operator=(const ShaderMessages &) = delete;
 
-    const ShaderCallbacks &callbacks() const { return callbacks_; }
+    /// printf() is for points that are shaded; `prints` is false where a shader is only probed.
+    const ShaderCallbacks &callbacks(bool prints = true) const {
+        return prints ? callbacks_ : silent_;
+    }
 
 private:
     /// True the first time that the place is named for the kind of mistake.
@@ -29,7 +32,7 @@ private:
     void loopEnded(std::string_view file, int line);
 
     DiagnosticSink &diagnostics_;
-    ShaderCallbacks callbacks_;
+    ShaderCallbacks callbacks_, silent_; ///< silent_ lacks print alone.
     std::shared_mutex mutex_; ///< A shader that is wrong everywhere only reads what was said.
     std::map<std::string, std::set<int>, std::less<>> said_; ///< Lines, by mistake and file.
 };
