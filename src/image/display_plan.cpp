@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "image/display_plan.h"
 
+#include "foundation/base/whole_file.h"
 #include "image/output_path.h"
 
 #include <algorithm>
