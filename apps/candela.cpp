@@ -3,6 +3,22 @@
 #include "apps/verbs.h"
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+
+/// The exit status if what was written to standard output has got there; else `lost`, or what is
+/// worse.
+static int afterOutput(int status, int lost) {
+    errno = 0;
+    if (std::fflush(stdout) == 0 && !std::ferror(stdout))
+        return status;
+    // An error of earlier has left no reason.
+    std::fprintf(stderr, "candela: error: cannot write to standard output%s%s\n", errno ? ": " : "",
+                 errno ? std::strerror(errno) : "");
+    return status ? status : lost;
+}
 
 int main(int argc, char **argv) {
     CLI::App app{"Candela: a physically based renderer compatible with the RenderMan Interface."};
@@ -13,6 +29,8 @@ int main(int argc, char **argv) {
         "See also: candela compile --help, candela diff --help");
     app.get_formatter()->column_width(34);
 
+    // Beyond RLIMIT_FSIZE writing just fails, as on a full disk.
+    std::signal(SIGXFSZ, SIG_IGN);
     int status = 0;
     candela::addRender(app, status);
     candela::addDiff(app, status);
@@ -20,7 +38,8 @@ int main(int argc, char **argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError &error) {
-        return app.exit(error) == 0 ? 0 : 2;
+        return afterOutput(app.exit(error) == 0 ? 0 : 2, 1);
     }
-    return status;
+    // To diff, 1 means that pictures differ.
+    return afterOutput(status, app.got_subcommand("diff") ? 2 : 1);
 }

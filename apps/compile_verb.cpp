@@ -3,18 +3,23 @@
 #include "apps/compiler_passes.h"
 #include "apps/verbs.h"
 
+#include "foundation/base/whole_file.h"
 #include "language/ir/core/regions.h"
 #include "language/jit/jit.h"
 #include "language/semantics/front.h"
+#include "language/syntax/include.h"
 #include "render/console.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
 #include <chrono>
 #include <cstdio>
-#include <fstream>
-#include <iostream>
+#include <cstring>
+#include <fcntl.h>
 #include <memory>
-#include <sstream>
+#include <unistd.h>
 
 namespace candela {
 
@@ -29,16 +34,16 @@ struct Arguments {
     bool quiet = false;
 };
 
-std::optional<std::string> readFile(const std::string &name) {
-    std::ostringstream text;
-    if (name == "-") {
-        text << std::cin.rdbuf();
-        return text.str();
-    }
-    std::ifstream file(name, std::ios::binary);
-    if (!file || !(text << file.rdbuf()))
+/// The text of a file or pipe, or of standard input ("-").
+std::optional<std::string> readSource(const std::string &name, std::string &problem) {
+    const int file = name == "-" ? ::dup(STDIN_FILENO) : ::open(name.c_str(), O_RDONLY | O_CLOEXEC);
+    if (file < 0) {
+        problem = std::strerror(errno);
         return std::nullopt;
-    return text.str();
+    }
+    auto text = readAll(file, problem, sl::sourceSizeLimit);
+    ::close(file);
+    return text;
 }
 
 /// "1 cone", "2 cones"
@@ -80,16 +85,16 @@ public:
     int status() {
         for (const std::string &file : arguments_.files)
             compileFile(file);
-        if (!arguments_.output.empty() && !writeOutput())
-            return 1;
+        writeOutput();
         return console_.failed() ? 1 : 0;
     }
 
 private:
     void compileFile(const std::string &name) {
-        const auto text = readFile(name);
+        std::string problem;
+        const auto text = readSource(name, problem);
         if (!text) {
-            console_.error({}, "cannot read the shader file \"" + name + "\"");
+            console_.error({}, "cannot read the shader file \"" + name + "\": " + problem);
             return;
         }
         const std::string shown = name == "-" ? "standard input" : name;
@@ -157,19 +162,12 @@ private:
             written_ += section;
     }
 
-    /// The whole file or nothing of it.
-    bool writeOutput() {
-        if (arguments_.emit.empty() || console_.failed())
-            return true;
-        const std::string whole = arguments_.output + ".part";
-        std::ofstream file(whole, std::ios::binary);
-        file << written_;
-        file.close();
-        if (file && std::rename(whole.c_str(), arguments_.output.c_str()) == 0)
-            return true;
-        std::remove(whole.c_str());
-        console_.error({}, "cannot write \"" + arguments_.output + "\"");
-        return false;
+    void writeOutput() {
+        if (arguments_.output.empty() || arguments_.emit.empty() || console_.failed())
+            return;
+        std::string problem;
+        if (!writeWholeFile(arguments_.output, written_, problem))
+            console_.error({}, problem);
     }
 
     const Arguments &arguments_;
@@ -177,6 +175,16 @@ private:
     Jit jit_;
     std::string written_;
 };
+
+/// What is wrong with the argument of -D; empty if nothing is.
+std::string flawOfDefine(const std::string &text) {
+    const std::string name = text.substr(0, text.find('='));
+    const auto isLetter = [](unsigned char c) { return std::isalpha(c) || c == '_'; };
+    const bool isName =
+        !name.empty() && isLetter(name[0]) &&
+        std::ranges::all_of(name, [&](unsigned char c) { return isLetter(c) || std::isdigit(c); });
+    return isName ? "" : "expected NAME or NAME=VALUE, not '" + text + "'";
+}
 
 std::pair<std::string, std::string> defineOf(const std::string &text) {
     const size_t equals = text.find('=');
@@ -201,6 +209,7 @@ void addCompile(CLI::App &app, int &status) {
         ->allow_extra_args(false);
     compile->add_option("-D", a.defines, "Define a macro; without a value as 1")
         ->type_name("NAME[=VALUE]")
+        ->check(CLI::Validator(flawOfDefine, ""))
         ->allow_extra_args(false);
     compile
         ->add_option("--emit", a.emit,

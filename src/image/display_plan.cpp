@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "image/display_plan.h"
 
-#include "image/whole_file.h"
+#include "foundation/base/whole_file.h"
+#include "image/output_path.h"
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "image/displays.h"
 
+#include "foundation/base/whole_file.h"
 #include "foundation/units/color.h"
 #include "image/exr_file.h"
 #include "image/imaging.h"
 #include "image/png_file.h"
-#include "image/whole_file.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "image/picture_file.h"
 
+#include "foundation/base/whole_file.h"
 #include "image/exr_file.h"
 #include "image/png_file.h"
-#include "image/whole_file.h"
 
 namespace candela {
 

@@ -2,9 +2,9 @@
 #include "image/picture_file.h"
 
 #include "foundation/base/hash.h"
+#include "foundation/base/whole_file.h"
 #include "image/exr_file.h"
 #include "image/png_file.h"
-#include "image/whole_file.h"
 
 #include <cmath>
 #include <cstdlib>

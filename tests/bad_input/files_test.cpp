@@ -110,6 +110,33 @@ TEST_F(BadInput, DiskFull) {
     EXPECT_EQ(std::distance(begin(files), end(files)), 2) << "something was left behind";
 }
 
+// Files that are there and fail while they are read, as those of bad disks and lost servers.
+TEST_F(BadInput, FilesThatCannotBeReadToTheirEnd) {
+    for (const char *file : {"/proc/self/mem", "/proc/self/pagemap"}) {
+        folder_.write("eio.sl",
+                      "#include \"" + std::string(file) + "\"\nsurface eio() { Ci = 0; Oi = 1; }");
+        Outcome run = render(sceneWith("Surface \"eio\""), {"--shader-path", folder_.path()});
+        EXPECT_EQ(run.status, 1) << run.text();
+        EXPECT_TRUE(run.says("eio.sl:1:10: error: cannot read " + std::string(file))) << run.text();
+        EXPECT_TRUE(folder_.has("out.exr"));
+    }
+    expectReportedAndRendered("ReadArchive \"/proc/self/mem\"", {"Input/output error"});
+    Outcome run = runCandela({"/proc/self/mem"});
+    EXPECT_EQ(run.status, 1) << run.text();
+    EXPECT_TRUE(run.says("Input/output error")) << run.text();
+    run = runCandela({"diff", "/proc/self/mem", "/proc/self/mem"});
+    EXPECT_EQ(run.status, 2) << run.text();
+    EXPECT_TRUE(run.says("Input/output error")) << run.text();
+}
+
+TEST_F(BadInput, NamesOfAnyLengthAndKind) {
+    const std::string name = "\x1b[2J\x07" + std::string(1 << 20, 'x');
+    Outcome run = render(sceneWith("Surface \"" + name + "\""));
+    EXPECT_LT(run.err.size(), 9999u);
+    EXPECT_FALSE(run.says("\x1b")) << run.text();
+    EXPECT_TRUE(run.says("\\x1b[2J\\x07xx")) << run.text();
+}
+
 TEST_F(BadInput, UnknownDisplayType) {
     std::string rib = sceneWith("");
     rib.replace(rib.find("\"openexr\""), 9, "\"hologram\"");

@@ -3,7 +3,10 @@
 #include "tests/support/program.h"
 #include "tests/support/scratch_folder.h"
 
+#include <cstdlib>
+#include <filesystem>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 namespace candela::test {
 
@@ -109,6 +112,79 @@ TEST_F(CompileVerb, OutputGoesToAFileWholeOrNotAtAll) {
     EXPECT_EQ(folder_.read("out.ir"), whole);
     EXPECT_EQ(compile({good, "--emit", "ir", "-o", folder_.path("no/such/folder.ir")}).status, 1);
     EXPECT_EQ(compile({good, "--quiet", "-o", folder_.path("unused")}).status, 0);
+}
+
+/// Beyond the limit writing fails as on a full disk.
+TEST_F(CompileVerb, OutputThatIsLostIsAnError) {
+    const std::string file = folder_.write("tinted.sl", tinted);
+    RunSettings full;
+    full.fileSizeLimit = 1024;
+    const Outcome run = runCandela({"compile", file, "--emit", "ir"}, full);
+    EXPECT_EQ(run.status, 1) << run.text();
+    EXPECT_TRUE(run.says("cannot write to standard output")) << run.err;
+    const std::string out = folder_.path("out.ir");
+    const Outcome written = runCandela({"compile", file, "--emit", "ir", "-o", out}, full);
+    EXPECT_EQ(written.status, 1) << written.text();
+    EXPECT_TRUE(written.says("out.ir: File too large")) << written.err;
+    EXPECT_FALSE(folder_.has("out.ir"));
+    const std::string pipe =
+        folder_.path("pipe"); // As a device, nothing to put a file in place of.
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    const Outcome device = compile({file, "--emit", "ir", "-o", pipe});
+    EXPECT_EQ(device.status, 1) << device.text();
+    EXPECT_TRUE(device.says("not a regular file")) << device.err;
+    EXPECT_TRUE(std::filesystem::is_fifo(pipe));
+    full.fileSizeLimit = 8;
+    EXPECT_EQ(runCandela({"--version"}, full).status, 1);
+}
+
+/// What the cache cannot keep is made anew each time.
+TEST_F(CompileVerb, DoesWithoutACacheThatIsFull) {
+    const char *cache = std::getenv("CANDELA_CACHE");
+    const std::string before = cache ? cache : "";
+    setenv("CANDELA_CACHE", folder_.path("cache").c_str(), 1);
+    RunSettings full;
+    full.fileSizeLimit = 256; // Less than any object has.
+    const Outcome run = runCandela({"compile", folder_.write("tinted.sl", tinted)}, full);
+    cache ? setenv("CANDELA_CACHE", before.c_str(), 1) : unsetenv("CANDELA_CACHE");
+    EXPECT_EQ(run.status, 0) << run.text();
+    EXPECT_TRUE(has(run.out, "surface tinted")) << run.text();
+    EXPECT_TRUE(std::filesystem::is_empty(folder_.path("cache")));
+}
+
+TEST_F(CompileVerb, DefinesNamesAlone) {
+    const std::string file = folder_.write("tinted.sl", tinted);
+    for (const char *wrong : {"=", "1x=2", "A B", "F(x)=x", "A-B=1", "\xc3\xa9"}) {
+        const Outcome run = compile({file, "-D", wrong});
+        EXPECT_EQ(run.status, 2) << wrong << run.text();
+        EXPECT_TRUE(run.says("expected NAME or NAME=VALUE")) << run.err;
+    }
+    EXPECT_EQ(compile({file, "-D", "_a1=", "-D", "B==", "-DC"}).status, 0);
+}
+
+TEST_F(CompileVerb, FilesThatHoldNoShader) {
+    for (const char *text : {"", "/* nothing */\n", "float f() { return 1; }"}) {
+        const Outcome run = compile({folder_.write("none.sl", text)});
+        EXPECT_EQ(run.status, 1);
+        EXPECT_TRUE(run.says("none.sl:1:1: error: the file holds no shader")) << run.err;
+    }
+    EXPECT_TRUE(compile({"/proc/self/mem"}).says("/proc/self/mem\": Input/output error"));
+    EXPECT_TRUE(compile({"/dev/zero"}).says("/dev/zero\": it has more than 16777216 bytes"));
+    EXPECT_TRUE(compile({folder_.path()}).says("Is a directory"));
+}
+
+TEST_F(CompileVerb, NamesOfAnyLengthAndKindInMessages) {
+    const auto errorsOf = [&](const std::string &expression) {
+        const Outcome run =
+            compile({folder_.write("odd.sl", "surface odd() { Ci = " + expression + "; }")});
+        EXPECT_EQ(run.status, 1);
+        EXPECT_TRUE(run.says("odd.sl:1:22: error: ")) << run.err.substr(0, 9999);
+        return run.err;
+    };
+    EXPECT_LT(errorsOf(std::string(1 << 20, 'x')).size(), 9999u);
+    const std::string stray = errorsOf("\x1b[2J");
+    EXPECT_FALSE(has(stray, "\x1b"));
+    EXPECT_TRUE(has(stray, "Ci = \\x1b[2J")) << stray;
 }
 
 TEST_F(CompileVerb, StandardInput) {

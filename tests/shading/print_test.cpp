@@ -101,5 +101,50 @@ TEST(Print, LightIsToldWhereAllOfItIsThere) {
     EXPECT_EQ(errors, "");
 }
 
+/// Which lights there are to choose from is found out in silence: lines come from the plane that is
+/// lit alone.
+TEST(Print, LightsThatAreProbedAreSilent) {
+    const char *lights[] = {"light probe() { illuminate(point \"shader\" (0, 0, 0)) { Cl = 1; "
+                            "printf(\"lit %p\\n\", Ps); } }",
+                            "light probe() { solar(vector(0, 0, 1), 0) { Cl = 1; "
+                            "printf(\"lit %p\\n\", Ps); } }",
+                            "light probe() { illuminate(P, N, PI/2) { Cl = 1; "
+                            "printf(\"lit %p\\n\", Ps); } }"};
+    for (const std::string light : lights)
+        for (const char *integrator : {"path", "classic"}) {
+            const bool isArea = light.find("(P, N") != std::string::npos;
+            ScratchFolder folder;
+            folder.write("probe.sl", light);
+            const std::string declared =
+                isArea ? "AttributeBegin\nAreaLightSource \"probe\" 1\nPolygon \"P\" "
+                         "[-1 -1 -1 -1 1 -1 1 1 -1 1 -1 -1]\nAttributeEnd\nIlluminate 1 1\n"
+                       : "LightSource \"probe\" 1\n";
+            const Outcome run = runCandela(
+                {folder.write("scene.rib", "Option \"render\" \"string integrator\" [\"" +
+                                               std::string(integrator) +
+                                               "\"]\nFormat 1 1 1\nPixelSamples 1 1\n"
+                                               "PixelFilter \"box\" 1 1\n"
+                                               "Display \"out.exr\" \"openexr\" \"rgb\"\n"
+                                               "Projection \"orthographic\"\nWorldBegin\n" +
+                                               declared +
+                                               "Surface \"matte\"\nTranslate 0 0 5\nPolygon \"P\" "
+                                               "[-1 -1 0 1 -1 0 1 1 0 -1 1 0]\nWorldEnd\n"),
+                 "--quiet", "--shader-path", folder.path(), "--output-dir", folder.path()});
+            EXPECT_EQ(run.status, 0) << run.text();
+            std::istringstream lines(run.out);
+            int count = 0;
+            for (std::string line; std::getline(lines, line); ++count) {
+                float x = 0, y = 0, z = 0;
+                ASSERT_EQ(std::sscanf(line.c_str(), "lit (%f, %f, %f)", &x, &y, &z) +
+                              std::sscanf(line.c_str(), "lit %f %f %f", &x, &y, &z),
+                          3)
+                    << line;
+                EXPECT_NEAR(z, 5, 1e-4) << light << line;
+            }
+            EXPECT_LT(count, 50) << light << integrator;
+            EXPECT_TRUE(isArea || count > 0) << light << integrator;
+        }
+}
+
 } // namespace
 } // namespace candela::test

@@ -44,8 +44,7 @@ std::vector<std::string> launcher() {
     if (!settings.folder.empty() && chdir(settings.folder.c_str()) != 0)
         _exit(couldNotStart);
     if (settings.fileSizeLimit >= 0) {
-        // As on a full disk, a write then fails instead of ending the process.
-        std::signal(SIGXFSZ, SIG_IGN);
+        std::signal(SIGXFSZ, SIG_DFL); // As shells leave it: what does not ignore it is ended.
         rlimit limit{rlim_t(settings.fileSizeLimit), rlim_t(settings.fileSizeLimit)};
         setrlimit(RLIMIT_FSIZE, &limit);
     }

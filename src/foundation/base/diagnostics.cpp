@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "foundation/base/diagnostics.h"
 
+#include "foundation/base/visible_text.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -31,8 +33,6 @@ static const char *nameOf(Severity severity) {
 /// write may be a single line of megabytes.
 static constexpr int quotedLength = 120;
 
-static bool continuesCharacter(char c) { return (c & 0xc0) == 0x80; } // In UTF-8.
-
 /// What is shown of the source line, with dots where the rest is left out, and the column in it,
 /// from 0, that the caret points to.
 static std::pair<std::string, int> quoteOf(const Diagnostic &d) {
@@ -50,20 +50,23 @@ static std::pair<std::string, int> quoteOf(const Diagnostic &d) {
 }
 
 std::string format(const Diagnostic &d) {
-    std::string result = d.where.text();
+    std::string result = visible(d.where.text());
     if (!result.empty())
         result += ": ";
-    result += std::string(nameOf(d.severity)) + ": " + d.message;
+    result += std::string(nameOf(d.severity)) + ": " + visible(shortened(d.message));
     if (d.sourceLine.empty())
         return result;
     const auto [line, column] = quoteOf(d);
+    std::vector<std::size_t> places;
+    const std::string shown = visible(line, "\t", &places);
     // The caret's margin repeats the line's tabs, so that it stays below its place.
-    std::string margin = line.substr(0, column);
+    std::string margin = shown.substr(0, places[column]);
     for (char &c : margin)
         c = c == '\t' ? '\t' : ' ';
-    const int room = std::max(1, int(line.size()) - column);
-    return result + "\n    " + line + "\n    " + margin + "^" +
-           std::string(std::max(0, std::min(d.caretLength, room) - 1), '~');
+    const int last = std::min(int(line.size()), column + std::max(1, d.caretLength));
+    const int length = int(places[last]) - int(places[column]);
+    return result + "\n    " + shown + "\n    " + margin + "^" +
+           std::string(std::max(0, length - 1), '~');
 }
 
 void DiagnosticSink::error(SourceLocation where, std::string message) {

@@ -66,4 +66,19 @@ TEST(Diagnostics, CharactersOfSeveralBytesAreNotCut) {
     }
 }
 
+// Terminals do not obey files, and the caret stays below its place.
+TEST(Diagnostics, ControlsAreEscaped) {
+    EXPECT_EQ(quoted("a\x1b[2Jb\tc", 7).first, "    a\\x1b[2Jb\tc");
+    EXPECT_EQ(quoted("a\x1b[2Jb\tc", 6).second, "            ^");
+    EXPECT_EQ(quoted("a\x1b[2Jb\tc", 2).second, "     ^~~~");
+    EXPECT_EQ(quoted("\xff\xff", 2, 1).second, "        ^~~~");
+    Diagnostic diagnostic;
+    diagnostic.where.file = std::make_shared<const std::string>("a\nb.sl");
+    diagnostic.where.line = 3;
+    diagnostic.message = "no \x1b[31m, \n" + std::string(1 << 20, 'x');
+    const std::string text = format(diagnostic);
+    EXPECT_TRUE(text.starts_with("a\\nb.sl:3: error: no \\x1b[31m, \\nxxx")) << text;
+    EXPECT_LT(text.size(), 400u);
+}
+
 } // namespace candela

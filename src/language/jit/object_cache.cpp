@@ -2,6 +2,7 @@
 #include "language/jit/object_cache.h"
 
 #include "foundation/base/hash.h"
+#include "foundation/base/whole_file.h"
 
 #include <algorithm>
 #include <atomic>
@@ -84,15 +85,6 @@ bool ObjectCache::open() {
     return false;
 }
 
-static std::optional<std::string> readAll(int file) {
-    std::string bytes;
-    char buffer[1 << 16];
-    ssize_t got;
-    while ((got = read(file, buffer, sizeof buffer)) > 0)
-        bytes.append(buffer, std::size_t(got));
-    return got < 0 ? std::nullopt : std::optional(std::move(bytes));
-}
-
 std::optional<std::string> ObjectCache::load(const std::string &key) {
     std::optional<std::string> bytes;
     {
@@ -106,8 +98,13 @@ std::optional<std::string> ObjectCache::load(const std::string &key) {
             return std::nullopt;
         struct stat facts {};
         if (isOurs(file, folder_ / nameOf(key)) && fstat(file, &facts) == 0 &&
-            S_ISREG(facts.st_mode))
-            bytes = readAll(file);
+            S_ISREG(facts.st_mode)) {
+            std::string ignored;
+            if (std::uintmax_t(facts.st_size) <= limit_)
+                bytes = readAll(file, ignored, limit_);
+            else // Nothing that was stored, and not worth reading.
+                unlinkat(directory_, nameOf(key).c_str(), 0);
+        }
         close(file);
     }
     const std::size_t line = bytes ? bytes->find('\n') : std::string::npos;
@@ -195,6 +192,10 @@ void ObjectCache::evict() {
         Entry entry{it->last_write_time(gone), it->path().filename(), it->file_size(gone)};
         if (gone)
             continue;
+        if (entry.size > limit_) { // Alone too large: no reason for others to go.
+            unlinkat(directory_, entry.name.c_str(), 0);
+            continue;
+        }
         total += entry.size;
         entries.push_back(std::move(entry));
     }

@@ -81,6 +81,22 @@ TEST_F(ObjectCacheTest, RemovesTheOldestBeyondItsLimit) {
     EXPECT_FALSE(cache.load("0"));
 }
 
+/// One file of a size that nothing here has, as a damaged disk may show it, is neither read nor a
+/// reason for others to go.
+TEST_F(ObjectCacheTest, RemovesWhatIsTooLargeUnread) {
+    ObjectCache cache(folder_, 1000);
+    for (const char *key : {"large", "other"})
+        cache.store(key, std::string(300, 'x'));
+    fs::resize_file(folder_ / "large.object", std::uintmax_t(20) << 30); // Of holes.
+    EXPECT_FALSE(cache.load("large"));
+    EXPECT_FALSE(fs::exists(folder_ / "large.object"));
+    cache.store("large", "x");
+    fs::resize_file(folder_ / "large.object", std::uintmax_t(20) << 30);
+    ObjectCache(folder_, 1000).store("new", "x"); // Measures the folder.
+    EXPECT_FALSE(fs::exists(folder_ / "large.object"));
+    EXPECT_TRUE(cache.load("other"));
+}
+
 TEST_F(ObjectCacheTest, ServesASecondJit) {
     for (int round = 0; round < 2; ++round) {
         Jit jit(options(), diagnostics_);

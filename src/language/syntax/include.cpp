@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/syntax/include.h"
 
+#include "foundation/base/whole_file.h"
+
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <optional>
 
 namespace candela::sl {
-
-static constexpr uintmax_t fileSizeLimit = 16 << 20;
 
 IncludeName includeName(const std::vector<Token> &line) {
     IncludeName result;
@@ -20,17 +18,6 @@ IncludeName includeName(const std::vector<Token> &line) {
     return result;
 }
 
-static std::optional<std::string> readFile(const std::filesystem::path &path) {
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(path, error) ||
-        std::filesystem::file_size(path, error) > fileSizeLimit || error)
-        return std::nullopt;
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream)
-        return std::nullopt;
-    return std::string(std::istreambuf_iterator<char>(stream), {});
-}
-
 std::unique_ptr<SourceFile> readInclude(const IncludeName &include, const Place &where,
                                         const std::vector<std::string> &folders,
                                         Reporter &reporter) {
@@ -39,9 +26,14 @@ std::unique_ptr<SourceFile> readInclude(const IncludeName &include, const Place 
     searched.insert(include.angled ? searched.end() : searched.begin(), own);
     std::string list;
     for (const auto &folder : searched) {
-        auto path = folder / include.name;
-        if (std::optional<std::string> text = readFile(path))
-            return std::make_unique<SourceFile>(path.string(), *text);
+        const auto path = folder / include.name;
+        if (std::error_code error; std::filesystem::is_regular_file(path, error)) {
+            std::string problem;
+            if (auto text = readWholeFile(path.string(), problem, sourceSizeLimit))
+                return std::make_unique<SourceFile>(path.string(), *text);
+            reporter.error(where, problem);
+            return nullptr;
+        }
         list += (list.empty() ? "" : ", ") + (folder.empty() ? "." : folder.string());
     }
     reporter.error(where, "cannot read \"" + include.name + "\"; searched: " + list);

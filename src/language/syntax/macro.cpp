@@ -58,7 +58,31 @@ static void hide(std::vector<Token> &tokens, const Token &name) {
     }
 }
 
+/// What __LINE__ or __FILE__ stands for: out of a macro, the place where that was used.
+static Token placeOf(const Token &name) {
+    Token result;
+    result.where = name.where;
+    result.spaceBefore = name.spaceBefore;
+    if (name.spelling == "__LINE__") {
+        result.kind = TokenKind::Number;
+        result.number = name.where.line;
+        result.spelling = std::to_string(name.where.line);
+        return result;
+    }
+    result.kind = TokenKind::Text;
+    result.text = name.where.file->name();
+    for (char c : result.text)
+        result.spelling += (c == '"' || c == '\\' ? "\\" : "") + std::string(1, c);
+    result.spelling = '"' + result.spelling + '"';
+    return result;
+}
+
 bool MacroTable::expand(const Token &name, TokenStream &stream) {
+    if (name.isIdentifier() && isOfPlace(name.spelling)) {
+        if (!overBudget(name.where, 1))
+            stream.putBack({placeOf(name)});
+        return true;
+    }
     auto found = name.isIdentifier() ? macros_.find(name.spelling) : macros_.end();
     if (found == macros_.end() || (name.hidden && name.hidden->contains(name.spelling)))
         return false;

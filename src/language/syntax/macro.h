@@ -44,7 +44,13 @@ public:
 
     void define(const std::string &name, Macro macro) { macros_[name] = std::move(macro); }
     void undefine(const std::string &name) { macros_.erase(name); }
-    bool isDefined(const std::string &name) const { return macros_.contains(name); }
+    bool isDefined(const std::string &name) const {
+        return isOfPlace(name) || macros_.contains(name);
+    }
+    /// __LINE__ and __FILE__, which tell where they stand and are not for users to define.
+    static bool isOfPlace(const std::string &name) {
+        return name == "__LINE__" || name == "__FILE__";
+    }
 
     /// If the token (just taken from the stream) calls a macro, its expansion is put back on the
     /// stream and the answer is true.

@@ -105,15 +105,24 @@ private:
     }
 
     void define(const std::vector<Token> &line, const Token &directive) {
-        if (auto definition = readDefinition(line, directive, reporter_))
+        auto definition = readDefinition(line, directive, reporter_);
+        if (definition && mayChange(definition->name, line[0].where))
             macros_.define(definition->name, std::move(definition->macro));
     }
 
     void undefine(const std::vector<Token> &line, const Token &directive) {
         if (line.empty() || !line[0].isIdentifier())
             reporter_.error(directive.where, "expected a macro's name after #undef");
-        else
+        else if (mayChange(line[0].spelling, line[0].where))
             macros_.undefine(line[0].spelling);
+    }
+
+    bool mayChange(const std::string &name, const Place &where) {
+        if (!MacroTable::isOfPlace(name))
+            return true;
+        reporter_.error(where, name + " tells where it stands: it can be neither defined nor "
+                                      "undefined");
+        return false;
     }
 
     void include(std::vector<Token> line, const Token &directive) {

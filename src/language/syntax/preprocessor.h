@@ -14,7 +14,7 @@ namespace candela::sl {
 struct PreprocessorOptions {
     std::vector<std::string> includeDirectories; ///< Searched in this order.
     /// Macros that are defined from the start, besides CANDELA (the version as a number:
-    /// major*10000 + minor*100 + patch) and CANDELA_VERSION (a string).
+    /// major*10000 + minor*100 + patch), CANDELA_VERSION (a string), __LINE__ and __FILE__.
     std::vector<std::pair<std::string, std::string>> defines;
 };
 

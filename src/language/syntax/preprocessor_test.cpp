@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "language/syntax/include.h"
 #include "language/syntax/preprocessor.h"
 
 #include <filesystem>
@@ -52,6 +53,12 @@ TEST(Preprocessor, Expands) {
         {"#define F(x) x * F(x)\nF(2)", "2 * F ( 2 )"},
         {"#define F(x) x + \\ \n 1\nF(2)", "2 + 1"},
         {"#define A 1 /* one\n or */ + 2\nA", "1 + 2"},
+        {"__LINE__\n\n__LINE__ __FILE__", "1 3 \"test.sl\""},
+        {"#define HERE(x) __LINE__ x __FILE__\n\nHERE(a)", "3 a \"test.sl\""},
+        {"#define S(x) #x\nS(__LINE__)", "\"__LINE__\""},
+        {"#define C(a, b) a##b\n#define D(a, b) C(a, b)\nD(x, __LINE__)", "x3"},
+        {"\n#if __LINE__ == 2 && defined(__FILE__)\na\n#endif", "a"},
+        {"#ifndef __LINE__\na\n#endif\n__LINE__\n__LINE__", "4 5"},
     };
     for (auto [text, expected] : table) {
         Result result(text);
@@ -137,6 +144,12 @@ TEST(Preprocessor, Reports) {
         {"#error stop here", "test.sl:1:2: error: #error: stop here"},
         {"#include nothing", "test.sl:1:2: error: expected \"file\" or <file> after #include"},
         {"#include \"none.h\"", "test.sl:1:10: error: cannot read \"none.h\"; searched: ."},
+        {"#include \"/proc/self/mem\"",
+         "test.sl:1:10: error: cannot read /proc/self/mem: Input/output error"},
+        {"#define __LINE__ 3", "test.sl:1:9: error: __LINE__ tells where it stands: it can be "
+                               "neither defined nor undefined"},
+        {"#undef __FILE__", "test.sl:1:8: error: __FILE__ tells where it stands: it can be "
+                            "neither defined nor undefined"},
         {"#if 1 2\n#endif", "test.sl:1:7: error: unexpected '2' in this condition"},
         {"#if 1 ? 2\n#endif", "test.sl:1:2: error: expected ':' in this condition"},
         {"#if (1\n#endif", "test.sl:1:2: error: expected ')' in this condition"},
@@ -216,6 +229,20 @@ TEST_F(PreprocessorFiles, IncludeGuardsAndSelfInclusion) {
     EXPECT_EQ(run("#include \"guard.h\"\n#include \"guard.h\"").spellings(), "once");
     write("self.h", "#include \"self.h\"\n#include \"self.h\"\n");
     EXPECT_GE(run("#include \"self.h\"").diagnostics.count(Severity::Error), 1);
+}
+
+TEST_F(PreprocessorFiles, TheirLinesAndNames) {
+    write("where.h", "\n__LINE__ __FILE__ HERE");
+    EXPECT_EQ(run("#define HERE __LINE__\n\n#include \"where.h\"\nHERE").spellings(),
+              "2 \"" + (folder / "where.h").string() + "\" 2 4");
+}
+
+TEST_F(PreprocessorFiles, OfNoMoreBytesThanAShaderMayHave) {
+    write("large.h", "");
+    std::filesystem::resize_file(folder / "large.h", sourceSizeLimit + 1);
+    EXPECT_EQ(run("#include \"large.h\"").firstMessage(),
+              (folder / "main.sl").string() + ":1:10: error: cannot read " +
+                  (folder / "large.h").string() + ": it has more than 16777216 bytes");
 }
 
 TEST_F(PreprocessorFiles, AConditionalEndsInItsFile) {

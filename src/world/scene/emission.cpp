@@ -71,7 +71,8 @@ void addLightEmission(const SceneState &state, const ShaderCode &code, ShadingPo
 
 } // namespace
 
-void SceneState::emission(int code, ShadingPoints &points, float *const *radiance) const {
+void SceneState::emission(int code, ShadingPoints &points, float *const *radiance,
+                          bool prints) const {
     if (points.count == 0)
         return;
     if (this->points.codes[code].code->facts().emits)
@@ -81,6 +82,7 @@ void SceneState::emission(int code, ShadingPoints &points, float *const *radianc
     thread_local std::optional<LightBatch> batch;
     if (!batch)
         batch.emplace(lightBatchSize);
+    batch->prints = prints;
     for (int first = 0; first < points.count; first += lightBatchSize) {
         batch->count = std::min(lightBatchSize, points.count - first);
         const std::int32_t *light = points.light + first;

@@ -127,7 +127,7 @@ struct PlacedSamples {
 /// Asks a few lights at a time, all of one shader; lane k * samples + i is sample i of light k.
 class Estimator {
 public:
-    explicit Estimator(SceneState &state) : state_(state) {}
+    explicit Estimator(SceneState &state) : state_(state) { batch_.prints = false; }
 
     void estimate(LightKind kind, std::span<const int> group) {
         const int share = questionBudget / int(group.size());
@@ -254,7 +254,7 @@ private:
             std::fill_n(radiance[c] = radiance_[c], lightBatchSize, 0.0f);
         place(state_.points.codes[code]);
         forLanes(samples_, [&](int, int i, int lane) { placed_.placeViewer(lane, i); });
-        state_.emission(code, placed_.points, radiance);
+        state_.emission(code, placed_.points, radiance, batch_.prints);
         std::vector<std::array<double, 2>> sums(lights());
         forLanes(samples_, [&](int k, int i, int lane) {
             for (int c = 0; c < colorSamples; ++c)

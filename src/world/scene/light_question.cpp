@@ -40,7 +40,7 @@ void LightBatch::ask(const SceneState &state, const ShaderCode &code, const std:
     args.objectMatrices = state.points.shapeMatrices.data();
     args.objectIndex = objectIndex;
     args.outputs = outputs.data();
-    code.bind(args);
+    code.bind(args, prints);
     question.code(&args);
 }
 

@@ -14,6 +14,7 @@ struct LightBatch {
     explicit LightBatch(int capacity);
 
     int count = 0;
+    bool prints = true; ///< As in ShaderCode::bind().
     Planes<float> inputs, answers;
     std::vector<const float *> inputTable;
     Planes<std::int32_t> integers;

@@ -31,8 +31,8 @@ struct SceneState {
 
     /// Numbers the bins, once it is known what is a light.
     void numberBins();
-    /// Lights::emission.
-    void emission(int code, ShadingPoints &, float *const *radiance) const;
+    /// Lights::emission; `prints` as in ShaderCode::bind().
+    void emission(int code, ShadingPoints &, float *const *radiance, bool prints = true) const;
 };
 
 } // namespace candela

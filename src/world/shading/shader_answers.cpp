@@ -70,6 +70,8 @@ ShaderAnswers::ShaderAnswers() {
     services_[Service::option] = [](void *context, const ServiceCall &call) {
         static_cast<const ShaderAnswers *>(context)->option(call);
     };
+    silent_ = services_;
+    silent_[Service::print] = [](void *, const ServiceCall &) {};
 }
 
 void ShaderAnswers::option(const ServiceCall &call) const {

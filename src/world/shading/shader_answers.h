@@ -14,14 +14,17 @@ public:
     ShaderAnswers(const ShaderAnswers &) = delete;
     ShaderAnswers &operator=(const ShaderAnswers &) = delete;
 
-    const ShaderServices &services() const { return services_; }
+    /// printf() is for points that are shaded; `prints` is false where a shader is only probed.
+    const ShaderServices &services(bool prints = true) const {
+        return prints ? services_ : silent_;
+    }
     /// The options of the frame; not while a shader runs.
     void bindOptions(const Options &options) { options_ = options; }
 
 private:
     void option(const ServiceCall &) const;
 
-    ShaderServices services_;
+    ShaderServices services_, silent_; ///< silent_ hears print and says nothing.
     Options options_;
 };
 

@@ -110,12 +110,12 @@ void ShaderCode::bindCategories(std::vector<std::uint8_t> accepts, int lightCoun
     categories_.bind(std::move(accepts), lightCount);
 }
 
-void ShaderCode::bind(ShaderArgs &args) const {
+void ShaderCode::bind(ShaderArgs &args, bool prints) const {
     args.parameters = blocks_.data();
     args.spaces = spaces_.data();
     categories_.bind(args);
     args.callbacks = &messages_->callbacks();
-    args.services = &answers_->services();
+    args.services = &answers_->services(prints);
 }
 
 } // namespace candela

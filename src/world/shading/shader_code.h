@@ -76,8 +76,8 @@ public:
     const LightCategories &categories() const { return categories_; }
 
     /// Fills what belongs to the shader: parameters, spaces, categories, where it speaks and whom
-    /// it asks.
-    void bind(ShaderArgs &) const;
+    /// it asks (`prints` as ShaderAnswers::services()).
+    void bind(ShaderArgs &, bool prints = true) const;
 
 private:
     struct CompiledQuestion {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/shading/shader_source.h"
 
+#include "foundation/base/whole_file.h"
 #include "interface/ri/search_path.h"
+#include "language/syntax/include.h"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 
 namespace candela {
 
@@ -97,13 +97,11 @@ const sl::TypedShader *ShaderSources::lookFor(const std::vector<std::string> &fo
 const sl::CompiledFront *ShaderSources::load(const std::string &path) {
     auto [entry, isNew] = files_.try_emplace(path);
     if (isNew) {
-        std::ifstream file(path, std::ios::binary);
-        std::ostringstream text;
-        text << file.rdbuf();
-        if (file)
-            entry->second = sl::analyzeSource({path, text.str()}, {folders_, {}}, diagnostics_);
+        std::string problem;
+        if (const auto text = readWholeFile(path, problem, sl::sourceSizeLimit))
+            entry->second = sl::analyzeSource({path, *text}, {folders_, {}}, diagnostics_);
         else
-            diagnostics_.error({}, "cannot read " + path);
+            diagnostics_.error({}, problem);
     }
     return entry->second ? &*entry->second : nullptr;
 }

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "image/whole_file.h"
+#include "foundation/base/whole_file.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
-#include <csignal>
 #include <cstring>
-#include <ctime>
 #include <fcntl.h>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace candela {
@@ -18,30 +15,6 @@ namespace candela {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Writing beyond RLIMIT_FSIZE raises SIGXFSZ, which would end the process with other pictures
-/// unwritten. While this lives the signal is held back, and taken away if it came, so that write()
-/// just fails with EFBIG.
-class FileSizeSignalHeld {
-public:
-    FileSizeSignalHeld() {
-        sigemptyset(&signal_);
-        sigaddset(&signal_, SIGXFSZ);
-        pthread_sigmask(SIG_BLOCK, &signal_, &before_);
-    }
-    ~FileSizeSignalHeld() {
-        const int reason = errno; // Of the write, which is to be reported.
-        const timespec now{};
-        while (sigtimedwait(&signal_, nullptr, &now) > 0) {
-        }
-        pthread_sigmask(SIG_SETMASK, &before_, nullptr);
-        errno = reason;
-    }
-    FileSizeSignalHeld(const FileSizeSignalHeld &) = delete;
-
-private:
-    sigset_t signal_, before_;
-};
 
 bool writeAll(int file, std::string_view bytes) {
     while (!bytes.empty()) {
@@ -99,19 +72,12 @@ std::optional<OpenFile> openFor(const std::string &path, std::string &problem) {
 }
 
 bool writeAndClose(int file, std::string_view bytes) {
-    const FileSizeSignalHeld held;
     const bool written = writeAll(file, bytes);
     const int reason = errno;
     const bool closed = ::close(file) == 0;
     if (!written)
         errno = reason;
     return written && closed;
-}
-
-bool liesWithin(const fs::path &path, const fs::path &folder) {
-    const auto [end, unused] =
-        std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
-    return end == folder.end();
 }
 
 } // namespace
@@ -138,49 +104,49 @@ bool canWriteFile(const std::string &path, std::string &problem) {
     return true;
 }
 
-std::optional<std::string> readWholeFile(const std::string &path, std::string &problem) {
-    std::error_code error;
-    if (!fs::is_regular_file(path, error)) {
-        problem = "cannot read " + path + ": " +
-                  (fs::exists(path, error) ? "not a regular file" : "no such file");
-        return std::nullopt;
+std::optional<std::string> readAll(int file, std::string &problem, std::uintmax_t limit) {
+    constexpr std::size_t most = std::size_t(1) << 20, least = std::size_t(1) << 14;
+    std::string bytes;
+    for (std::size_t used = 0;;) {
+        // One byte beyond the limit tells a file that ends there from one that is longer.
+        const std::uintmax_t room = limit - used < most ? limit - used + 1 : most;
+        bytes.resize(used + std::min<std::uintmax_t>(room, std::max(used, least)));
+        const ssize_t got = ::read(file, bytes.data() + used, bytes.size() - used);
+        if (got < 0 && errno == EINTR)
+            continue;
+        if (got < 0) {
+            problem = std::strerror(errno);
+            return std::nullopt;
+        }
+        used += std::size_t(got);
+        if (used > limit) {
+            problem = "it has more than " + std::to_string(limit) + " bytes";
+            return std::nullopt;
+        }
+        if (got == 0) {
+            bytes.resize(used);
+            return bytes;
+        }
     }
-    std::ifstream stream(path, std::ios::binary);
-    std::ostringstream content;
-    content << stream.rdbuf();
-    if (!stream || stream.bad()) {
-        if (fs::file_size(path, error) == 0 && !error)
-            return std::string();
-        problem = "cannot read " + path + ": " + std::strerror(errno);
-        return std::nullopt;
-    }
-    return content.str();
 }
 
-std::optional<std::string> outputPath(const std::string &name, const std::string &directory,
-                                      bool allowOutside, std::string &problem) {
-    const auto fail = [&](const std::string &what) {
-        problem = "cannot write " + name + ": " + what;
-        return std::nullopt;
-    };
-    if (name.empty() || name.find('\0') != std::string::npos)
-        return fail("a display needs a file name");
-    std::error_code error;
-    const fs::path folder = fs::absolute(directory.empty() ? "." : directory, error);
-    const fs::path path = folder / name; // An absolute name stands for itself.
-    const fs::path realFolder = fs::weakly_canonical(folder, error);
-    if (error)
-        return fail(error.message());
-    const fs::path realPath = fs::weakly_canonical(path, error);
-    if (error)
-        return fail(error.message());
-    if (!allowOutside && !liesWithin(realPath, realFolder))
-        return fail("writes outside the output folder need --allow-programs");
-    fs::create_directories(path.parent_path(), error);
-    if (error)
-        return fail("cannot make its folder " + path.parent_path().lexically_normal().string() +
-                    ": " + error.message());
-    return path.lexically_normal().string();
+std::optional<std::string> readWholeFile(const std::string &path, std::string &problem,
+                                         std::uintmax_t limit) {
+    // Without waiting for somebody to write into a pipe.
+    const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    struct stat facts {};
+    std::optional<std::string> bytes;
+    if (file < 0 || ::fstat(file, &facts) != 0)
+        problem = std::strerror(errno);
+    else if (!S_ISREG(facts.st_mode))
+        problem = "it is not a regular file";
+    else
+        bytes = readAll(file, problem, limit);
+    if (file >= 0)
+        ::close(file);
+    if (!bytes)
+        problem = "cannot read " + path + ": " + problem;
+    return bytes;
 }
 
 } // namespace candela
