@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/jit/arithmetic.h"
 
+#include "language/ir/core/evaluate.h"
+
 #include <llvm/IR/Intrinsics.h>
 
 namespace candela::codegen {
@@ -60,10 +62,12 @@ Value *floatOperation(CodeFunction &code, Op op, Value *a, Value *b) {
     case Op::Max: return make.CreateSelect(make.CreateFCmpOGT(a, b), a, b);
     case Op::Floor: return unary(code, llvm::Intrinsic::floor, a);
     case Op::Ceil: return unary(code, llvm::Intrinsic::ceil, a);
-    case Op::Round: return unary(code, llvm::Intrinsic::floor, make.CreateFAdd(a, like(a, 0.5f)));
+    case Op::Round:
+        return unary(code, llvm::Intrinsic::floor, make.CreateFAdd(a, like(a, ir::belowHalf)));
     case Op::Sqrt:
         return make.CreateSelect(make.CreateFCmpOLT(a, like(a, 0)), like(a, 0),
                                  unary(code, llvm::Intrinsic::sqrt, a));
+    case Op::Sloped: return a;
     default: return transcendental(code, op, a, b);
     }
 }

@@ -153,7 +153,7 @@ void ShaderCode::bindCategories(std::vector<std::uint8_t> accepts, int lightCoun
     categories_.bind(std::move(accepts), lightCount);
 }
 
-void ShaderCode::bind(ShaderArgs &args) const {
+void ShaderCode::bind(ShaderArgs &args, bool) const {
     args.parameters = blocks_.data();
     categories_.bind(args);
 }

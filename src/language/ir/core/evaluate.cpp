@@ -20,8 +20,9 @@ float evaluateFloat(Op op, float a, float b) {
     case Op::Max: return a > b ? a : b;
     case Op::Floor: return std::floor(a);
     case Op::Ceil: return std::ceil(a);
-    case Op::Round: return std::floor(a + 0.5f);
+    case Op::Round: return std::floor(a + belowHalf);
     case Op::Sqrt: return a < 0 ? 0 : std::sqrt(a);
+    case Op::Sloped: return a;
     case Op::Sin: return runtime::sin(a);
     case Op::Cos: return runtime::cos(a);
     case Op::Tan: return runtime::tan(a);

@@ -6,6 +6,9 @@
 
 namespace candela::ir {
 
+/// Next to 1/2. A number below a half stays below 1 if this is added, a half does not.
+inline constexpr float belowHalf = 0x1.fffffep-2f;
+
 /// Of operations for which isFloatArithmetic() holds; NaN of others. Those of one operand take `a`.
 float evaluateFloat(Op, float a, float b);
 /// Of operations for which isFloatComparison() holds.

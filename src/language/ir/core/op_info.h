@@ -90,6 +90,7 @@ enum class SlopeRule : std::uint8_t {
     Least,
     Greatest,
     Choice, ///< That of the chosen operand.
+    Second, ///< The second operand's.
     Chain,  ///< The one operand's, times a factor of operand and result.
     Angle,  ///< Of atan2.
     Power,
@@ -115,6 +116,7 @@ enum class BoundRule : std::uint8_t {
     Magnitude,
     Least,
     Greatest,
+    First,      ///< The first operand's.
     Increasing, ///< Of one operand, never falls.
     Decreasing, ///< Of one operand, never rises.
     Periodic,

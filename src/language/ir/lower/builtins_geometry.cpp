@@ -72,8 +72,10 @@ Components ptlined(BuiltinCall &call) {
     return {length(b, sub(b, toPoint, scale(b, along, t)))};
 }
 
-/// Rodrigues' formula about a unit axis.
-Triple rotated(Builder &b, const Triple &v, ValueId angle, const Triple &axis) {
+/// Rodrigues' formula about a unit axis; about none, the zero vector, nothing turns.
+Triple rotated(Builder &b, const Triple &v, ValueId asked, const Triple &axis) {
+    const ValueId zero = number(b, 0);
+    const ValueId angle = select(b, equal(b, dot(b, axis, axis), zero), zero, asked);
     const ValueId cosine = unary(b, Op::Cos, angle), sine = unary(b, Op::Sin, angle);
     const ValueId along = mul(b, dot(b, axis, v), sub(b, number(b, 1), cosine));
     return add(b, add(b, scale(b, v, cosine), scale(b, cross(b, axis, v), sine)),

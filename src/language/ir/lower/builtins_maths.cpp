@@ -48,10 +48,16 @@ Components log(BuiltinCall &call) {
     return {div(call.b, natural, unary(call.b, Op::Log, call.number(1)))};
 }
 
+/// The quotient is rounded, so that x - period floor(x / period) may lie outside of [0, period), or
+/// on its end: there the nearest number inside stands for it, and it changes as it would.
 Components mod(BuiltinCall &call) {
     Builder &b = call.b;
-    const ValueId x = call.number(0), period = call.number(1);
-    return {sub(b, x, mul(b, period, unary(b, Op::Floor, div(b, x, period))))};
+    const ValueId x = call.number(0), period = call.number(1), zero = number(b, 0);
+    const ValueId rest = sub(b, x, mul(b, period, unary(b, Op::Floor, div(b, x, period))));
+    // The number next to the period on the side of zero; exactly, as products are rounded.
+    const ValueId last = mul(b, period, number(b, 1 - 0x1p-24f));
+    const ValueId inside = min(b, max(b, zero, last), max(b, min(b, zero, last), rest));
+    return {binary(b, Op::Sloped, inside, rest)};
 }
 
 Components sign(BuiltinCall &call) {

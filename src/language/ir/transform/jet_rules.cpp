@@ -58,6 +58,11 @@ Jet ofSelect(const Operation &o) {
     return choice(o.jets, valueOf(o.operands[0]), o.operands[1], o.operands[2]);
 }
 
+Jet ofSecond(const Operation &o) {
+    o.result->rule = [y = o.y()](Order order) { return coefficient(y, order); };
+    return o.result;
+}
+
 Jet twice(Jets &jets, Jet x) { return product(jets, constant(jets, 2), x); }
 
 /// At and below 0 the slope of a root is taken as 0.
@@ -179,6 +184,7 @@ Rule ruleOf(Op op) {
     case SlopeRule::Least: return ofMinimum;
     case SlopeRule::Greatest: return ofMaximum;
     case SlopeRule::Choice: return ofSelect;
+    case SlopeRule::Second: return ofSecond;
     case SlopeRule::Angle: return ofAngle;
     case SlopeRule::Power: return ofPower;
     case SlopeRule::Chain: return chainRuleOf(op);
@@ -290,6 +296,7 @@ bool changesWith(const Function &function, const Instruction &i, Direction d) {
 std::vector<ValueId> differentiableOperands(const Instruction &i) {
     switch (info(i.op).slope) {
     case SlopeRule::Choice: return {i.operands[1], i.operands[2]};
+    case SlopeRule::Second: return {i.operands[1]};
     case SlopeRule::Raised: return i.operands;
     case SlopeRule::Call:
         return {i.operands.begin(),
