@@ -54,8 +54,14 @@ Value *ShaderArguments::fieldPointer(std::size_t offset) {
     return field(offset, code_.pointerType);
 }
 
+/// More planes than this would be alive through all of a machine function.
+constexpr std::size_t mostPlanesAlive = 64;
+
 Value *ShaderArguments::plane(std::size_t tableField, int index) {
-    Value *&plane = place_.planes[{tableField, index}];
+    const std::pair key(tableField, index);
+    if (place_.planes.size() >= mostPlanesAlive && !place_.planes.contains(key))
+        return planeHere(tableField, index);
+    Value *&plane = place_.planes[key];
     if (!plane) {
         llvm::IRBuilder<>::InsertPointGuard guard(builder_);
         builder_.SetInsertPoint(place_.prepare->getTerminator());
