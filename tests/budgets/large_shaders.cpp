@@ -206,17 +206,17 @@ std::vector<LargeShader> largeShaders() {
          surface("Ci = spline(s, a);\n", "", "float a[1000] = {1};"),
          {},
          true},
-        {"a derivative of a spline of 300 knots that vary",
+        {"a derivative of a spline of 1,200 knots that vary",
          Compiles,
          surface("Ci = Du(spline(s" +
-                 each(300, [](const std::string &n) { return ", 0." + n + " * t"; }) + "));\n"),
+                 each(1200, [](const std::string &n) { return ", 0." + n + " * t"; }) + "));\n"),
          {},
          true},
-        {"an array of 4,096 known numbers",
+        {"an array of 16,000 known numbers",
          Compiles,
-         surface("float a[4096] = {0" +
-                 each(4095, [](const std::string &n) { return ", 0." + n; }) +
-                 "};\nCi = a[s * 4095];\n"),
+         surface("float a[16000] = {0" +
+                 each(15999, [](const std::string &n) { return ", 0." + n; }) +
+                 "};\nCi = a[s * 15999];\n"),
          {},
          true},
         {"a printf of 256 numbers", Compiles, surface(printOf(256)), {}, true},
