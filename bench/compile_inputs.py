@@ -81,6 +81,43 @@ def lobes(count):
                              f"-normalize(I), {.05 + k * .01:.2f}));" for k in range(count)])
 
 
+def light_loops(count):
+    return surface("loops", ["illuminance(P, Nf, PI / 2) c += Cl;"] * count)
+
+
+def traces(count):
+    return surface("traces", [f"c += trace(P, vector(s, t, {k}));" for k in range(count)])
+
+
+def curve_of_parameter(knots):
+    return surface("curve", ["f = spline(s, a);"],
+                   f"float a[{knots}] = {{{', '.join(str(k % 7) for k in range(knots))}}};")
+
+
+def slope_of_curve(knots):
+    chosen = ", ".join(f"{k % 7} * t" for k in range(knots))
+    return surface("slope", [f"f = Du(spline(s, {chosen}));"])
+
+
+def table(entries):
+    return surface("table", [f"float a[{entries}] = {{{', '.join(str(k % 9) for k in range(entries))}}};",
+                             f"f = a[s * {entries - 1}];"])
+
+
+def prints(numbers):
+    return surface("prints", [f'printf("{"%f " * numbers}\\n"{", s" * numbers});'])
+
+
+def emitters(count):
+    lines = "\n".join(f"    illuminate(point({k}, 0, 0)) Cl = {k} / (L . L);" for k in range(count))
+    return f"light emitters()\n{{\n{lines}\n}}\n"
+
+
+def many_parameters(count):
+    return surface("parameters", [f"c += p{k};" for k in range(count)],
+                   " ".join(f"color p{k} = 1;" for k in range(count)))
+
+
 def brick():
     """Two hundred lines as people write them: courses of brick with mortar, dirt, lichen, wear."""
     lines = ["point Q = transform(\"shader\", P);", "color total = 0;", "float grit = 0;"]
@@ -120,4 +157,14 @@ INPUTS = {
     "noises2000": noises(2000),
     "selects2000": selects(2000),
     "lobes96": lobes(96),
+    "loops300": light_loops(300),
+    "traces200": traces(200),
+    "curve500": curve_of_parameter(500),
+    "curve20000": curve_of_parameter(20000),
+    "slope300": slope_of_curve(300),
+    "slope1200": slope_of_curve(1200),
+    "table4096": table(4096),
+    "prints256": prints(256),
+    "emitters150": emitters(150),
+    "parameters3000": many_parameters(3000),
 }

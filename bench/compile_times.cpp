@@ -13,6 +13,8 @@
 #include <fstream>
 #include <sstream>
 #include <sys/resource.h>
+#include <utility>
+#include <vector>
 
 namespace candela::bench {
 namespace {
@@ -75,15 +77,13 @@ void measureShader(const sl::TypedShader &shader, const JitOptions &options,
                 "\"entries\":[",
                 shader.name.c_str(), instructions(whole.body), 1e3 * (end - start),
                 1e3 * (now() - factsStart));
-    if (isSurface)
-        for (const Question question : {Question::Shade, Question::Prepare, Question::Scatter,
-                                        Question::Emit, Question::Opacity}) {
-            if (question != Question::Shade)
-                std::printf(",");
-            measureQuestion(whole, question, options, diagnostics);
-        }
-    else
-        measureQuestion(whole, Question::Light, options, diagnostics);
+    using enum Question;
+    const char *between = "";
+    for (const Question question : isSurface ? std::vector{Shade, Prepare, Scatter, Emit, Opacity}
+                                             : std::vector{Light, Emission}) {
+        std::printf("%s", std::exchange(between, ","));
+        measureQuestion(whole, question, options, diagnostics);
+    }
     std::printf("],\"peakMegabytes\":%.0f}\n", peakMegabytes());
 }
 

@@ -62,8 +62,12 @@ std::string judge(const DiagnosticList &diagnostics, const LargeShader &shader) 
     return {};
 }
 
-/// Code as well, to see what all takes.
-bool generates() { return std::getenv("CANDELA_BUDGETS_CODE") != nullptr; }
+/// Code as well: of some shaders for the question that comes to most; of all, to see what all
+/// takes.
+bool generates(const LargeShader &shader, ir::Question question) {
+    const bool most = question == ir::Question::Prepare || question == ir::Question::Emission;
+    return (shader.generates && most) || std::getenv("CANDELA_BUDGETS_CODE") != nullptr;
+}
 
 void generate(const ir::Function &function) {
     static DiagnosticList diagnostics;
@@ -88,8 +92,13 @@ std::string compile(const LargeShader &shader, fuzz::Monitor &monitor) {
     if (!lowered)
         return judge(diagnostics, shader);
     figures.instructions = ir::instructionCount(lowered->whole.body);
-    if (lowered->kind == sl::ShaderKind::Light)
+    if (lowered->kind == sl::ShaderKind::Light) {
+        for (const ir::Question question : {ir::Question::Light, ir::Question::Emission})
+            if (generates(shader, question))
+                generate(ir::slice(lowered->whole, question));
+        figures.code = watch.lap();
         return {};
+    }
     monitor.enter(fuzz::Stage::Facts, "");
     std::vector<ir::FoldedValue> values;
     for (const int slot : ir::controlRelevantParameters(lowered->whole))
@@ -106,7 +115,7 @@ std::string compile(const LargeShader &shader, fuzz::Monitor &monitor) {
         figures.largest = std::max(figures.largest, ir::instructionCount(slice.body));
         figures.slices += watch.lap();
         monitor.enter(fuzz::Stage::Generate, std::to_string(int(question)));
-        if (generates())
+        if (generates(shader, question))
             generate(slice);
         figures.code += watch.lap();
     }

@@ -69,6 +69,13 @@ std::string nestedLoops(int depth, int turns, const std::string &inner) {
     return surface(text + inner + std::string(size_t(depth), '}') + "\nCi = c + x;\n");
 }
 
+std::string printOf(int numbers) {
+    std::string pattern, values;
+    for (int n = 0; n < numbers; ++n)
+        pattern += "%f", values += ", s";
+    return "printf(\"" + pattern + "\"" + values + ");\n";
+}
+
 } // namespace
 
 std::vector<LargeShader> largeShaders() {
@@ -172,6 +179,55 @@ std::vector<LargeShader> largeShaders() {
          surface(
              "Ci = 0;\n" +
              each(300, [](const std::string &n) { return "Ci += trace(P, N + " + n + " * I);"; }))},
+        {"200 light loops",
+         Compiles,
+         surface("color c = 0;\n" + repeat(200, "illuminance(P, N, PI / 2) c += Cl;") +
+                 "Ci = c;\n"),
+         {},
+         true},
+        {"3,000 light loops", Refused,
+         surface("color c = 0;\n" + repeat(3000, "illuminance(P, N, PI / 2) c += Cl;") +
+                 "Ci = c;\n"),
+         "asks for light too often"},
+        {"2,000 traces", Refused, surface("Ci = 0;\n" + repeat(2000, "Ci += trace(P, N);")),
+         "asks for light too often"},
+        {"a light with 150 emitters",
+         Compiles,
+         "light s() {\n" +
+             each(150,
+                  [](const std::string &n) {
+                      return "illuminate(point(" + n + ", 0, 0)) Cl = 1 / (L . L);";
+                  }) +
+             "}\n",
+         {},
+         true},
+        {"a spline of an array parameter of 1,000 knots",
+         Compiles,
+         surface("Ci = spline(s, a);\n", "", "float a[1000] = {1};"),
+         {},
+         true},
+        {"a derivative of a spline of 1,200 knots that vary",
+         Compiles,
+         surface("Ci = Du(spline(s" +
+                 each(1200, [](const std::string &n) { return ", 0." + n + " * t"; }) + "));\n"),
+         {},
+         true},
+        {"an array of 16,000 known numbers",
+         Compiles,
+         surface("float a[16000] = {0" +
+                 each(15999, [](const std::string &n) { return ", 0." + n; }) +
+                 "};\nCi = a[s * 15999];\n"),
+         {},
+         true},
+        {"a printf of 256 numbers", Compiles, surface(printOf(256)), {}, true},
+        {"a printf of 2,000 numbers", Refused, surface(printOf(2000)), "prints at most"},
+        {"8,000 strings", Compiles,
+         surface("if (p1 == p2) Ci = 1;\n", "",
+                 each(8000, [](const std::string &n) { return "string p" + n + " = \"x\";"; }))},
+        {"3,000 defaults that are computed", Compiles,
+         surface("Ci = p1;\n", "",
+                 each(3000,
+                      [](const std::string &n) { return "float p" + n + " = sin(" + n + ");"; }))},
         {"90 nested ifs", Compiles,
          surface("float x = u;\n" + repeat(90, "if (x > 0.5) { x += sin(x);") +
                  std::string(90, '}') + "\nCi = x;\n")},

@@ -19,6 +19,8 @@ struct LargeShader {
     std::string text;
     /// Refused: part of the message.
     std::string says = {};
+    /// Code is generated too, in the same time.
+    bool generates = false;
 
     friend std::ostream &operator<<(std::ostream &out, const LargeShader &shader) {
         return out << shader.name;

@@ -82,20 +82,78 @@ Value *ArrayMemory::load(const ir::Instruction &i) {
 
 void ArrayMemory::store(const ir::Instruction &i) {
     const ir::Array &array = values_.function().arrays[i.immediate];
-    auto *mask = code_.masks.current();
     Value *index = nullptr;
     auto *address = elementAddress(i, index);
     auto *value = values_.get(i.operands[1], array.uniformity);
-    auto *row = rowOf(array);
     if (array.type == ir::Type::Bool)
-        value = builder_.CreateZExt(value, row);
+        value = builder_.CreateZExt(value, rowOf(array));
     if (index->getType()->isVectorTy())
-        code_.lanes.scatter(value, address, index, mask);
-    else if (!value->getType()->isVectorTy())
-        builder_.CreateStore(value, address);
+        code_.lanes.scatter(value, address, index, code_.masks.current());
     else
-        builder_.CreateStore(builder_.CreateSelect(mask, value, builder_.CreateLoad(row, address)),
-                             address);
+        storeRow(value, address);
+}
+
+void ArrayMemory::storeRow(Value *value, Value *to) {
+    if (value->getType()->isVectorTy())
+        value = builder_.CreateSelect(code_.masks.current(), value,
+                                      builder_.CreateLoad(value->getType(), to));
+    builder_.CreateStore(value, to);
+}
+
+ArrayMemory::KnownStores ArrayMemory::knownStores(std::span<const ir::Instruction> all) const {
+    KnownStores known;
+    const ir::Array &array = values_.function().arrays[all[0].immediate];
+    if (array.type != ir::Type::Float)
+        return known;
+    const SpillArea *spills = values_.spills();
+    for (const ir::Instruction &i : all) {
+        if (i.op == ir::Op::Parameter && spills && spills->rowOfParameter(i.results[0]) >= 0) {
+            ++known.instructions;
+            continue;
+        }
+        if (i.op != ir::Op::ArrayStore || i.immediate != all[0].immediate)
+            break;
+        const auto *index = llvm::dyn_cast_or_null<llvm::ConstantInt>(values_.made(i.operands[0]));
+        if (!index || index->getSExtValue() < 0 || index->getSExtValue() >= array.size)
+            break;
+        const int row = spills ? spills->rowOfParameter(i.operands[1]) : -1;
+        const auto *number = llvm::dyn_cast_or_null<llvm::ConstantFP>(values_.made(i.operands[1]));
+        if (row >= 0 && known.numbers.empty())
+            known.rows.push_back(std::uint32_t(row));
+        else if (number && known.rows.empty())
+            known.numbers.push_back(number->getValueAPF().convertToFloat());
+        else
+            break;
+        known.to.push_back(std::uint32_t(index->getZExtValue()));
+        ++known.instructions;
+    }
+    return known;
+}
+
+std::size_t ArrayMemory::storeKnown(std::span<const ir::Instruction> all) {
+    constexpr std::size_t fewest = 32;
+    const KnownStores known = knownStores(all);
+    if (known.to.size() < fewest)
+        return 0;
+    llvm::LLVMContext &context = code_.module.getContext();
+    const ir::Array &array = values_.function().arrays[all[0].immediate];
+    auto *memory = memory_[all[0].immediate];
+    auto *row = rowOf(array);
+    code_.repeat(int(known.to.size()), "elements", [&](Value *turn) {
+        auto *to = code_.constantAt(llvm::ConstantDataArray::get(context, known.to), turn);
+        Value *value = nullptr;
+        if (known.rows.empty()) {
+            value = code_.constantAt(llvm::ConstantDataArray::get(context, known.numbers), turn);
+        } else {
+            auto *from = code_.constantAt(llvm::ConstantDataArray::get(context, known.rows), turn);
+            auto *varying = code_.lanes.varying(code_.floatType);
+            value = code_.lanes.load(code_.floatType,
+                                     builder_.CreateGEP(varying, values_.spills()->base(), from));
+        }
+        storeRow(row->isVectorTy() ? code_.lanes.splat(value) : value,
+                 builder_.CreateGEP(row, memory, to));
+    });
+    return known.instructions;
 }
 
 } // namespace candela::codegen

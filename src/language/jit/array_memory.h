@@ -4,6 +4,8 @@
 
 #include "language/jit/turn_limit.h"
 
+#include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -23,13 +25,25 @@ public:
     void clear();
     Value *load(const ir::Instruction &);
     void store(const ir::Instruction &);
+    /// Many stores to one array in a row, at known places, of constants or of parameters in memory:
+    /// a loop over a table. Of how many of the instructions it has become one; 0 = of none.
+    std::size_t storeKnown(std::span<const ir::Instruction>);
 
 private:
+    struct KnownStores {
+        std::vector<std::uint32_t> to, rows; ///< Elements; rows of parameters.
+        std::vector<float> numbers;          ///< Constants.
+        std::size_t instructions = 0;
+    };
+    KnownStores knownStores(std::span<const ir::Instruction>) const;
+
     /// An array's elements are rows: a scalar, or one a lane.
     llvm::Type *rowOf(const ir::Array &) const;
     /// For an index that varies: the array's start, and `index` becomes each lane's element. For a
     /// uniform one: the row of all lanes.
     Value *elementAddress(const ir::Instruction &, Value *&index);
+    /// A whole row, in the active lanes.
+    void storeRow(Value *, Value *to);
     void checkIndex(const ir::Instruction &, Value *raw, Value *clamped);
 
     CodeFunction &code_;

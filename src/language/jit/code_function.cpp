@@ -67,6 +67,30 @@ Values CodeFunction::valuesIf(Value *condition, const char *name,
     return merged;
 }
 
+void CodeFunction::repeat(int count, const char *name,
+                          const std::function<void(Value *turn)> &body) {
+    auto *from = builder.GetInsertBlock();
+    auto *loop = block(name), *done = block("done");
+    builder.CreateBr(loop);
+    builder.SetInsertPoint(loop);
+    auto *turn = builder.CreatePHI(integerType, 2);
+    turn->addIncoming(builder.getInt32(0), from);
+    body(turn);
+    auto *next = builder.CreateAdd(turn, builder.getInt32(1));
+    turn->addIncoming(next, builder.GetInsertBlock());
+    builder.CreateCondBr(builder.CreateICmpSLT(next, builder.getInt32(std::uint32_t(count))), loop,
+                         done);
+    builder.SetInsertPoint(done);
+}
+
+Value *CodeFunction::constantAt(llvm::Constant *table, Value *index) {
+    auto *global = new llvm::GlobalVariable(module, table->getType(), true,
+                                            llvm::GlobalValue::PrivateLinkage, table, "table");
+    global->setUnnamedAddr(llvm::GlobalValue::UnnamedAddr::Global);
+    auto *element = table->getType()->getArrayElementType();
+    return invariantLoad(element, builder.CreateGEP(element, global, index));
+}
+
 Value *CodeFunction::entryMemory(llvm::Type *type, int count, const char *name) {
     llvm::BasicBlock &entry = function->getEntryBlock();
     llvm::IRBuilder<> atEntry(&entry, entry.begin());

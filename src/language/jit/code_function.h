@@ -37,6 +37,10 @@ struct CodeFunction {
     /// What `body` writes runs if the condition (one bool for all lanes) holds, and gives its
     /// values then; else they are zero. Masks are given in the form that is kept.
     Values valuesIf(Value *condition, const char *name, const std::function<Values()> &body);
+    /// Runs what `body` writes `count` times, with 0, 1, ...; `count` > 0.
+    void repeat(int count, const char *name, const std::function<void(Value *turn)> &body);
+    /// Element `index` of a table of constants.
+    Value *constantAt(llvm::Constant *table, Value *index);
     /// Memory for the whole call.
     Value *entryMemory(llvm::Type *, int count, const char *name);
     /// From where nothing changes during a call.

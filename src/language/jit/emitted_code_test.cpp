@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What code must look like to be fast; codegen_test says that it is right.
 #include "language/ir/core/builder_arithmetic.h"
+#include "language/ir/core/builder_control.h"
 #include "language/ir/core/builder_effects.h"
 #include "language/ir/core/builder_light.h"
 #include "language/ir/core/builder_sources.h"
@@ -12,7 +13,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
+#include <functional>
 #include <numbers>
 
 namespace candela {
@@ -164,11 +167,13 @@ void expectInterpreted(const ir::Function &function, const JitOptions &options) 
     Jit jit(options, diagnostics);
     const ShaderFunction code = jit.compile(function);
     ASSERT_TRUE(code) << diagnostics.text();
-    for (const bool masked : {false, true}) {
+    for (const int variant : {0, 1, 2, 3}) {
         ir::TestBatch batch(function, 37, 3);
         batch.setSamples(2, 5);
-        if (masked)
+        if (variant & 1)
             batch.active = {0xffff, 0x3fc1, 0x0015};
+        if (variant & 2) // One instance.
+            batch.parameterOffset.assign(std::size_t(batch.padded()), 0);
         const auto results = [&](auto &&run) {
             batch.frames.clear(function, batch.padded(), 0.25f);
             auto planes = batch.run(function, run, -1.0f);
@@ -260,6 +265,88 @@ TEST(EmittedCode, PiecesAskWhetherAllOfTheirLanesRun) {
     const std::string text = Jit(options, diagnostics).emit(litSurface(), false);
     EXPECT_GT(countIn(text, "@piece"), 0) << text;
     EXPECT_GT(countIn(text, "store_all:"), 0) << text;
+}
+
+/// Parameters, more than are kept alive, in arithmetic, in a branch of their own, and in an array
+/// that numbers fill too; elements are chosen by the lanes.
+ir::Function manyParameters(int count) {
+    ir::Function function;
+    ir::Builder b(function);
+    const ir::ValueId x = input(b, ShaderInput::P);
+    ir::Values given;
+    for (int k = 0; k < count; ++k) {
+        function.parameters.push_back({"p" + std::to_string(k), 0});
+        given.push_back(parameter(b, k));
+    }
+    const int array = addArray(b, ir::Type::Float, count + 50);
+    for (int k = 0; k < 50; ++k)
+        arrayStore(b, array, integer(b, k), number(b, float(k) * 0.37f));
+    const auto fill = [&] {
+        for (int k = 0; k < count; ++k)
+            arrayStore(b, array, integer(b, 50 + k % (count - 3)), given[std::size_t(k)]);
+        return ir::Values{mul(b, given[3], given[std::size_t(count) - 1])};
+    };
+    const ir::ValueId chosen =
+        ifElse(b, less(b, number(b, 0), x), fill, [&] { return ir::Values{given[7]}; })[0];
+    ir::ValueId sum = chosen;
+    for (ir::ValueId v : given)
+        sum = add(b, mul(b, sum, x), v);
+    output(b, "x", 0, sum);
+    for (int k = 0; k < 4; ++k) {
+        const ir::ValueId place =
+            mul(b, unary(b, ir::Op::Abs, input(b, ShaderInput(int(ShaderInput::N) + k % 3))),
+                number(b, float(count + 49 - 20 * k)));
+        output(b, "x", 1 + k, arrayLoad(b, array, unary(b, ir::Op::IntegerFromFloat, place)));
+    }
+    b.finish();
+    return function;
+}
+
+TEST(EmittedCode, HoldsManyParametersAndFillsArraysInLoops) {
+    for (int longest : {0, 8, 100})
+        expectInterpreted(manyParameters(100), longest);
+    for (IsaLevel level : levels) { // A table is not code.
+        const auto lines = [&](int count) {
+            return countIn(textOf(manyParameters(count), level, false), "\n");
+        };
+        EXPECT_LT(lines(800) - lines(400), 5 * 400) << int(level);
+    }
+}
+
+/// How much longer generating code for 4 n takes than for n; the least of some trials.
+double growth(const std::function<ir::Function(int n)> &make, int n) {
+    const auto seconds = [&](int count) {
+        DiagnosticList diagnostics;
+        Jit jit(optionsFor(runtime::hostIsaLevel(), 16), diagnostics);
+        EXPECT_TRUE(jit.compile(make(count)));
+        return jit.statistics().secondsOptimising + jit.statistics().secondsEmitting;
+    };
+    double least = 1e9;
+    for (int trial = 0; trial < 3; ++trial)
+        least = std::min(least, seconds(4 * n) / seconds(n));
+    return least;
+}
+
+/// Sums, each of which goes to a plane of its own and to an array.
+ir::Function manyStores(int count) {
+    ir::Function function;
+    ir::Builder b(function);
+    const ir::ValueId x = input(b, ShaderInput::P), y = input(b, ShaderInput::N);
+    const int array = addArray(b, ir::Type::Float, count);
+    ir::ValueId sum = x;
+    for (int k = 0; k < count; ++k) {
+        sum = add(b, mul(b, sum, x), y);
+        output(b, "x", k, sum);
+        arrayStore(b, array, integer(b, k), sum);
+    }
+    output(b, "y", 0, arrayLoad(b, array, unary(b, ir::Op::IntegerFromFloat, sum)));
+    b.finish();
+    return function;
+}
+
+TEST(EmittedCode, TakesTimeInProportionToItsLength) {
+    EXPECT_LT(growth(manyStores, 250), 8);
+    EXPECT_LT(growth(manyParameters, 250), 8);
 }
 
 } // namespace

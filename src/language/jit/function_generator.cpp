@@ -93,6 +93,7 @@ private:
     /// Writes a piece of a region as a machine function of its own, and calls it.
     void emitPiece(std::span<const Instruction>);
     void loadAtHead(const Region &);
+    bool parametersInMemory() const { return !pieces_.parametersInMemory.empty(); }
     void emit(const Instruction &);
     void emitControl(const Instruction &);
     /// Of values alone.
@@ -106,7 +107,7 @@ private:
     const ir::Function &function_;
     CodeFunction code_;
     const FunctionPieces pieces_;
-    std::optional<SpillArea> spills_; ///< If there are pieces.
+    std::optional<SpillArea> spills_; ///< If anything has a slot.
     llvm::IRBuilder<> &builder_;
     ValueTable values_;
     ShaderArguments arguments_;
@@ -132,8 +133,8 @@ FunctionGenerator::FunctionGenerator(const ir::Function &function, const CodeTar
       arrays_(code_, values_, calls_, limit_),
       control_(code_, values_, limit_, [this](const Region &region) { emitRegion(region); }) {
     code_.colorSamples = function.colors.samples;
-    if (!pieces_.whole())
-        values_.keepIn(spills_.emplace(code_, pieces_.slot, pieces_.slots));
+    if (pieces_.hasSlots())
+        values_.keepIn(spills_.emplace(code_, pieces_));
 }
 
 static Value *allLanesIn(CodeFunction &code, Value *bits) {
@@ -164,7 +165,7 @@ void FunctionGenerator::generate() {
         arrays_.clear();
         limit_.begin();
         earlier_.load();
-        gathers_.load();
+        gathers_.load(parametersInMemory() ? spills_->base() : nullptr);
         if (spills_)
             loadAtHead(function_.body);
         emitRegion(function_.body);
@@ -184,7 +185,8 @@ void FunctionGenerator::generate() {
 
 void FunctionGenerator::loadAtHead(const Region &region) {
     for (const Instruction &i : region.body) {
-        const Values given = isLoadedAtHead(i.op) ? source(i) : Values();
+        const bool loads = isLoadedAtHead(i.op) && !(i.op == Op::Parameter && parametersInMemory());
+        const Values given = loads ? source(i) : Values();
         for (std::size_t k = 0; k < given.size(); ++k)
             values_.set(i.results[k], given[k]);
         for (const Region &inner : i.regions)
@@ -204,6 +206,11 @@ void FunctionGenerator::emitRegion(const Region &region) {
 void FunctionGenerator::emitAll(std::span<const Instruction> instructions) {
     const auto end = instructions.end();
     for (auto i = instructions.begin(); i != end;) {
+        if (i->op == Op::ArrayStore)
+            if (const std::size_t known = arrays_.storeKnown({i, end})) {
+                i += std::ptrdiff_t(known);
+                continue;
+            }
         if (!isStore(*i)) {
             emit(*i++);
             continue;

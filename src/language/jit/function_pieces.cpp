@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <functional>
 #include <queue>
+#include <set>
 #include <utility>
 
 namespace candela {
@@ -30,11 +31,13 @@ int ownWeight(const Instruction &i) {
         return 0;
     switch (i.op) {
     case Op::LightLoop: return 120 + int(i.results.size());
-    case Op::If:
-    case Op::Loop: return 4 + int(i.results.size());
+    case Op::If: return 4 + int(i.results.size());
+    case Op::Loop: return (i.immediate ? 4 : 24) + int(i.results.size()); // Counts its turns.
     case Op::Call: return 4 + int(i.operands.size() + i.results.size());
     case Op::Query:
-    case Op::Command: return 8 + int(i.operands.size() + i.results.size());
+    case Op::Command: return 20 + int(i.operands.size() + i.results.size());
+    case Op::Output:
+    case Op::FrameStore: return 4;
     default: return ir::info(i.op).kind == ir::OpClass::Transcendental ? 4 : 1;
     }
 }
@@ -49,13 +52,20 @@ public:
 
 private:
     int weight(const Instruction &i) {
-        int sum = ownWeight(i);
+        int sum = ir::isArrayAccess(i.op) ? weightOfAccess(i) : ownWeight(i);
+        if (i.op == Op::ConstInteger)
+            known_.insert(i.results[0]);
         for (const Region &inner : i.regions)
             sum += region(inner);
         return sum;
     }
+    /// A computed index is looked at, and each lane has its own.
+    int weightOfAccess(const Instruction &i) const {
+        return known_.contains(i.operands[0]) ? 4 : 24;
+    }
     std::vector<Piece> piecesOf(const Region &, const std::vector<int> &weights) const;
 
+    std::set<ValueId> known_; ///< Constant indices.
     int longest_;
     FunctionPieces &pieces_;
 };
@@ -144,6 +154,8 @@ public:
         : pieces_(pieces), lives_(function.values.size()) {}
 
     void plan(const Region &body) {
+        pieces_.slots = int(pieces_.parametersInMemory.size());
+        pieces_.slot.assign(lives_.size(), -1);
         head(body);
         region(body, 0);
         assign();
@@ -153,7 +165,7 @@ private:
     struct Life {
         int home = 0; ///< The machine function that makes it; 0 is the entry.
         int from = 0, to = 0;
-        bool constant = false, crosses = false;
+        bool isEverywhere = false, crosses = false;
     };
     struct RunningLoop {
         int from = 0;
@@ -164,9 +176,10 @@ private:
     void head(const Region &);
     void region(const Region &, int home);
     void instruction(const Instruction &, int home);
-    void make(ValueId v, int home, bool constant = false) {
-        lives_[v] = {home, now_, now_, constant, false};
+    void make(ValueId v, int home, bool isEverywhere = false) {
+        lives_[v] = {home, now_, now_, isEverywhere, false};
     }
+    int slotOfParameter(const Instruction &) const;
     void use(ValueId, int home);
     void assign();
 
@@ -178,17 +191,27 @@ private:
 
 void SlotPlanner::head(const Region &region) {
     for (const Instruction &i : region.body) {
+        const int slot = slotOfParameter(i);
         if (isLoadedAtHead(i.op))
-            for (ValueId v : i.results)
-                make(v, 0);
+            for (ValueId v : i.results) {
+                make(v, 0, slot >= 0);
+                pieces_.slot[v] = slot;
+            }
         for (const Region &inner : i.regions)
             head(inner);
     }
 }
 
+int SlotPlanner::slotOfParameter(const Instruction &i) const {
+    const std::vector<int> &all = pieces_.parametersInMemory;
+    if (i.op != Op::Parameter || all.empty())
+        return -1;
+    return int(std::lower_bound(all.begin(), all.end(), i.immediate) - all.begin());
+}
+
 void SlotPlanner::use(ValueId v, int home) {
     Life &life = lives_[v];
-    if (life.constant)
+    if (life.isEverywhere)
         return;
     life.crosses |= life.home != home;
     life.to = std::max(life.to, now_);
@@ -251,7 +274,6 @@ void SlotPlanner::assign() {
                      [&](ValueId a, ValueId b) { return lives_[a].from < lives_[b].from; });
     using Ending = std::pair<int, int>; // When, which slot.
     std::priority_queue<Ending, std::vector<Ending>, std::greater<>> taken;
-    pieces_.slot.assign(lives_.size(), -1);
     for (ValueId v : order) {
         int slot = pieces_.slots;
         if (!taken.empty() && taken.top().first < lives_[v].from) {
@@ -265,12 +287,25 @@ void SlotPlanner::assign() {
     }
 }
 
+void collectParameters(const Region &region, std::set<int> &parameters) {
+    for (const Instruction &i : region.body) {
+        if (i.op == Op::Parameter)
+            parameters.insert(i.immediate);
+        for (const Region &inner : i.regions)
+            collectParameters(inner, parameters);
+    }
+}
+
 } // namespace
 
 FunctionPieces cutIntoPieces(const ir::Function &function, int longest) {
     FunctionPieces pieces;
+    std::set<int> parameters;
+    collectParameters(function.body, parameters);
+    if (parameters.size() > mostParametersAlive)
+        pieces.parametersInMemory.assign(parameters.begin(), parameters.end());
     Cutter(longest, pieces).region(function.body);
-    if (!pieces.whole())
+    if (pieces.hasSlots())
         SlotPlanner(function, pieces).plan(function.body);
     return pieces;
 }

@@ -23,12 +23,20 @@ struct FunctionPieces {
     std::map<const ir::Region *, std::vector<Piece>> cut;
     std::vector<int> slot; ///< By ValueId: its spill slot; -1 = it has none.
     int slots = 0;
+    /// Where there are many: the function's parameters (Instruction::immediate of Op::Parameter),
+    /// which have the first slots, in order.
+    std::vector<int> parametersInMemory;
 
     bool whole() const { return cut.empty(); }
+    bool hasSlots() const { return !whole() || !parametersInMemory.empty(); }
 };
 
 /// Sources that are loaded once, where a block of points begins: parameters and object matrices.
 bool isLoadedAtHead(ir::Op);
+
+/// More parameters than this would all be alive through all of a function, in registers or, one by
+/// one, on the stack: they wait in spill slots, and are loaded where they are used.
+constexpr std::size_t mostParametersAlive = 64;
 
 /// Cuts the function where few values are alive, so that no piece is much longer than `longest`
 /// operations; a function that is no longer stays whole.

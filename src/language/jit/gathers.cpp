@@ -6,6 +6,8 @@
 #include <llvm/IR/Intrinsics.h>
 
 #include <cstddef>
+#include <functional>
+#include <vector>
 
 namespace candela::codegen {
 
@@ -28,8 +30,11 @@ void Gathers::collect(const ir::Region &region) {
     }
 }
 
-void Gathers::load() {
-    load(parameters_);
+void Gathers::load(Value *rows) {
+    if (rows)
+        loadIntoRows(parameters_, rows);
+    else
+        load(parameters_);
     load(objectMatrices_);
 }
 
@@ -97,7 +102,7 @@ Values Gathers::gather(const Table &table, Value *base, Value *index) {
     return values;
 }
 
-Values Gathers::broadcastOrGather(const Table &table, Value *base, Value *indexPlane) {
+Gathers::Indices Gathers::indices(const Table &table, Value *indexPlane) {
     const Lanes &lanes = code_.lanes;
     auto *mask = code_.masks.current();
     auto *firstLane =
@@ -114,22 +119,75 @@ Values Gathers::broadcastOrGather(const Table &table, Value *base, Value *indexP
          *join = code_.block("gathered");
     builder_.CreateCondBr(lanes.all(builder_.CreateOr(same, builder_.CreateNot(mask))), together,
                           apart);
-    builder_.SetInsertPoint(together);
-    const Values shared = broadcast(table, builder_.CreateGEP(code_.floatType, base, first));
-    builder_.CreateBr(join);
-    builder_.SetInsertPoint(apart);
-    const Values gathered = gather(table, base, index);
-    apart = builder_.GetInsertBlock();
-    builder_.CreateBr(join);
-    builder_.SetInsertPoint(join);
+    return {index, first, together, apart, join};
+}
+
+Values Gathers::broadcastOrGather(const Table &table, Value *base, Value *indexPlane) {
+    Indices at = indices(table, indexPlane);
+    builder_.SetInsertPoint(at.together);
+    const Values shared = broadcast(table, builder_.CreateGEP(code_.floatType, base, at.first));
+    builder_.CreateBr(at.join);
+    builder_.SetInsertPoint(at.apart);
+    const Values gathered = gather(table, base, at.each);
+    at.apart = builder_.GetInsertBlock();
+    builder_.CreateBr(at.join);
+    builder_.SetInsertPoint(at.join);
     Values values;
     for (std::size_t k = 0; k < shared.size(); ++k) {
-        auto *phi = builder_.CreatePHI(lanes.varying(code_.floatType), 2);
-        phi->addIncoming(shared[k], together);
-        phi->addIncoming(gathered[k], apart);
+        auto *phi = builder_.CreatePHI(code_.lanes.varying(code_.floatType), 2);
+        phi->addIncoming(shared[k], at.together);
+        phi->addIncoming(gathered[k], at.apart);
         values.push_back(phi);
     }
     return values;
+}
+
+Value *Gathers::gatherOneByOne(Value *base, Value *index, Value *place) {
+    auto *from = builder_.CreateGEP(code_.floatType, base, place);
+    Value *elements = llvm::PoisonValue::get(code_.lanes.varying(code_.floatType));
+    for (int k = 0; k < code_.lanes.width(); ++k) {
+        auto *own = builder_.CreateExtractElement(index, std::uint64_t(k));
+        auto *element =
+            code_.invariantLoad(code_.floatType, builder_.CreateGEP(code_.floatType, from, own));
+        elements = builder_.CreateInsertElement(elements, element, std::uint64_t(k));
+    }
+    return elements;
+}
+
+/// The code is as short for thousands of parameters as for one.
+void Gathers::loadIntoRows(const Table &table, Value *rows) {
+    const Lanes &lanes = code_.lanes;
+    std::vector<std::uint32_t> places;
+    for (const auto &[place, value] : table.loaded)
+        places.push_back(std::uint32_t(place));
+    auto *all = llvm::ConstantDataArray::get(code_.module.getContext(), places);
+    const auto eachRow = [&](const std::function<Value *(Value * place)> &elements) {
+        code_.repeat(int(places.size()), "row", [&](Value *row) {
+            lanes.store(lanes.splat(elements(code_.constantAt(all, row))),
+                        builder_.CreateGEP(lanes.varying(code_.floatType), rows, row));
+        });
+    };
+    auto *base = arguments_.fieldPointer(table.baseField);
+    auto *indexPlane = builder_.CreateGEP(
+        code_.integerType, arguments_.fieldPointer(table.indexField), arguments_.firstPoint());
+    const auto share = [&](Value *index) {
+        auto *origin = builder_.CreateGEP(code_.floatType, base, index);
+        eachRow([&](Value *place) {
+            return code_.invariantLoad(code_.floatType,
+                                       builder_.CreateGEP(code_.floatType, origin, place));
+        });
+    };
+    if (lanes.width() == 1)
+        return share(builder_.CreateMul(builder_.CreateLoad(code_.integerType, indexPlane),
+                                        builder_.getInt32(table.stride)));
+    const Indices at = indices(table, indexPlane);
+    builder_.SetInsertPoint(at.together);
+    share(at.first);
+    builder_.CreateBr(at.join);
+    builder_.SetInsertPoint(at.apart);
+    eachRow([&](Value *place) { return gatherOneByOne(base, at.each, place); });
+    builder_.CreateBr(at.join);
+    builder_.SetInsertPoint(at.join);
 }
 
 void Gathers::load(Table &table) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/jit/machine_pool.h"
 
+#include <llvm/Support/CommandLine.h>
 #include <llvm/Support/TargetSelect.h>
 #include <llvm/TargetParser/Host.h>
 
@@ -31,10 +32,21 @@ std::unique_ptr<llvm::TargetMachine> createMachine(const CodeTarget &target) {
         llvm::CodeModel::Small, llvm::CodeGenOptLevel::Default, true));
 }
 
+/// LLVM's scheduler looks at all pairs of so many stores and loads in a row, and for each at all
+/// that it has found of them; of 1,000, as it would, that takes seconds. Beyond so many it keeps
+/// the order of a part of them, which changes no result.
+void limitPairsOfScheduler() {
+    constexpr unsigned mostInARow = 128;
+    auto &options = llvm::cl::getRegisteredOptions();
+    if (const auto found = options.find("dag-maps-huge-region"); found != options.end())
+        static_cast<llvm::cl::opt<unsigned> *>(found->second)->setValue(mostInARow);
+}
+
 } // namespace
 
 const llvm::Target *nativeTarget() {
     static const llvm::Target *const target = [] {
+        limitPairsOfScheduler();
         llvm::InitializeNativeTarget();
         llvm::InitializeNativeTargetAsmPrinter();
         std::string error;

@@ -72,15 +72,26 @@ Value *ShaderArguments::row(int number) {
                                        std::uint64_t(number) * laneBlock);
 }
 
+/// More planes than this would be alive through all of a machine function.
+constexpr std::size_t mostPlanesAlive = 64;
+
 Value *ShaderArguments::plane(PlaneName name) {
     const auto found = rows_.find(name);
-    Value *&start = place_.planes[name];
-    if (!start) {
+    const auto lookUp = [&] {
+        auto *start = planeStart(name);
+        return found == rows_.end()
+                   ? start
+                   : builder_.CreateSelect(areRowsRead(), row(found->second), start);
+    };
+    Value *start = nullptr;
+    if (const auto known = place_.planes.find(name); known != place_.planes.end()) {
+        start = known->second;
+    } else if (place_.planes.size() < mostPlanesAlive) {
         llvm::IRBuilder<>::InsertPointGuard guard(builder_);
         builder_.SetInsertPoint(place_.prepare->getTerminator());
-        start = planeStart(name);
-        if (found != rows_.end())
-            start = builder_.CreateSelect(areRowsRead(), row(found->second), start);
+        start = place_.planes[name] = lookUp();
+    } else {
+        start = lookUp();
     }
     auto *first = place_.firstPoint;
     if (found != rows_.end())

@@ -56,8 +56,8 @@ public:
     /// A field of ShaderArgs, by its offset; fields and tables never change during a call.
     Value *field(std::size_t offset, llvm::Type *);
     Value *fieldPointer(std::size_t offset);
-    /// Where the block's lanes stand in plane `index` of a table. The plane is looked up before the
-    /// loop over blocks, where the table can't be null.
+    /// Where the block's lanes stand in plane `index` of a table, which can't be null. The first
+    /// planes of a machine function are looked up before its loop over blocks.
     Value *plane(PlaneName);
     /// Where the plane begins, whatever rows there are.
     Value *planeStart(PlaneName);

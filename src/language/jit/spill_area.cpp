@@ -3,10 +3,10 @@
 
 namespace candela::codegen {
 
-SpillArea::SpillArea(CodeFunction &code, const std::vector<int> &slot, int slots)
-    : code_(code), builder_(code.builder), slot_(slot),
-      base_(code.entryMemory(code.lanes.varying(code.floatType), slots, "spill")),
-      loaded_(slot.size()) {}
+SpillArea::SpillArea(CodeFunction &code, const FunctionPieces &pieces)
+    : code_(code), builder_(code.builder), pieces_(pieces),
+      base_(code.entryMemory(code.lanes.varying(code.floatType), pieces.slots, "spill")),
+      loaded_(pieces.slot.size()) {}
 
 /// Masks are kept as wide as numbers: bits would have to be packed and unpacked.
 static llvm::Type *typeInMemory(const CodeFunction &code, llvm::Type *type) {
@@ -21,18 +21,19 @@ static llvm::Function *functionOf(Value *value) {
 
 Value *SpillArea::slot(ir::ValueId id, Value *base) {
     return builder_.CreateConstGEP1_64(code_.lanes.varying(code_.floatType), base,
-                                       std::uint64_t(slot_[id]));
+                                       std::uint64_t(pieces_.slot[id]));
 }
 
 Value *SpillArea::here(ir::ValueId id, Value *made) {
-    if (llvm::isa<llvm::Constant>(made) || functionOf(made) == code_.function)
+    if (made && (llvm::isa<llvm::Constant>(made) || functionOf(made) == code_.function))
         return made;
     Loaded &loaded = loaded_[id];
     if (loaded.in != builder_.GetInsertBlock()) {
-        auto *type = typeInMemory(code_, made->getType());
+        auto *wanted = made ? made->getType() : code_.lanes.varying(code_.floatType);
+        auto *type = typeInMemory(code_, wanted);
         Value *value = builder_.CreateAlignedLoad(type, slot(id, base_), llvm::Align(4));
-        if (type != made->getType())
-            value = builder_.CreateTrunc(value, made->getType());
+        if (type != wanted)
+            value = builder_.CreateTrunc(value, wanted);
         loaded = {builder_.GetInsertBlock(), value};
     }
     return loaded.value;
@@ -45,7 +46,7 @@ void SpillArea::store(ir::ValueId id, Value *made, Value *base) {
 }
 
 void SpillArea::save(ir::ValueId id, Value *made) {
-    if (slot_[id] < 0 || llvm::isa<llvm::Constant>(made))
+    if (pieces_.slot[id] < 0 || llvm::isa<llvm::Constant>(made))
         return;
     auto *phi = llvm::dyn_cast<llvm::PHINode>(made);
     llvm::BasicBlock *block = builder_.GetInsertBlock();

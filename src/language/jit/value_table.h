@@ -13,12 +13,16 @@ public:
 
     const ir::Function &function() const { return function_; }
     ir::Uniformity uniformity(ir::ValueId id) const { return function_.values[id].uniformity; }
-    /// For a function that is compiled in pieces, before any value is set.
+    /// For a function of which values have slots, before any value is set.
     void keepIn(SpillArea &spills) { spills_ = &spills; }
+    /// Null if nothing has a slot.
+    const SpillArea *spills() const { return spills_; }
     /// As uniform as the value is.
     Value *get(ir::ValueId id) const {
         return spills_ ? spills_->here(id, values_[id]) : values_[id];
     }
+    /// As it was made, maybe in another machine function; null if it is a parameter in memory.
+    Value *made(ir::ValueId id) const { return values_[id]; }
     /// As is wanted: a varying one cannot be had as uniform.
     Value *get(ir::ValueId id, ir::Uniformity wanted) const {
         return wanted == ir::Uniformity::Varying ? lanes_.splat(get(id)) : get(id);

@@ -7,6 +7,7 @@
 #include "language/ir/core/builder_sources.h"
 #include "language/ir/core/builder_vectors.h"
 #include "language/ir/lower/builtins.h"
+#include "language/ir/lower/light.h"
 
 #include <numbers>
 
@@ -24,7 +25,7 @@ template <class Factor> Components gather(BuiltinCall &call, const char *categor
     request.line = b.line();
     Components cone = componentsOf(normalize(b, call.triple(0)));
     cone.push_back(number(b, std::numbers::pi_v<float> / 2));
-    return lightLoop(b, addRequest(b, request),
+    return lightLoop(b, addRequest(call.lowering, request, call.expr.where),
                      tripleOf(call.lowering.variables.load(sl::PredefinedId::P)), cone,
                      Components(b.colors().samples, number(b, 0)),
                      [&](const Triple &L, const Components &Cl, const Components &carried) {
@@ -79,7 +80,8 @@ Components trace(BuiltinCall &call) {
     LightRequest request;
     request.kind = LightRequest::Kind::Trace;
     request.line = call.b.line();
-    return trace(call.b, addRequest(call.b, request), call.triple(0), call.triple(1));
+    return trace(call.b, addRequest(call.lowering, request, call.expr.where), call.triple(0),
+                 call.triple(1));
 }
 
 Components ambient(BuiltinCall &call) { return ambient(call.b); }

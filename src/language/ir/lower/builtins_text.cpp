@@ -6,6 +6,7 @@
 #include "language/ir/core/print_format.h"
 #include "language/ir/lower/builtins.h"
 #include "language/ir/lower/color.h"
+#include "language/ir/lower/limits.h"
 #include "language/ir/lower/regular_expression.h"
 #include "language/semantics/print_pattern.h"
 
@@ -81,7 +82,14 @@ std::optional<Expansion> expand(BuiltinCall &call) {
 }
 
 Components printf(BuiltinCall &call) {
-    if (const auto expansion = expand(call))
+    const auto expansion = expand(call);
+    if (expansion && expansion->values.size() > mostPrinted)
+        call.lowering.messages.error(
+            call.expr.where,
+            fmt::format("a printf() prints at most {} numbers (a point is three, a "
+                        "matrix sixteen), not {}; print the rest with another",
+                        mostPrinted, expansion->values.size()));
+    else if (expansion)
         printValues(call.b, expansion->pattern, expansion->values);
     return {};
 }

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <set>
 
 namespace candela::ir {
 namespace {
@@ -82,6 +83,16 @@ std::optional<std::vector<float>> literal(const sl::Expr &expr, int samples) {
     return result.size() == count ? std::optional(result) : std::nullopt;
 }
 
+/// Adds the variables that the expression names; does it call a function of the source?
+bool collectNamed(const sl::Expr &expr, std::set<const sl::Symbol *> &named) {
+    bool calls = expr.kind == sl::ExprKind::Call;
+    if (expr.symbol)
+        named.insert(expr.symbol);
+    for (const sl::ExprPtr &operand : expr.operands)
+        calls = collectNamed(*operand, named) || calls;
+    return calls;
+}
+
 class Defaults {
 public:
     Defaults(const sl::TypedShader &shader, const std::vector<StringValue> &strings,
@@ -126,8 +137,15 @@ private:
         return space;
     }
 
-    void declareEarlier(Lowering &lowering) {
-        for (size_t i = 0; i < parameters.size(); ++i) {
+    /// Those that the default names: of thousands of parameters mostly none.
+    void declareEarlier(const sl::Parameter &parameter, Lowering &lowering) {
+        std::set<const sl::Symbol *> named;
+        bool anyMay = false; // Functions may name some too.
+        for (const sl::ExprPtr &element : parameter.defaults)
+            anyMay = collectNamed(*element, named) || anyMay;
+        for (size_t i = 0; i < parameters.size() && (anyMay || !named.empty()); ++i) {
+            if (!anyMay && !named.contains(shader_.parameters[i].symbol))
+                continue;
             const ShaderParameter &earlier = parameters[i];
             Components values;
             for (float value : earlier.defaults)
@@ -144,11 +162,27 @@ private:
         }
     }
 
-    /// What nearly all shaders have, and some have thousands of: numbers. (What a matrix leads to
-    /// depends on the space that is named with it, and other samples of colours on their uplift.)
+    /// Strings that are written as such.
+    static bool takeTexts(const sl::Parameter &parameter, ShaderParameter &result) {
+        std::vector<std::string> texts;
+        for (const sl::ExprPtr &element : parameter.defaults) {
+            if (element->kind != sl::ExprKind::Text)
+                return false;
+            texts.push_back(element->text);
+        }
+        texts.resize(size_t(std::max(1, parameter.symbol->type.length)));
+        result.stringDefaults = std::move(texts);
+        return true;
+    }
+
+    /// What nearly all shaders have, and some have thousands of: numbers and strings. (What a
+    /// matrix leads to depends on the space that is named with it, and other samples of colours on
+    /// their uplift.)
     bool takeLiterals(const sl::Parameter &parameter, ShaderParameter &result) const {
         const sl::Type &type = parameter.symbol->type;
-        if (type.base == sl::BaseType::String || type.base == sl::BaseType::Matrix ||
+        if (type.base == sl::BaseType::String)
+            return takeTexts(parameter, result);
+        if (type.base == sl::BaseType::Matrix ||
             (type.base == sl::BaseType::Color && colors_.samples != 3))
             return false;
         std::vector<float> values;
@@ -173,7 +207,7 @@ private:
         function.colors = colors_;
         Lowering lowering(shader_, {}, function, sink_);
         lowering.spaces.allowShaderOnly();
-        declareEarlier(lowering);
+        declareEarlier(parameter, lowering);
         enter(lowering, nullptr);
 
         if (const auto space = spaceOf(parameter, lowering))

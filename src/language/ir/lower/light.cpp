@@ -8,7 +8,10 @@
 #include "language/ir/lower/color.h"
 #include "language/ir/lower/control.h"
 #include "language/ir/lower/expression.h"
+#include "language/ir/lower/limits.h"
 #include "language/ir/lower/statement.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -105,6 +108,18 @@ static_assert(int(ConeForm::Everywhere) == int(sl::ConeForm::Everywhere) &&
               int(ConeForm::Classic) == int(sl::ConeForm::Classic) &&
               int(ConeForm::Extended) == int(sl::ConeForm::Extended));
 
+int addRequest(Lowering &lowering, const LightRequest &request, const sl::Place &where) {
+    if (lowering.b.function().requests.size() == mostRequests) {
+        lowering.messages.error(
+            where, fmt::format("the shader asks for light too often; {} light loops, diffuse(), "
+                               "specular(), phong() and trace() are the most, with those of each "
+                               "call of a function; let one illuminance sum what several do",
+                               mostRequests));
+        lowering.messages.close();
+    }
+    return addRequest(lowering.b, request);
+}
+
 void lowerIlluminance(Lowering &lowering, const sl::Stmt &statement) {
     Builder &b = lowering.b;
     const sl::LightArguments &light = *statement.light;
@@ -129,8 +144,8 @@ void lowerIlluminance(Lowering &lowering, const sl::Stmt &statement) {
         lowering.frames.back().loops.pop_back();
         return variables.inCells(carried);
     };
-    const Components results =
-        lightLoop(b, addRequest(b, request), position, coneOperands, initial, sample);
+    const Components results = lightLoop(b, addRequest(lowering, request, statement.where),
+                                         position, coneOperands, initial, sample);
     variables.cells = before;
     variables.setCells(carried, results);
 }

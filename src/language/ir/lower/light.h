@@ -6,6 +6,8 @@
 
 namespace candela::ir {
 
+/// A request for light that the text makes there; of too many it makes an error.
+int addRequest(Lowering &, const LightRequest &, const sl::Place &where);
 void lowerIlluminance(Lowering &, const sl::Stmt &);
 /// A local emitter: L runs from the light to Ps. Light leaves within the cone of the classic form
 /// alone; the cones of the extended form say where to send it, and cull nothing.
