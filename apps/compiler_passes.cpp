@@ -18,7 +18,7 @@ ir::Function withDefaults(const ir::LoweredShader &lowered, DiagnosticSink &diag
     std::vector<ir::FoldedValue> folded;
     for (const int slot : ir::controlRelevantParameters(lowered.whole))
         folded.push_back({slot, block[size_t(slot)]});
-    return folded.empty() ? lowered.whole : ir::fold(lowered.whole, folded);
+    return ir::fold(lowered.whole, folded);
 }
 
 } // namespace
@@ -36,7 +36,7 @@ std::optional<CompiledShader> compileShader(const sl::TypedShader &shader, ir::L
 
     CompiledShader compiled;
     std::shared_ptr<const ir::Plan> plan;
-    if (lowered->kind == sl::ShaderKind::Surface) {
+    if (ir::isPlanned(lowered->kind)) {
         whole = ir::applyLightRule(whole, rule);
         listener("light rule", whole);
         plan = ir::makePlan(whole);

@@ -3,6 +3,7 @@
 
 #include "language/ir/lower/lower.h"
 #include "language/ir/questions/questions.h"
+#include "language/ir/transform/fold.h"
 #include "language/ir/transform/light_rule.h"
 #include "language/semantics/front.h"
 
@@ -38,7 +39,8 @@ std::optional<ShadingWork> shadingWork(const ShadingCase &which, int points,
     if (!lowered)
         return std::nullopt;
     ir::Function function =
-        ir::slice(ir::applyLightRule(lowered->whole, ir::LightRule::Classic), ir::Question::Shade);
+        ir::slice(ir::applyLightRule(ir::fold(lowered->whole, {}), ir::LightRule::Classic),
+                  ir::Question::Shade);
     if (namesOf(function.parameters) != which.parameters || !writesColorAndOpacity(function)) {
         diagnostics.error({}, file + ": by hand it has other parameters or outputs");
         return std::nullopt;

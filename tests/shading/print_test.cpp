@@ -55,5 +55,51 @@ TEST(Print, ShadersThatAreNotAffineToo) {
         expectPointsSpeakOnce(frame(integrator, "\"float threshold\" [.5]"));
 }
 
+/// What the shader of these statements says, sorted.
+std::set<std::string> linesOf(const std::string &integrator, const std::string &body,
+                              std::string &errors) {
+    ScratchFolder folder;
+    folder.write("says.sl", "surface says() {\n normal n = faceforward(normalize(N), I);\n Oi = "
+                            "1;\n Ci = .5 * diffuse(n);\n" +
+                                body + "\n}\n");
+    const Outcome run = runCandela(
+        {folder.write("scene.rib",
+                      "Format 1 1 1\nPixelSamples 1 1\nPixelFilter \"box\" 1 1\nDisplay "
+                      "\"out.exr\" \"openexr\" \"rgb\"\nProjection \"orthographic\"\n"
+                      "ScreenWindow -1 1 -1 1\nWorldBegin\n"
+                      "LightSource \"distantlight\" 1 \"intensity\" [3]\n"
+                      "LightSource \"distantlight\" 2 \"intensity\" [5]\nSurface \"says\"\n"
+                      "Polygon \"P\" [-9 -9 1 9 -9 1 9 9 1 -9 9 1]\nWorldEnd\n"),
+         "--quiet", "--integrator", integrator, "--output-dir", folder.path()});
+    EXPECT_EQ(run.status, 0) << run.text();
+    errors = run.err;
+    std::istringstream all(run.out);
+    std::set<std::string> lines;
+    for (std::string line; std::getline(all, line);)
+        if (!line.starts_with("after "))
+            lines.insert(line);
+    return lines;
+}
+
+using Lines = std::set<std::string>;
+
+TEST(Print, LightIsToldWhereAllOfItIsThere) {
+    const std::string loop = "illuminance(P, n, PI / 2) {\n  if (comp(Cl, 0) > 4) printf(\"bright "
+                             "%c\\n\", Cl);\n  Ci += Cl * .1;\n }";
+    const std::string sum =
+        " color d = diffuse(n);\n if (comp(d, 0) > 1) printf(\"sum %c\\n\", d);";
+    std::string errors;
+    EXPECT_EQ(linesOf("classic", loop, errors), Lines{"bright 5.000000 5.000000 5.000000"});
+    EXPECT_EQ(errors, "");
+    EXPECT_EQ(linesOf("classic", sum, errors), Lines{"sum 8.000000 8.000000 8.000000"});
+    EXPECT_EQ(linesOf("classic", " printf(\"here\\n\");", errors), Lines{"here"});
+    for (const std::string &body : {loop, sum}) {
+        EXPECT_EQ(linesOf("path", body, errors), Lines{});
+        EXPECT_NE(errors.find("--integrator classic prints it lit"), std::string::npos) << errors;
+    }
+    EXPECT_EQ(linesOf("path", " printf(\"here\\n\");", errors), Lines{"here"});
+    EXPECT_EQ(errors, "");
+}
+
 } // namespace
 } // namespace candela::test

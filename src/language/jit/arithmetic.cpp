@@ -195,12 +195,14 @@ Values normalized(CodeFunction &code, const Values &a) {
 }
 
 Value *anyNonZero(CodeFunction &code, const Values &color) {
-    Value *any = nullptr;
+    auto &make = code.builder;
+    auto *words = code.lanes.varying(code.integerType);
+    Value *bits = nullptr;
     for (Value *channel : color) {
-        auto *nonZero = code.builder.CreateFCmpUNE(channel, like(channel, 0));
-        any = any ? code.builder.CreateOr(any, nonZero) : nonZero;
+        auto *own = make.CreateBitCast(channel, words);
+        bits = bits ? make.CreateOr(bits, own) : own;
     }
-    return any;
+    return make.CreateIsNotNull(make.CreateAnd(bits, code.lanes.splat(make.getInt32(0x7fffffff))));
 }
 
 } // namespace candela::codegen

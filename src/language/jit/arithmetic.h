@@ -24,7 +24,7 @@ Value *callMath(CodeFunction &, runtime::MathFunction, const Values &arguments);
 Value *dot(CodeFunction &, const Values &, const Values &);
 /// As ir::normalize: a zero vector stays zero.
 Values normalized(CodeFunction &, const Values &);
-/// Lanes in which a channel is not zero.
+/// Lanes in which a channel is not zero: in which it has any bit but its sign.
 Value *anyNonZero(CodeFunction &, const Values &color);
 
 } // namespace candela::codegen

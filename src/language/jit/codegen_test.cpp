@@ -5,6 +5,7 @@
 #include "language/ir/core/builder_control.h"
 #include "language/ir/core/builder_effects.h"
 #include "language/ir/core/builder_sources.h"
+#include "language/ir/core/print_format.h"
 #include "language/ir/interpret/interpreter.h"
 #include "language/ir/interpret/test_batch.h"
 #include "language/jit/jit.h"
@@ -51,25 +52,33 @@ constexpr float unreached = -123;
 
 struct Result {
     std::vector<TestBatch::Plane> outputs;
-    TestBatch::Plane frame;
+    ir::TestFrames frames;
     std::vector<std::string> printed; ///< Sorted: widths print in different orders.
 };
 
-void collectPrint(void *context, const char *text) {
-    std::string line = text;
-    // The sign of NaN is not defined.
-    for (std::size_t at; (at = line.find("-nan")) != std::string::npos;)
-        line.erase(at, 1);
-    static_cast<std::vector<std::string> *>(context)->push_back(line);
+void collectPrint(void *context, const ServiceCall &call) {
+    for (int lane = 0; lane < call.laneCount; ++lane) {
+        if (!call.asks(lane))
+            continue;
+        std::string line = ir::printedText(call, lane);
+        // The sign of NaN is not defined.
+        for (std::size_t at; (at = line.find("-nan")) != std::string::npos;)
+            line.erase(at, 1);
+        static_cast<std::vector<std::string> *>(context)->push_back(line);
+    }
 }
 
 template <typename Runner>
 Result run(TestBatch &batch, const ir::Function &function, Runner &&runner) {
     Result result;
-    batch.frame.assign(std::size_t(function.spillSlots) * batch.padded(), 0.25f);
-    batch.callbacks = {&result.printed, collectPrint};
+    batch.frames.clear(function, batch.padded(), 0.25f);
+    batch.services.context = &result.printed;
+    batch.services[Service::print] = collectPrint;
+    batch.services[Service::option] = [](void *, const ServiceCall &call) {
+        ir::answerService(nullptr, call);
+    };
     result.outputs = batch.run(function, runner, unreached);
-    result.frame = batch.frame;
+    result.frames = batch.frames;
     std::sort(result.printed.begin(), result.printed.end());
     return result;
 }
@@ -77,7 +86,7 @@ Result run(TestBatch &batch, const ir::Function &function, Runner &&runner) {
 /// Where a lane's loop is ended, it is not said which way it takes at branches from there on: what
 /// random programs write in them is not compared, what they write at the end is.
 void forgetBranches(const ir::Function &function, Result &result) {
-    result.frame.clear();
+    result.frames = {};
     for (std::size_t k = 0; k < result.outputs.size(); ++k)
         if (function.outputs[k].name == "side")
             result.outputs[k].clear();
@@ -92,7 +101,8 @@ void expectSame(const Result &expected, const Result &found, const std::string &
             ASSERT_TRUE(sameBits(expected.outputs[k][i], found.outputs[k][i]))
                 << what << ": output " << k << " lane " << i << ": " << expected.outputs[k][i]
                 << " expected, " << found.outputs[k][i] << " found";
-    EXPECT_TRUE(same(expected.frame, found.frame)) << what << ": frames differ";
+    EXPECT_TRUE(same(expected.frames.surface, found.frames.surface)) << what << ": surface frame";
+    EXPECT_TRUE(same(expected.frames.view, found.frames.view)) << what << ": view frame";
     EXPECT_EQ(expected.printed, found.printed) << what;
 }
 
@@ -125,6 +135,9 @@ TestBatch randomBatch(const ir::Function &function, unsigned seed) {
         for (int &light : batch.samples.light)
             light = int(bits() % 3);
     }
+    for (auto *lanes : {&batch.surfaceLane, &batch.viewLane})
+        for (int i = 0, named = int(bits() % 2); i < batch.padded() && named; ++i)
+            lanes->push_back(int(bits() % unsigned(batch.count)));
     return batch;
 }
 
@@ -409,7 +422,7 @@ TEST_P(Codegen, IndicesOutsideAreClampedAndReportedAtEveryWidth) {
                         expected.emplace("a.sl", line);
                 const auto runWith = [&](auto &&runner) {
                     Places places;
-                    batch.callbacks = {&places, nullptr, Places::note};
+                    batch.callbacks = {&places, Places::note};
                     auto outputs = batch.run(function, runner, unreached);
                     EXPECT_EQ(places.said, expected) << x << " " << y;
                     return outputs;

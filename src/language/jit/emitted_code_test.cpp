@@ -51,15 +51,18 @@ int countIn(const std::string &text, const std::string &what) {
     return count;
 }
 
-/// Outputs, the frame, a condition with a jump, a loop over light of a quarter turn about N.
-ir::Function litSurface() {
+/// Outputs, the frame, a condition with a jump, a loop over light of a quarter turn about N, of all
+/// light or of a category.
+ir::Function litSurface(int category = -1) {
     ir::Function function;
-    function.spillSlots = 1;
+    function.viewSlots = 1;
+    function.categories = {"key"};
     ir::Builder b(function);
     const ir::Triple N = normalize(b, input3(b, ShaderInput::N));
     ir::LightRequest request;
     request.form = ir::ConeForm::Classic;
     request.coneCount = 1;
+    request.category = category;
     const ir::ValueId angle = number(b, std::numbers::pi_v<float> / 2);
     const ir::Values lit = lightLoop(
         b, addRequest(b, request), input3(b, ShaderInput::P), {N[0], N[1], N[2], angle},
@@ -86,6 +89,16 @@ TEST(EmittedCode, AsksNoCosineOfAnAngleThatIsKnown) {
         }
 }
 
+/// Whether a sample reaches a lane: bits of colours, and words that are joined as words.
+TEST(EmittedCode, FindsTheLanesOfASampleInFewInstructions) {
+    const ir::Function function = litSurface(0);
+    for (IsaLevel level : levels) {
+        EXPECT_EQ(countIn(textOf(function, level, false), "fcmp une"), 0) << int(level);
+        EXPECT_EQ(countIn(textOf(function, level, false), "extractelement"), 0) << int(level);
+    }
+    EXPECT_EQ(countIn(textOf(function, IsaLevel::V3, true), "vpsrad"), 0);
+}
+
 TEST(EmittedCode, TakesARegisterOfPointsAtATime) {
     const char *types[] = {"<4 x float>", "<8 x float>", "<16 x float>"};
     for (IsaLevel level : levels)
@@ -93,6 +106,34 @@ TEST(EmittedCode, TakesARegisterOfPointsAtATime) {
             EXPECT_EQ(countIn(textOf(litSurface(), level, false), types[int(other)]) > 0,
                       level == other)
                 << int(level) << " " << int(other);
+}
+
+/// A view of points: u, read twice, and a slot of theirs.
+ir::Function viewOfPoints(BindingTime lanes) {
+    ir::Function function;
+    function.lanes = lanes;
+    function.surfaceSlots = 2;
+    ir::Builder b(function);
+    const ir::ValueId u = input(b, ShaderInput::u), saved = b.emit(ir::Op::FrameLoad, {}, 1)[0];
+    output(b, "a", 0, mul(b, add(b, u, input(b, ShaderInput::u)), input(b, ShaderInput::I)));
+    output(b, "a", 1, saved);
+    b.finish();
+    return function;
+}
+
+/// Each plane and slot once, at the head of a block; where lanes are points, nowhere.
+TEST(EmittedCode, LooksUpOtherLanesOnce) {
+    const ir::Function view = viewOfPoints(BindingTime::View);
+    const std::string text = textOf(view, IsaLevel::V4, false);
+    EXPECT_EQ(countIn(text, "call <16 x float> @llvm.masked.gather"), 2);
+    for (IsaLevel level : {IsaLevel::V2, IsaLevel::V3}) {
+        const std::string loop = textOf(view, level, false);
+        EXPECT_EQ(countIn(loop, "masked.gather"), 0);
+        EXPECT_GT(countIn(loop, "look_up"), 0);
+    }
+    for (IsaLevel level : levels) {
+        EXPECT_EQ(countIn(textOf(viewOfPoints(BindingTime::Surface), level, false), "look_up"), 0);
+    }
 }
 
 /// Noise and its slopes at the same place, in either order, and at another place.
@@ -134,9 +175,9 @@ void expectInterpreted(const ir::Function &function, const JitOptions &options) 
         if (variant & 2) // One instance.
             batch.parameterOffset.assign(std::size_t(batch.padded()), 0);
         const auto results = [&](auto &&run) {
-            batch.frame.assign(std::size_t(function.spillSlots) * batch.padded(), 0.25f);
+            batch.frames.clear(function, batch.padded(), 0.25f);
             auto planes = batch.run(function, run, -1.0f);
-            planes.emplace_back(batch.frame.begin(), batch.frame.end());
+            planes.push_back(batch.frames.view);
             return planes;
         };
         const auto expected = results(ir::interpret);

@@ -6,9 +6,11 @@
 #include "language/ir/core/op_info.h"
 #include "language/jit/arithmetic.h"
 #include "language/jit/array_memory.h"
+#include "language/jit/earlier_lanes.h"
 #include "language/jit/function_pieces.h"
 #include "language/jit/gathers.h"
 #include "language/jit/light_loop.h"
+#include "language/jit/service_calls.h"
 #include "language/runtime/shader_abi.h"
 
 #include <cstddef>
@@ -37,11 +39,11 @@ PlaneStore planeStore(CodeFunction &code, ShaderArguments &arguments, const Valu
     auto *value = values.get(i.operands[0], Uniformity::Varying);
     if (i.op == Op::Output)
         return {limit.whereRunning(value, values.function().outputs[i.immediate].whenEnded),
-                arguments.plane(offsetof(ShaderArgs, outputs), i.immediate)};
+                arguments.plane({offsetof(ShaderArgs, outputs), i.immediate})};
     if (value->getType()->isIntOrIntVectorTy())
         value = code.builder.CreateUIToFP(value, code.lanes.varying(code.floatType));
     return {limit.whereRunning(value, 0),
-            arguments.spillSlot(i.immediate, values.function().spillSlots)};
+            arguments.slotToSave(ir::spillSlot(values.function(), i.immediate))};
 }
 
 /// Stores in a row. Where masking costs, one test, `allRun`, finds out whether all lanes run.
@@ -109,8 +111,11 @@ private:
     llvm::IRBuilder<> &builder_;
     ValueTable values_;
     ShaderArguments arguments_;
+    EarlierLanes earlier_;
     Gathers gathers_;
+    ConstantStrings strings_;
     RuntimeCalls calls_;
+    ServiceCalls services_;
     TurnLimit limit_;
     ArrayMemory arrays_;
     ControlFlow control_;
@@ -121,8 +126,10 @@ FunctionGenerator::FunctionGenerator(const ir::Function &function, const CodeTar
                                      const std::string &symbol, llvm::Module &module)
     : function_(function), code_(target, module, symbol),
       pieces_(cutIntoPieces(function, target.longestFunction)), builder_(code_.builder),
-      values_(function, code_.lanes), arguments_(code_), gathers_(code_, arguments_, function.body),
-      calls_(code_, arguments_, values_, pieces_), limit_(code_, values_, calls_),
+      values_(function, code_.lanes), arguments_(code_), earlier_(code_, arguments_, function),
+      gathers_(code_, arguments_, function.body), strings_(code_, function),
+      calls_(code_, arguments_, values_, strings_, pieces_),
+      services_(code_, arguments_, values_, strings_), limit_(code_, values_, calls_),
       arrays_(code_, values_, calls_, limit_),
       control_(code_, values_, limit_, [this](const Region &region) { emitRegion(region); }) {
     code_.colorSamples = function.colors.samples;
@@ -141,6 +148,7 @@ void FunctionGenerator::generate() {
          *body = code_.block("body"), *next = code_.block("next"), *done = code_.block("done");
     builder_.CreateCondBr(builder_.CreateICmpSGT(count, builder_.getInt32(0)), prepare, done);
     builder_.SetInsertPoint(prepare);
+    earlier_.begin();
     builder_.CreateBr(head);
 
     builder_.SetInsertPoint(head);
@@ -156,6 +164,7 @@ void FunctionGenerator::generate() {
         MaskStack::Scope scope(code_.masks, code_.lanes.maskOf(bits));
         arrays_.clear();
         limit_.begin();
+        earlier_.load();
         gathers_.load(parametersInMemory() ? spills_->base() : nullptr);
         if (spills_)
             loadAtHead(function_.body);
@@ -216,6 +225,9 @@ void FunctionGenerator::emitAll(std::span<const Instruction> instructions) {
 void FunctionGenerator::emitPiece(std::span<const Instruction> instructions) {
     Values given{arguments_.pointer(), arguments_.firstPoint(), code_.masks.currentBits(),
                  spills_->base()};
+    if (arguments_.rows())
+        given.push_back(arguments_.rows());
+    const auto fixed = std::ptrdiff_t(given.size());
     const Values turns = limit_.memory();
     given.insert(given.end(), turns.begin(), turns.end());
     given.insert(given.end(), arrays_.memory().begin(), arrays_.memory().end());
@@ -234,14 +246,16 @@ void FunctionGenerator::emitPiece(std::span<const Instruction> instructions) {
     Values taken;
     for (llvm::Argument &argument : function->args())
         taken.push_back(&argument);
-    const auto turnsEnd = taken.begin() + 4 + std::ptrdiff_t(turns.size());
-    Standing caller = exchangeStanding({function,
-                                        {taken[0], taken[1], prepare, {}},
-                                        {code_.lanes.kept(code_.lanes.maskOf(taken[2]))},
-                                        allLanesIn(code_, taken[2]),
-                                        taken[3],
-                                        {taken.begin() + 4, turnsEnd},
-                                        {turnsEnd, taken.end()}});
+    const auto turnsBegin = taken.begin() + fixed;
+    const auto turnsEnd = turnsBegin + std::ptrdiff_t(turns.size());
+    Standing caller =
+        exchangeStanding({function,
+                          {taken[0], taken[1], prepare, fixed > 4 ? taken[4] : nullptr},
+                          {code_.lanes.kept(code_.lanes.maskOf(taken[2]))},
+                          allLanesIn(code_, taken[2]),
+                          taken[3],
+                          {turnsBegin, turnsEnd},
+                          {turnsEnd, taken.end()}});
     emitAll(instructions);
     builder_.CreateRetVoid();
     exchangeStanding(std::move(caller));
@@ -307,14 +321,14 @@ Value *FunctionGenerator::answersRequest(int request) {
 
 Values FunctionGenerator::source(const Instruction &i) {
     const auto load = [&](std::size_t tableField, int plane) {
-        return code_.lanes.load(code_.floatType, arguments_.plane(tableField, plane));
+        return code_.lanes.load(code_.floatType, arguments_.plane({tableField, plane}));
     };
     switch (i.op) {
     case Op::ConstFloat:
         return {llvm::ConstantFP::get(code_.module.getContext(), llvm::APFloat(i.number))};
     case Op::ConstBool: return {builder_.getInt1(i.immediate != 0)};
     case Op::ConstInteger: return {builder_.getInt32(i.immediate)};
-    case Op::ConstString: return {calls_.string(i.immediate)};
+    case Op::ConstString: return {strings_.value(i.immediate)};
     case Op::Input: return {load(offsetof(ShaderArgs, inputs), i.immediate)};
     case Op::Variable: return {load(offsetof(ShaderArgs, variables), i.immediate)};
     case Op::Parameter: return {gathers_.parameter(i.immediate)};
@@ -323,16 +337,17 @@ Values FunctionGenerator::source(const Instruction &i) {
     case Op::Object: return gathers_.objectMatrix(false);
     case Op::ObjectInverse: return gathers_.objectMatrix(true);
     case Op::Random: {
-        auto *seeds = arguments_.plane(offsetof(ShaderArgs, inputs), int(ShaderInput::seed));
+        auto *seeds = arguments_.plane({offsetof(ShaderArgs, inputs), int(ShaderInput::seed)});
         return {randomNumber(code_, code_.lanes.load(code_.integerType, seeds), i.immediate,
                              values_.get(i.operands[0], Uniformity::Varying))};
     }
     case Op::FrameLoad:
         return {code_.lanes.load(code_.floatType,
-                                 arguments_.spillSlot(i.immediate, function_.spillSlots))};
+                                 arguments_.slotToLoad(ir::spillSlot(function_, i.immediate)))};
     case Op::AnsweredRequest: return {answersRequest(i.immediate)};
     case Op::CategoryAccepts:
-        return {acceptedByCategory(code_, arguments_, i.immediate, arguments_.firstPoint())};
+        return {code_.lanes.asMask(acceptedByCategory(
+            code_, arguments_, i.immediate, arguments_.firstPoint(), code_.masks.current()))};
     case Op::Answer:
         return arguments_.color(offsetof(ShaderArgs, answers), i.immediate * code_.colorSamples);
     case Op::Ambient: return arguments_.color(offsetof(ShaderArgs, ambient), 0);
@@ -346,9 +361,10 @@ void FunctionGenerator::emitMemory(const Instruction &i) {
     case Op::ArrayLoad: return values_.set(i.results[0], arrays_.load(i));
     case Op::ArrayStore: return arrays_.store(i);
     case Op::Call: return calls_.call(i);
-    case Op::Print: {
+    case Op::Query:
+    case Op::Command: {
         MaskStack::Scope scope(code_.masks, limit_.running(code_.masks.current()));
-        return calls_.print(i);
+        return services_.ask(i);
     }
     case Op::EmissionCone: return; // For Question::Emission.
     default: return;

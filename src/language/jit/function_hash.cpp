@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/jit/function_hash.h"
 
+#include "language/ir/core/op_info.h"
 #include "language/ir/core/regions.h"
 
 #include <bit>
@@ -23,7 +24,7 @@ static void addTexts(ContentHash &hash, const std::vector<std::string> &texts) {
 
 /// What speaks of its place in the source at run time.
 static bool namesPlace(const ir::Instruction &i) {
-    return i.op == ir::Op::ArrayLoad || i.op == ir::Op::ArrayStore || i.op == ir::Op::Loop;
+    return ir::isArrayAccess(i.op) || ir::isService(i.op) || i.op == ir::Op::Loop;
 }
 
 static void addRegion(ContentHash &hash, const ir::Region &region) {
@@ -62,10 +63,21 @@ void addFunction(ContentHash &hash, const ir::Function &function) {
         hash.add(std::uint64_t(std::uint32_t(request.coneCount)));
         hash.add(std::uint64_t(std::uint32_t(request.category)));
     }
+    hash.add(function.services.size());
+    for (const ir::ServiceUse &use : function.services) {
+        hash.add(std::string_view(use.info->name));
+        hash.add(std::uint64_t(use.info->service));
+        hash.add(std::uint64_t(std::uint32_t(use.results)));
+        hash.add(use.texts.size());
+        for (int text : use.texts)
+            hash.add(std::uint64_t(std::uint32_t(text)));
+    }
     addTexts(hash, function.strings);
     addTexts(hash, ir::anyInstruction(function.body, namesPlace) ? function.files
                                                                  : std::vector<std::string>());
-    hash.add(std::uint64_t(function.spillSlots));
+    hash.add(std::uint64_t(function.lanes));
+    hash.add(std::uint64_t(std::uint32_t(function.surfaceSlots)) << 32 |
+             std::uint64_t(std::uint32_t(function.viewSlots)));
     hash.add(std::uint64_t(std::uint32_t(function.mostTurns)));
     for (const ir::OutputSlot &slot : function.outputs)
         hash.add(std::uint64_t(std::bit_cast<std::uint32_t>(slot.whenEnded)));

@@ -34,9 +34,10 @@ int ownWeight(const Instruction &i) {
     case Op::If: return 4 + int(i.results.size());
     case Op::Loop: return (i.immediate ? 4 : 24) + int(i.results.size()); // Counts its turns.
     case Op::Call: return 4 + int(i.operands.size() + i.results.size());
-    case Op::Print: return 20 + int(i.operands.size());
     case Op::Output:
     case Op::FrameStore: return 4;
+    case Op::Query:
+    case Op::Command: return 8 + int(i.operands.size() + i.results.size());
     default: return ir::info(i.op).kind == ir::OpClass::Transcendental ? 4 : 1;
     }
 }

@@ -5,7 +5,7 @@
 #include "language/jit/function_hash.h"
 #include "language/jit/llvm_errors.h"
 #include "language/jit/object_cache.h"
-#include "language/jit/print_lanes.h"
+#include "language/jit/reports.h"
 #include "language/jit/runtime_symbols.h"
 #include "language/runtime/register_code.h"
 #include "language/runtime/vector_math.h"
@@ -105,7 +105,7 @@ void Jit::State::defineSymbols() {
         for (int width : {1, runtime::registerLanes(target->level)})
             define(runtimeSymbol(k, width),
                    runtime::registerCode(runtime::RuntimeFunction(k), width, target->level));
-    define(printSymbol, &printLanes);
+    define(serviceSymbol, &askFromCode);
     define(indexOutsideSymbol, &reportIndexOutside);
     define(loopEndedSymbol, &reportLoopEnded);
     define("memset", &std::memset);

@@ -60,10 +60,13 @@ public:
             return mask;
         if (llvm::isa<llvm::Constant>(mask))
             return builder_.CreateSExt(mask, type);
+        auto *words = wordsOf(mask);
+        if (isKeptAsMask(mask))
+            return words;
         // No code: LLVM just may not know where the words come from, or it would keep bits.
         auto *opaque =
             llvm::InlineAsm::get(llvm::FunctionType::get(type, {type}, false), "", "=x,0", false);
-        auto *call = builder_.CreateCall(opaque, {builder_.CreateSExt(mask, type)});
+        auto *call = builder_.CreateCall(opaque, {words});
         call->setDoesNotAccessMemory();
         call->setDoesNotThrow();
         call->addFnAttr(llvm::Attribute::WillReturn);
@@ -149,6 +152,26 @@ public:
     }
 
 private:
+    /// Is it what asMask() has made of kept words?
+    static bool isKeptAsMask(llvm::Value *mask) {
+        const auto *test = llvm::dyn_cast<llvm::ICmpInst>(mask);
+        if (!test || test->getPredicate() != llvm::CmpInst::ICMP_SLT)
+            return false;
+        const auto *zero = llvm::dyn_cast<llvm::Constant>(test->getOperand(1));
+        return zero && zero->isNullValue();
+    }
+    /// All bits of a lane's word as its bit of the mask. What is joined of kept masks is joined as
+    /// words: made bits and words again, each of them would cost an instruction.
+    llvm::Value *wordsOf(llvm::Value *mask) const {
+        auto *type = varying(builder_.getInt32Ty());
+        if (isKeptAsMask(mask))
+            return llvm::cast<llvm::ICmpInst>(mask)->getOperand(0);
+        auto *joined = llvm::dyn_cast<llvm::BinaryOperator>(mask);
+        if (!joined || joined->getOpcode() != llvm::Instruction::And)
+            return builder_.CreateSExt(mask, type);
+        return builder_.CreateAnd(wordsOf(joined->getOperand(0)), wordsOf(joined->getOperand(1)));
+    }
+
     llvm::IRBuilder<> &builder_;
     int width_;
     bool hasMaskRegisters_;

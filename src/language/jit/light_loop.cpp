@@ -11,27 +11,42 @@ namespace candela::codegen {
 
 using ir::Uniformity;
 
-/// bytes[light] != 0, lane by lane. Inactive lanes look at light 0, so a byte a lane may be read
-/// without branches.
-static Value *bytesNotZero(CodeFunction &code, Value *bytes, Value *light) {
+/// Lane by lane through memory, since it is rarely run: keeps of the lanes `among` those with
+/// bytes[light] != 0. Inactive lanes look at light 0, so a byte a lane may be read.
+static Value *whereByteIsNotZero(CodeFunction &code, Value *bytes, Value *light, Value *among) {
     auto &builder = code.builder;
-    const auto ofLight = [&](Value *index) -> Value * {
-        auto *address = builder.CreateGEP(builder.getInt8Ty(), bytes, index);
-        return builder.CreateIsNotNull(code.invariantLoad(builder.getInt8Ty(), address));
+    auto *byte = builder.getInt8Ty();
+    const auto ofLight = [&](Value *index) {
+        return code.invariantLoad(byte, builder.CreateGEP(byte, bytes, index));
     };
-    if (code.lanes.width() == 1)
-        return ofLight(light);
-    Value *result = llvm::PoisonValue::get(code.lanes.varying(builder.getInt1Ty()));
-    for (int k = 0; k < code.lanes.width(); ++k)
-        result =
-            builder.CreateInsertElement(result, ofLight(builder.CreateExtractElement(light, k)), k);
-    return result;
+    const int width = code.lanes.width();
+    if (width == 1)
+        return builder.CreateAnd(among, builder.CreateIsNotNull(ofLight(light)));
+    auto *lights = code.entryMemory(light->getType(), 1, "lights");
+    auto *found = code.entryMemory(llvm::FixedVectorType::get(byte, width), 1, "found");
+    builder.CreateStore(light, lights);
+    auto *from = builder.GetInsertBlock(), *loop = code.block("light_of_lane"),
+         *done = code.block("lights_of_lanes");
+    builder.CreateBr(loop);
+    builder.SetInsertPoint(loop);
+    auto *lane = builder.CreatePHI(code.integerType, 2);
+    lane->addIncoming(builder.getInt32(0), from);
+    auto *own =
+        builder.CreateLoad(code.integerType, builder.CreateGEP(code.integerType, lights, lane));
+    builder.CreateStore(ofLight(own), builder.CreateGEP(byte, found, lane));
+    auto *next = builder.CreateAdd(lane, builder.getInt32(1));
+    lane->addIncoming(next, loop);
+    builder.CreateCondBr(builder.CreateICmpSLT(next, builder.getInt32(width)), loop, done);
+    builder.SetInsertPoint(done);
+    auto *all = builder.CreateLoad(llvm::FixedVectorType::get(byte, width), found);
+    return builder.CreateAnd(among, builder.CreateIsNotNull(all));
 }
 
-Value *acceptedByCategory(CodeFunction &code, ShaderArguments &arguments, int category,
-                          Value *row) {
+Value *acceptedByCategory(CodeFunction &code, ShaderArguments &arguments, int category, Value *row,
+                          Value *among) {
     auto &builder = code.builder;
     const Lanes &lanes = code.lanes;
+    among = lanes.kept(among);
     auto *accepts = arguments.fieldPointer(offsetof(ShaderArgs, categoryAccepts));
     auto *start = builder.GetInsertBlock();
     auto *test = code.block("category"), *load = code.block("lights"),
@@ -55,15 +70,15 @@ Value *acceptedByCategory(CodeFunction &code, ShaderArguments &arguments, int ca
     auto *firstOfCategory = builder.CreateMul(builder.CreateAdd(lightCount, builder.getInt32(1)),
                                               builder.getInt32(category));
     auto *bytes = builder.CreateGEP(builder.getInt8Ty(), accepts, firstOfCategory);
-    auto *result = lanes.kept(bytesNotZero(code, bytes, light));
+    auto *result = lanes.kept(whereByteIsNotZero(code, bytes, light, lanes.asMask(among)));
     auto *end = builder.GetInsertBlock();
     builder.CreateBr(join);
 
     builder.SetInsertPoint(join);
     auto *accepted = builder.CreatePHI(result->getType(), 2);
-    accepted->addIncoming(llvm::Constant::getAllOnesValue(result->getType()), start);
+    accepted->addIncoming(among, start);
     accepted->addIncoming(result, end);
-    return lanes.asMask(accepted);
+    return accepted;
 }
 
 LightLoop::LightLoop(CodeFunction &code, ShaderArguments &arguments, ValueTable &values,
@@ -85,8 +100,7 @@ void LightLoop::findCones() {
             delta_ = code_.lanes.kept(delta_);
         return;
     }
-    coneAxis_ = normalized(
-        code_, values_.get({i.operands[3], i.operands[4], i.operands[5]}, Uniformity::Varying));
+    coneAxis_ = values_.get({i.operands[3], i.operands[4], i.operands[5]}, Uniformity::Varying);
     coneCosine_ = callMath(code_, runtime::MathFunction::cos, {angle});
 }
 
@@ -140,11 +154,8 @@ LightLoop::Sample LightLoop::finiteSample(Value *number) {
         narrow(builder_.CreateFCmpOGE(dot(code_, normalized(code_, sample.L), coneAxis_),
                                       coneCosine_));
     sample.lanes = code_.lanes.kept(lanes);
-    if (request_.category >= 0) {
-        lanes = acceptedByCategory(code_, arguments_, request_.category, row);
-        narrow(code_.lanes.asMask(sample.lanes));
-        sample.lanes = code_.lanes.kept(lanes);
-    }
+    if (request_.category >= 0)
+        sample.lanes = acceptedByCategory(code_, arguments_, request_.category, row, sample.lanes);
     return sample;
 }
 

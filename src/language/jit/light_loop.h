@@ -9,9 +9,10 @@
 
 namespace candela::codegen {
 
-/// Does a light category accept the lights of a row of samples, which begins at element `row`?
-/// categoryAccepts[category * (lightCount + 1) + light] != 0, lane by lane.
-Value *acceptedByCategory(CodeFunction &, ShaderArguments &, int category, Value *row);
+/// Of the lanes `among`, those whose light in a row of samples, which begins at element `row`, a
+/// category accepts: categoryAccepts[category * (lightCount + 1) + light] != 0. As they are kept.
+Value *acceptedByCategory(CodeFunction &, ShaderArguments &, int category, Value *row,
+                          Value *among);
 
 /// One such loop.
 class LightLoop {
@@ -45,7 +46,7 @@ private:
     const ir::Instruction &instruction_;
     const ir::LightRequest &request_;
     Value *delta_ = nullptr; ///< Lanes of a delta request; null = none at all.
-    Values coneAxis_;        ///< Normalised; Classic only, as the cone's cosine.
+    Values coneAxis_;        ///< Classic only, as the cone's cosine.
     Value *coneCosine_ = nullptr;
     Values samplePlanes_; ///< Of L, then of Cl.
 };

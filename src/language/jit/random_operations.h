@@ -5,8 +5,10 @@
 #include "language/ir/core/builder_arithmetic.h"
 #include "language/ir/core/builder_effects.h"
 #include "language/ir/core/builder_light.h"
+#include "language/ir/core/builder_services.h"
 #include "language/ir/core/builder_sources.h"
 #include "language/ir/core/op_info.h"
+#include "language/ir/core/test_services.h"
 #include "language/runtime/runtime_functions.h"
 
 #include <algorithm>
@@ -70,7 +72,7 @@ public:
 
 protected:
     using Op = ir::Op;
-    static constexpr int operationKinds = 16;
+    static constexpr int operationKinds = 17;
 
     void operation(int kind) {
         switch (kind) {
@@ -95,6 +97,7 @@ protected:
         case 12: return output(b_, "side", below(3), pick(pools_.floats));
         case 13: return frame();
         case 14: return print();
+        case 15: return service(below(2) ? pools_.floats : pools_.uniforms);
         default:
             return pools_.strings.push_back(
                 select(b_, pick(pools_.bools), pick(pools_.strings), pick(pools_.strings)));
@@ -171,18 +174,36 @@ private:
         }
         }
     }
+    /// Frames that lanes look up are not written to.
     void frame() {
-        if (below(2)) {
-            pools_.floats.push_back(b_.emit(Op::FrameLoad, {}, below(4))[0]);
+        const ir::Function &function = b_.function();
+        const int slots = function.surfaceSlots + function.viewSlots;
+        const int firstOwn = function.lanes == BindingTime::Surface ? 0
+                             : function.lanes == BindingTime::View  ? function.surfaceSlots
+                                                                    : slots;
+        if (below(2) || firstOwn == slots) {
+            const bool loadsAny = function.lanes != BindingTime::View;
+            const int slot = below(loadsAny ? slots : function.surfaceSlots);
+            pools_.floats.push_back(b_.emit(Op::FrameLoad, {}, slot)[0]);
         } else {
             const bool isBool = below(3) == 0;
-            b_.emit(Op::FrameStore, {pick(isBool ? pools_.bools : pools_.floats)}, below(4));
+            b_.emit(Op::FrameStore, {pick(isBool ? pools_.bools : pools_.floats)},
+                    firstOwn + below(slots - firstOwn));
         }
     }
     void print() {
         printValues(b_, "%s: %f %c %f",
                     {pick(pools_.strings), pick(pools_.floats), pick(pools_.floats),
                      pick(pools_.uniforms), pick(pools_.floats), pick(pools_.floats)});
+    }
+
+    void service(const ir::Values &pool) {
+        const std::string name = below(2) ? "a" : "b";
+        if (below(2))
+            pools_.keep(query(b_, ir::testObject, {name}, {}, 2));
+        else
+            (&pool == &pools_.uniforms ? pools_.uniforms : pools_.floats)
+                .push_back(query(b_, ir::testSample, {name}, {pick(pool), pick(pool)}, 3)[2]);
     }
 
     template <typename Test> static std::vector<Op> operations(Test test) {

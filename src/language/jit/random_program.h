@@ -14,13 +14,14 @@ class RandomProgram : RandomOperations {
 public:
     using RandomOperations::RandomOperations;
 
-    void write(const std::string &name) {
+    void write(const std::string &name, BindingTime lanes) {
         ir::Function &function = b_.function();
+        function.lanes = lanes;
         function.name = name;
         function.parameters.resize(5);
         function.variables.resize(3);
         function.categories = {"key", "-key"};
-        function.spillSlots = 4;
+        function.surfaceSlots = 2, function.viewSlots = 2;
         for (int k = 0; k < 2; ++k) // For AnsweredRequest.
             addRequest(b_, {ir::LightRequest::Kind::Trace, ir::ConeForm::Everywhere, 0, -1, 0});
         statements(14, 3);
@@ -137,7 +138,7 @@ inline ir::Function randomProgram(unsigned seed, bool oneLevel, int colorSamples
     ir::Function function;
     function.colors = evenBasis(colorSamples);
     ir::Builder b(function);
-    RandomProgram(b, seed, oneLevel).write("random" + std::to_string(seed));
+    RandomProgram(b, seed, oneLevel).write("random" + std::to_string(seed), BindingTime(seed % 3));
     return function;
 }
 

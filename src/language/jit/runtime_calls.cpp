@@ -8,15 +8,9 @@ namespace candela::codegen {
 using ir::Uniformity;
 
 RuntimeCalls::RuntimeCalls(CodeFunction &code, const ShaderArguments &arguments, ValueTable &values,
-                           const FunctionPieces &pieces)
-    : code_(code), builder_(code.builder), arguments_(arguments), values_(values) {
-    std::map<std::string, int> offsets;
-    for (const std::string &text : values.function().strings) {
-        auto [known, isNew] = offsets.try_emplace(text, int(strings_.size()));
-        if (isNew)
-            strings_.append(text.c_str(), text.size() + 1);
-        stringOffset_.push_back(known->second);
-    }
+                           ConstantStrings &strings, const FunctionPieces &pieces)
+    : code_(code), builder_(code.builder), arguments_(arguments), values_(values),
+      strings_(strings) {
     pair(values.function().body, pieces);
 }
 
@@ -42,12 +36,6 @@ void RuntimeCalls::pair(std::span<const ir::Instruction> together) {
         if (const auto slopes = runtime::withSlopes(runtime::RuntimeFunction(key.first)))
             if (auto found = calls.find({int(*slopes), key.second}); found != calls.end())
                 withSlopes_[plain] = found->second;
-}
-
-Value *RuntimeCalls::string(int index) const { return builder_.getInt32(stringOffset_[index]); }
-
-Value *RuntimeCalls::text(const std::string &bytes) {
-    return builder_.CreateGlobalStringPtr(bytes, "text", 0, &code_.module);
 }
 
 /// A function of one output depends on its arguments alone; the others write to their last one.
@@ -101,32 +89,6 @@ Values RuntimeCalls::evaluate(const ir::Instruction &i) {
     return given;
 }
 
-/// candela_print(args, strings, types, operand count, cells, width, active lanes): all lanes'
-/// operands in one block; the renderer's side formats them lane by lane.
-void RuntimeCalls::print(const ir::Instruction &i) {
-    auto *integer = code_.integerType, *pointer = code_.pointerType;
-    auto *row = code_.lanes.varying(integer);
-    auto *cells = code_.entryMemory(row, int(i.operands.size()), "print_cells");
-    std::string types;
-    for (std::size_t k = 0; k < i.operands.size(); ++k) {
-        const ir::Type type = values_.function().values[i.operands[k]].type;
-        types += type == ir::Type::Float ? 'f' : type == ir::Type::String ? 's' : 'i';
-        auto *value = values_.get(i.operands[k], Uniformity::Varying);
-        value = type == ir::Type::Float  ? builder_.CreateBitCast(value, row)
-                : type == ir::Type::Bool ? builder_.CreateZExt(value, row)
-                                         : value;
-        builder_.CreateStore(value, builder_.CreateConstGEP1_64(row, cells, k));
-    }
-    auto *signature = llvm::FunctionType::get(
-        builder_.getVoidTy(), {pointer, pointer, pointer, integer, pointer, integer, integer},
-        false);
-    builder_.CreateCall(code_.external(printSymbol, signature, false),
-                        {arguments_.pointer(), text(strings_), text(types),
-                         builder_.getInt32(std::uint32_t(types.size())), cells,
-                         builder_.getInt32(std::uint32_t(code_.lanes.width())),
-                         code_.masks.currentBits()});
-}
-
 void RuntimeCalls::reportIndexOutside(const ir::Instruction &i) { report(indexOutsideSymbol, i); }
 
 void RuntimeCalls::reportLoopEnded(const ir::Instruction &i) { report(loopEndedSymbol, i); }
@@ -140,7 +102,7 @@ void RuntimeCalls::report(const char *symbol, const ir::Instruction &i) {
     const std::string file = files.empty() ? "" : files[i.file];
     auto *call = builder_.CreateCall(
         code_.external(symbol, signature, false),
-        {arguments_.pointer(), text(file), builder_.getInt32(std::uint32_t(i.line))});
+        {arguments_.pointer(), strings_.global(file), builder_.getInt32(std::uint32_t(i.line))});
     call->addFnAttr(llvm::Attribute::Cold);
 }
 

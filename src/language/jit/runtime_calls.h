@@ -1,33 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
-// Calls of the renderer's own functions: noise and its like, printf(), indices outside arrays.
+// Calls of the renderer's own functions: noise and its like; reports of mistakes.
 #pragma once
 
+#include "language/jit/constant_strings.h"
 #include "language/jit/function_pieces.h"
 #include "language/jit/shader_arguments.h"
 #include "language/jit/value_table.h"
 
 #include <map>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace candela::codegen {
 
 class RuntimeCalls {
 public:
-    RuntimeCalls(CodeFunction &, const ShaderArguments &, ValueTable &, const FunctionPieces &);
+    RuntimeCalls(CodeFunction &, const ShaderArguments &, ValueTable &, ConstantStrings &,
+                 const FunctionPieces &);
 
-    /// One of Function::strings as code knows it, an integer; equal texts agree.
-    Value *string(int index) const;
     void call(const ir::Instruction &);
-    void print(const ir::Instruction &);
     /// That the instruction's index is outside its array.
     void reportIndexOutside(const ir::Instruction &);
     /// That the loop has been ended.
     void reportLoopEnded(const ir::Instruction &);
 
 private:
-    Value *text(const std::string &bytes);
     void report(const char *symbol, const ir::Instruction &);
     /// Finds in a region the calls for values of which there are calls with slopes too.
     void pair(const ir::Region &, const FunctionPieces &);
@@ -40,8 +37,7 @@ private:
     llvm::IRBuilder<> &builder_;
     const ShaderArguments &arguments_;
     ValueTable &values_;
-    std::vector<int> stringOffset_; ///< Of Function::strings, in strings_.
-    std::string strings_;
+    ConstantStrings &strings_;
     /// Calls with slopes by calls of the same values alone: one evaluation does, in one region and
     /// one machine function.
     std::map<const ir::Instruction *, const ir::Instruction *> withSlopes_;

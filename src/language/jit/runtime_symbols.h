@@ -13,8 +13,8 @@ inline std::string runtimeSymbol(int runtimeFunction, int width) {
     const auto facts = runtime::info(runtime::RuntimeFunction(runtimeFunction));
     return std::string("candela_") + facts.name + "_w" + std::to_string(width);
 }
-/// printLanes(), reportIndexOutside() and reportLoopEnded().
-inline constexpr const char *printSymbol = "candela_print";
+/// askFromCode(), reportIndexOutside() and reportLoopEnded().
+inline constexpr const char *serviceSymbol = "candela_service";
 inline constexpr const char *indexOutsideSymbol = "candela_index_outside";
 inline constexpr const char *loopEndedSymbol = "candela_loop_ended";
 

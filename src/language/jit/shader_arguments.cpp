@@ -10,6 +10,11 @@
 
 namespace candela::codegen {
 
+std::size_t frameField(BindingTime frame) {
+    return frame == BindingTime::View ? offsetof(ShaderArgs, viewFrame)
+                                      : offsetof(ShaderArgs, surfaceFrame);
+}
+
 ShaderArguments::ShaderArguments(CodeFunction &code) : code_(code), builder_(code.builder) {
     place_.pointer = code.function->getArg(0);
 }
@@ -57,46 +62,69 @@ Value *ShaderArguments::fieldPointer(std::size_t offset) {
 /// More planes than this would be alive through all of a machine function.
 constexpr std::size_t mostPlanesAlive = 64;
 
-Value *ShaderArguments::plane(std::size_t tableField, int index) {
-    const std::pair key(tableField, index);
-    if (place_.planes.size() >= mostPlanesAlive && !place_.planes.contains(key))
-        return planeHere(tableField, index);
-    Value *&plane = place_.planes[key];
-    if (!plane) {
-        llvm::IRBuilder<>::InsertPointGuard guard(builder_);
-        builder_.SetInsertPoint(place_.prepare->getTerminator());
-        auto *entry = builder_.CreateConstGEP1_64(code_.pointerType, fieldPointer(tableField),
-                                                  std::uint64_t(index));
-        plane = code_.invariantLoad(code_.pointerType, entry);
-    }
-    return builder_.CreateGEP(code_.floatType, plane, place_.firstPoint);
+Value *ShaderArguments::planeStart(PlaneName name) {
+    if (name.index < 0)
+        return fieldPointer(name.field);
+    auto *entry = builder_.CreateConstGEP1_64(code_.pointerType, fieldPointer(name.field),
+                                              std::uint64_t(name.index));
+    return code_.invariantLoad(code_.pointerType, entry);
 }
 
-Value *ShaderArguments::planeHere(std::size_t tableField, int index) {
-    auto *entry = builder_.CreateConstGEP1_64(code_.pointerType, fieldPointer(tableField),
-                                              std::uint64_t(index));
-    return builder_.CreateGEP(code_.floatType, code_.invariantLoad(code_.pointerType, entry),
-                              place_.firstPoint);
+Value *ShaderArguments::row(int number) {
+    return builder_.CreateConstGEP1_64(code_.floatType, place_.rows,
+                                       std::uint64_t(number) * laneBlock);
+}
+
+Value *ShaderArguments::plane(PlaneName name) {
+    const auto found = rows_.find(name);
+    if (found == rows_.end() && place_.planes.size() >= mostPlanesAlive &&
+        !place_.planes.contains(name))
+        return planeHere(name);
+    Value *&start = place_.planes[name];
+    if (!start) {
+        llvm::IRBuilder<>::InsertPointGuard guard(builder_);
+        builder_.SetInsertPoint(place_.prepare->getTerminator());
+        start = planeStart(name);
+        if (found != rows_.end())
+            start = builder_.CreateSelect(areRowsRead(), row(found->second), start);
+    }
+    auto *first = place_.firstPoint;
+    if (found != rows_.end())
+        first = builder_.CreateSelect(areRowsRead(), builder_.getInt32(0), first);
+    return builder_.CreateGEP(code_.floatType, start, first);
+}
+
+Value *ShaderArguments::planeHere(PlaneName name) {
+    return builder_.CreateGEP(code_.floatType, planeStart(name), place_.firstPoint);
 }
 
 Values ShaderArguments::color(std::size_t tableField, int first) {
     return code_.valuesIf(builder_.CreateIsNotNull(fieldPointer(tableField)), "load_color", [&] {
         Values loaded;
         for (int k = 0; k < code_.colorSamples; ++k)
-            loaded.push_back(code_.lanes.load(code_.floatType, planeHere(tableField, first + k)));
+            loaded.push_back(code_.lanes.load(code_.floatType, planeHere({tableField, first + k})));
         return loaded;
     });
 }
 
-Value *ShaderArguments::spillSlot(int slot, int slots) {
+Value *ShaderArguments::slotToSave(const ir::SpillSlot &at) {
     auto *group =
         builder_.CreateSExt(builder_.CreateLShr(place_.firstPoint, 4), builder_.getInt64Ty());
     auto *lane =
         builder_.CreateSExt(builder_.CreateAnd(place_.firstPoint, 15), builder_.getInt64Ty());
-    auto *row = builder_.CreateAdd(builder_.CreateMul(group, builder_.getInt64(slots)),
-                                   builder_.getInt64(slot));
-    auto *index = builder_.CreateAdd(builder_.CreateMul(row, builder_.getInt64(16)), lane);
-    return builder_.CreateGEP(code_.floatType, fieldPointer(offsetof(ShaderArgs, frame)), index);
+    auto *row = builder_.CreateAdd(builder_.CreateMul(group, builder_.getInt64(at.slots)),
+                                   builder_.getInt64(at.slot));
+    auto *index = builder_.CreateAdd(builder_.CreateMul(row, builder_.getInt64(laneBlock)), lane);
+    return builder_.CreateGEP(code_.floatType, fieldPointer(frameField(at.frame)), index);
+}
+
+Value *ShaderArguments::slotToLoad(const ir::SpillSlot &at) {
+    const auto found = rows_.find({frameField(at.frame)});
+    if (found == rows_.end())
+        return slotToSave(at);
+    auto *first = builder_.CreateSelect(areRowsRead(), row(found->second),
+                                        slotToSave({at.frame, 0, at.slots}));
+    return builder_.CreateConstGEP1_64(code_.floatType, first, std::uint64_t(at.slot) * laneBlock);
 }
 
 Values ShaderArguments::spaceMatrix(int space, bool inverse) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // How compiled shaders are called. One function a question, one argument struct a call, a call a
-// batch: structure of arrays, as Embree's filter functions have it. See docs/shader-abi.md.
+// batch: structure of arrays, as Embree's filter functions have it. See docs/contracts.md.
 //
 // The interpreter (language/ir) and compiled code at every lane width read and write exactly the
 // same memory, so a batch may be prepared at one width and answered at another.
@@ -8,31 +8,55 @@
 
 #include "foundation/base/planes.h"
 #include "foundation/units/color_basis.h"
+#include "language/runtime/services.h"
 
 #include <cstddef>
 #include <cstdint>
 
 namespace candela {
 
+/// Values are partitioned by dependence: Surface (neither view nor light), View (depends on from
+/// where the point is seen) and Response (depends on a light sample or an answer).
+enum class BindingTime : std::uint8_t { Surface, View, Response };
+
 /// Component planes in the order of shader_inputs.def: inputPlane("P") is the first of three.
 enum class ShaderInput : std::uint16_t {
-#define SHADER_INPUT(name, components, meaning) name, name##Last_ = name + components - 1,
+#define SHADER_INPUT(name, components, time, meaning) name, name##Last_ = name + components - 1,
 #include "language/runtime/shader_inputs.def"
 #undef SHADER_INPUT
     Count
 };
 
-/// What the runtime does for shaders outside the fast path.
+/// Of an input's plane.
+constexpr BindingTime bindingTimeOf(ShaderInput plane) {
+#define SHADER_INPUT(name, components, time, meaning)                                              \
+    if (plane <= ShaderInput::name##Last_)                                                         \
+        return BindingTime::time;
+#include "language/runtime/shader_inputs.def"
+#undef SHADER_INPUT
+    return BindingTime::Response;
+}
+
+/// Where slot `slot` of a lane stands in a frame that has `slots` of them: blocks of laneBlock
+/// lanes, so that a question walks memory in one direction and the lane width does not matter.
+constexpr std::size_t frameIndex(std::int32_t lane, int slot, int slots) {
+    return (std::size_t(lane / laneBlock) * std::size_t(slots) + std::size_t(slot)) * laneBlock +
+           std::size_t(lane % laneBlock);
+}
+
+/// Who is told of mistakes; what shaders ask for are services (services.h).
 struct ShaderCallbacks {
     void *context = nullptr;
-    /// printf(): the text for one lane, already formatted.
-    void (*print)(void *context, const char *text) = nullptr;
     /// An array is indexed outside its elements there: called from any thread, as often as it
     /// happens.
     void (*indexOutside)(void *context, const char *file, std::int32_t line) = nullptr;
     /// The loop there has run for as long as it may at some points, and has been ended: called from
     /// any thread, as often as it happens.
     void (*loopEnded)(void *context, const char *file, std::int32_t line) = nullptr;
+    /// Nobody answers for the service that is asked there: called from any thread, as often as it
+    /// happens.
+    void (*serviceAbsent)(void *context, const char *service, const char *file,
+                          std::int32_t line) = nullptr;
 };
 
 /// No question but finite light samples: see ShaderArgs::answeredRequest.
@@ -40,17 +64,24 @@ inline constexpr std::int32_t finiteRequests = -1;
 
 /// While a call is under way, whole blocks of laneBlock lanes belong to it: where one lane of a
 /// block is active, inputs and samples of all its lanes may be read, and inactive lanes of outputs
-/// and frame may be written back as they were. So all planes (rows of samples too) have memory for
-/// whole blocks, and no two calls at once share a block of an output or a frame. What inactive
-/// lanes hold does not matter.
+/// and frames may be written back as they were. So all planes (rows of samples too) have memory for
+/// whole blocks, and no two calls at once share a block of an output or of a frame that they write.
+/// What inactive lanes hold does not matter.
+///
+/// A lane of `view` is a view of a point, a lane of `scatter` a response to light for a view, of
+/// all other questions a point (with a view, if they need one). `view` and `scatter` look up what
+/// belongs to points or views at the lanes that surfaceLane and viewLane name: the frames, inputs
+/// by their BindingTime, and as points' also parameterOffset, objectIndex and variables. So those
+/// tables are the ones that the earlier question was given; nothing is copied from lane to lane.
+/// All else, light above all, is given lane by lane.
 struct ShaderArgs {
-    std::int32_t count = 0; ///< Points. Lanes from count up to the next multiple are inactive.
+    std::int32_t count = 0;       ///< Lanes. Those from count up to the next multiple are inactive.
     std::int32_t sampleCount = 0; ///< `shade`: light samples a point.
 
     /// One bit a lane, 16 lanes a word; null = all lanes active.
     const std::uint16_t *active = nullptr;
-    /// inputs[ShaderInput]: plane of `count` floats. Planes that the shader doesn't read (see
-    /// ir::Function::inputsRead) may be null.
+    /// inputs[ShaderInput]: plane of floats, one for each point, view or response. Planes that the
+    /// question doesn't read (see ir::Function::inputsRead) may be null.
     const float *const *inputs = nullptr;
 
     /// Instance parameters: lane i's block starts at parameters + parameterOffset[i].
@@ -66,9 +97,17 @@ struct ShaderArgs {
     const float *objectMatrices = nullptr;
     const std::int32_t *objectIndex = nullptr;
 
-    /// Values saved between questions: slot k of lane i stands at
-    /// frame[((i / 16) * spillSlots + k) * 16 + i % 16].
-    float *frame = nullptr;
+    /// Values saved between questions, at frameIndex(): what belongs to points, with
+    /// ir::Function::surfaceSlots, and what belongs to views of them, with viewSlots. A question
+    /// whose lanes are points writes at its lanes, and a view at its own. Null where questions.def
+    /// says that the question has nothing to do with it.
+    float *surfaceFrame = nullptr, *viewFrame = nullptr;
+    /// `scatter`: which lane of the views' batch each lane responds for. Null = the same lane.
+    const std::int32_t *viewLane = nullptr;
+    /// `view`, `scatter`: which lane of the points' batch each *view* looks at (so `scatter` takes
+    /// the very plane that `view` took). Null = the same lane. Both planes may name lanes again and
+    /// again, in any order, and leave others out.
+    const std::int32_t *surfaceLane = nullptr;
     /// Output planes in ir::Function::outputs order. Lanes that don't reach an output leave it
     /// as it was.
     float *const *outputs = nullptr;
@@ -96,6 +135,7 @@ struct ShaderArgs {
     const float *const *irradiance = nullptr;
 
     const ShaderCallbacks *callbacks = nullptr;
+    const ShaderServices *services = nullptr;
 };
 
 using ShaderFunction = void (*)(const ShaderArgs *);

@@ -59,7 +59,7 @@ TEST(Builtins, WhatMustBeAvailableIs) {
                              "specularbrdf", "phong",       "trace",           "irradiance",
                              "photometric",  "radiometric", "totalluminance",  "totalradiance",
                              "depth",        "area",        "calculatenormal", "Du",
-                             "Dv",           "Deriv"}) {
+                             "Dv",           "Deriv",       "option",          "rendererinfo"}) {
         ASSERT_NE(findBuiltin(name), nullptr) << name;
         EXPECT_EQ(findBuiltin(name)->available, Available::Now) << name;
     }

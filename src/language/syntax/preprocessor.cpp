@@ -9,6 +9,7 @@
 #include "language/syntax/lexer.h"
 #include "language/syntax/macro.h"
 #include "language/syntax/macro_definition.h"
+#include "language/syntax/version.h"
 
 namespace candela::sl {
 namespace {
@@ -45,13 +46,9 @@ public:
 
 private:
     void definePredefined() {
-        int version =
-            CANDELA_VERSION_MAJOR * 10000 + CANDELA_VERSION_MINOR * 100 + CANDELA_VERSION_PATCH;
-        auto dotted = std::to_string(CANDELA_VERSION_MAJOR) + "." +
-                      std::to_string(CANDELA_VERSION_MINOR) + "." +
-                      std::to_string(CANDELA_VERSION_PATCH);
-        predefine("CANDELA", std::to_string(version));
-        predefine("CANDELA_VERSION", '"' + dotted + '"');
+        const auto [major, minor, patch] = version();
+        predefine("CANDELA", std::to_string(major * 10000 + minor * 100 + patch));
+        predefine("CANDELA_VERSION", '"' + versionText() + '"');
         for (const auto &[name, value] : options_.defines)
             predefine(name, value);
     }

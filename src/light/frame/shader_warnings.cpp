@@ -19,6 +19,10 @@ void ShaderWarnings::look(const Scene &scene) {
                  "what it sends does not grow in proportion to the light, so it is given " +
                  std::to_string(GatheredLight::rounds) +
                  " samples of all light at once; its look depends on that number");
+        if (facts.printsLightLine > 0)
+            once(at(facts.printsLightLine) +
+                 "this printf() speaks of light, which paths bring one direction at a time: it "
+                 "says what it would say in the dark; --integrator classic prints it lit");
         if (!facts.staticRequests)
             once(at(facts.notStaticLine) +
                  "this light request stands in a loop of unknown length or depends on another's "

@@ -114,10 +114,17 @@ ShaderArgs SurfaceVertices::arguments() const {
     return args;
 }
 
+/// A lane each: every vertex is seen once.
+void SurfaceVertices::bindFrames(ShaderArgs &args) const {
+    args.surfaceFrame = storage_.surfaceFrame[0];
+    args.viewFrame = storage_.viewFrame[0];
+}
+
 void SurfaceVertices::prepare(const float *const *ambient) {
     const QuestionCode &question = code().question(ir::Question::Prepare);
     reserve(storage_.outputs, int(question.function.outputs.size()), capacity_);
-    reserve(storage_.frame, question.function.spillSlots, capacity_);
+    reserve(storage_.surfaceFrame, question.function.surfaceSlots, capacity_);
+    reserve(storage_.viewFrame, question.function.viewSlots, capacity_);
     storage_.outputTable.resize(question.function.outputs.size());
     for (std::size_t slot = 0; slot < storage_.outputTable.size(); ++slot)
         storage_.outputTable[slot] = storage_.outputs[int(slot)];
@@ -126,7 +133,7 @@ void SurfaceVertices::prepare(const float *const *ambient) {
 
     ShaderArgs args = arguments();
     args.outputs = outputs;
-    args.frame = storage_.frame[0];
+    bindFrames(args);
     args.ambient = ambient;
     question.ask(args);
     const int completed = question.output(ir::OutputKind::Completed);
@@ -146,7 +153,7 @@ void SurfaceVertices::scatter(const ConstVec3Planes &direction, const std::int32
     const QuestionCode &question = code().question(ir::Question::Scatter);
     ShaderArgs args = arguments();
     args.outputs = g;
-    args.frame = storage_.frame[0];
+    bindFrames(args);
     args.answeredRequest = answered;
     args.sampleLight = light;
     question.ask(args);
@@ -160,10 +167,8 @@ void SurfaceVertices::shade(int sampleCount, float *const *L, float *const *Cl,
     reserve(storage_.shadeOutputs, int(outputs.size()), capacity_);
     for (std::size_t slot = 0; slot < outputs.size(); ++slot)
         outputs[slot] = storage_.shadeOutputs[int(slot)];
-    for (int c = 0; c < colorSamples; ++c) {
-        outputs[question.output(ir::OutputKind::Ci) + c] = Ci[c];
-        outputs[question.output(ir::OutputKind::Oi) + c] = Oi[c];
-    }
+    question.place(ir::OutputKind::Ci, Ci, outputs);
+    question.place(ir::OutputKind::Oi, Oi, outputs);
     ShaderArgs args = arguments();
     args.outputs = outputs.data();
     args.sampleCount = sampleCount;

@@ -59,10 +59,11 @@ public:
 
 private:
     struct Storage {
-        Planes<float> facing, litPoints, frame, outputs, shadeOutputs;
+        Planes<float> facing, litPoints, surfaceFrame, viewFrame, outputs, shadeOutputs;
         std::vector<float *> outputTable;
     };
     ShaderArgs arguments() const;
+    void bindFrames(ShaderArgs &) const;
 
     const Scene *scene_ = nullptr;
     int codeIndex_ = 0, capacity_;

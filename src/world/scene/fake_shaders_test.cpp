@@ -111,8 +111,16 @@ ir::LoweredShader lowered(const std::string &name, const std::set<std::string> &
 
 int QuestionCode::output(ir::OutputKind kind) const { return ir::slotOf(function.outputs, kind); }
 
+void QuestionCode::place(ir::OutputKind kind, float *const *planes,
+                         std::vector<float *> &outputs) const {
+    outputs.resize(function.outputs.size());
+    for (std::size_t slot = 0; slot < outputs.size(); ++slot)
+        if (function.outputs[slot].name == kind)
+            outputs[slot] = planes[function.outputs[slot].component];
+}
+
 ShaderCode::ShaderCode(ir::LoweredShader shader, ir::LightRule rule, std::shared_ptr<Jit> jit,
-                       std::shared_ptr<const ShaderMessages>)
+                       std::shared_ptr<const ShaderMessages>, std::shared_ptr<const ShaderAnswers>)
     : shader_(std::move(shader)), rule_(rule), jit_(std::move(jit)) {
     facts_.emits = name() == "glow";
     facts_.opaqueIfOsIs1 = name() != "glass";
@@ -158,6 +166,7 @@ ShaderLibrary::ShaderLibrary(ShaderLibrarySettings, DiagnosticSink &)
     : state_(std::make_unique<State>()) {}
 ShaderLibrary::~ShaderLibrary() = default;
 void ShaderLibrary::makeReady() {}
+void ShaderLibrary::bindOptions(const Options &) {}
 
 std::optional<std::vector<ShaderLookup::ParameterType>>
 ShaderLibrary::parametersOf(ShaderKind, const std::string &, const Options &,
@@ -175,8 +184,8 @@ std::optional<ShaderInstance> ShaderLibrary::instance(ShaderKind, const ShaderRe
         key += " " + name;
     auto &code = state_->codes[key];
     if (!code)
-        code =
-            std::make_shared<ShaderCode>(lowered(record.name, variables), rule, nullptr, nullptr);
+        code = std::make_shared<ShaderCode>(lowered(record.name, variables), rule, nullptr, nullptr,
+                                            nullptr);
     std::vector<float> block(Slots, 0);
     auto set = [&](const char *name, int slot) {
         if (const Parameter *given = record.parameters.find(name))

@@ -30,13 +30,8 @@ void LightBatch::ask(const SceneState &state, const ShaderCode &code, const std:
         return;
     thread_local std::vector<float *> outputs;
     outputs.assign(question.function.outputs.size(), answers[0]);
-    for (std::size_t slot = 0; slot < outputs.size(); ++slot) {
-        const ir::OutputSlot &output = question.function.outputs[slot];
-        if (output.name == ir::OutputKind::L)
-            outputs[slot] = L[output.component];
-        else if (output.name == ir::OutputKind::Cl)
-            outputs[slot] = Cl[output.component];
-    }
+    question.place(ir::OutputKind::L, L.data(), outputs);
+    question.place(ir::OutputKind::Cl, Cl.data(), outputs);
     ShaderArgs args;
     args.count = count;
     args.active = active;

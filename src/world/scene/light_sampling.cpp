@@ -119,7 +119,8 @@ CANDELA_HOT void aim(int count, Planes3 point, Planes3 normal, float frontSign,
     }
 }
 
-/// The same for lights without extent, whose shaders have said L, from the light to Ps.
+/// The same for lights without extent, whose shaders have said L, from the light to Ps. A distant
+/// one's is a direction, of any length: the same from wherever a ray starts.
 CANDELA_HOT void aimAtDelta(int count, Planes3 given, Planes3 Ps, Planes3 P, bool distant,
                             const std::int32_t *__restrict index, float *const L[3],
                             float *__restrict distance, float *__restrict pdf,
@@ -129,14 +130,15 @@ CANDELA_HOT void aimAtDelta(int count, Planes3 given, Planes3 Ps, Planes3 P, boo
     const float *px = P[0], *py = P[1], *pz = P[2];
     float *lx = L[0], *ly = L[1], *lz = L[2];
     constexpr float most = std::numeric_limits<float>::max();
+    const float shifts = distant ? 0.0f : 1.0f;
 #pragma GCC ivdep
     for (int i = 0; i < count; ++i) {
         const float length = std::sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
         const bool sound = (length > 0) & (length <= most);
         const float far = distant ? std::numeric_limits<float>::infinity() : length;
-        lx[i] = sound ? (sx[i] - px[i]) - x[i] : 0.0f;
-        ly[i] = sound ? (sy[i] - py[i]) - y[i] : 0.0f;
-        lz[i] = sound ? (sz[i] - pz[i]) - z[i] : 1.0f;
+        lx[i] = sound ? (sx[i] - px[i]) * shifts - x[i] : 0.0f;
+        ly[i] = sound ? (sy[i] - py[i]) * shifts - y[i] : 0.0f;
+        lz[i] = sound ? (sz[i] - pz[i]) * shifts - z[i] : 1.0f;
         distance[i] = sound ? far : 0.0f;
         pdf[i] = 0;
         light[i] = sound ? index[i] + 1 : 0;

@@ -264,6 +264,30 @@ TEST(Lights, ClassicLightsHandOverTheirNumber) {
     });
 }
 
+/// The start of the ray may lie further from the point than a direction is long.
+TEST(Lights, DistantLightComesFromOneDirection) {
+    for (const float length : {1e-3f, 1.0f, 1e4f}) {
+        TestWorld world;
+        world.addLight("distantlight",
+                       {intensity(1), TestWorld::numbers("to", {0, 0.6f * length, -0.8f * length})},
+                       LightUnits::Si);
+        world.addPolygon({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}});
+        world.render([&](const Scene &scene) {
+            for (const float offset : {0.0f, 1e-3f, 1.0f, 1e5f}) {
+                Samples samples(1);
+                samples.draw(1, {0, 0, offset});
+                Planes<float> point(3, 1);
+                samples.query.Ps = {point[0], point[1], point[2]};
+                scene.lights().sampleOne(0, samples.query, samples.out);
+                ASSERT_NE(samples.out.light[0], 0);
+                const Vec3 L{samples.out.L[0][0], samples.out.L[1][0], samples.out.L[2][0]};
+                EXPECT_NEAR(L.y / L.z, -0.75f, 1e-6f) << length << " " << offset;
+                EXPECT_GT(L.z, 0);
+            }
+        });
+    }
+}
+
 TEST(Lights, FaultyAndBareLightsAreDark) {
     TestWorld world;
     world.addLight("missing", {});

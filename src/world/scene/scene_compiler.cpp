@@ -128,6 +128,7 @@ void SceneCompiler::worldEnd() {
         return;
     }
     addCameraSystems(state->camera, declared.options.camera, declared.systems);
+    state_->library.bindOptions(declared.options);
     for (const auto &code : state_->library.all())
         code->bindSpaces(declared.systems, state_->sink);
     lights.prepareChoices();

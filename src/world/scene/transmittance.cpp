@@ -8,7 +8,9 @@
 #include "world/scene/scene_state.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
+#include <vector>
 
 namespace candela {
 
@@ -75,18 +77,20 @@ Walk &walkFor(int capacity) {
 /// Opacities at the hits of `order`: walk.points and walk.opacity.
 void askOpacity(const Scene &scene, int code, Walk &walk) {
     const QuestionCode &question = scene.code(code).question(ir::Question::Opacity);
-    const int count = int(walk.order.size()), Oi = question.output(ir::OutputKind::Oi);
+    const int count = int(walk.order.size());
     scene.shadingPoints(walk.rays, walk.hits, walk.order.data(), count, walk.points);
-    float *outputs[64] = {};
+    std::array<float *, colorSamples> opacity;
     for (int c = 0; c < colorSamples; ++c) {
-        std::fill_n(walk.opacity[c], count, 1.0f);
-        if (Oi >= 0)
-            outputs[Oi + c] = walk.opacity[c];
+        opacity[c] = walk.opacity[c];
+        std::fill_n(opacity[c], count, 1.0f);
     }
+    thread_local std::vector<float *> outputs;
+    outputs.clear();
+    question.place(ir::OutputKind::Oi, opacity.data(), outputs);
     ShaderArgs args;
     scene.bind(code, walk.points, args);
-    args.outputs = outputs;
-    if (question.code && Oi >= 0)
+    args.outputs = outputs.data();
+    if (question.code)
         question.code(&args);
 }
 

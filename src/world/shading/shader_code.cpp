@@ -2,21 +2,31 @@
 #include "world/shading/shader_code.h"
 
 #include "language/ir/transform/light_rule.h"
+
 #include <algorithm>
 
 namespace candela {
 
 int QuestionCode::output(ir::OutputKind kind) const { return ir::slotOf(function.outputs, kind); }
 
+void QuestionCode::place(ir::OutputKind kind, float *const *planes,
+                         std::vector<float *> &outputs) const {
+    outputs.resize(function.outputs.size());
+    for (std::size_t slot = 0; slot < outputs.size(); ++slot)
+        if (function.outputs[slot].name == kind)
+            outputs[slot] = planes[function.outputs[slot].component];
+}
+
 ShaderCode::ShaderCode(ir::LoweredShader shader, ir::LightRule rule, std::shared_ptr<Jit> jit,
-                       std::shared_ptr<const ShaderMessages> messages)
-    : shader_(std::move(shader)), rule_(rule), jit_(std::move(jit)),
-      messages_(std::move(messages)) {
+                       std::shared_ptr<const ShaderMessages> messages,
+                       std::shared_ptr<const ShaderAnswers> answers)
+    : shader_(std::move(shader)), rule_(rule), jit_(std::move(jit)), messages_(std::move(messages)),
+      answers_(std::move(answers)) {
     readText();
 }
 
 void ShaderCode::readText() {
-    if (shader_.kind == sl::ShaderKind::Surface) {
+    if (ir::isPlanned(shader_.kind)) {
         shader_.whole = ir::applyLightRule(shader_.whole, rule_);
         plan_ = ir::makePlan(shader_.whole);
         facts_ = ir::surfaceFacts(*plan_);
@@ -24,8 +34,14 @@ void ShaderCode::readText() {
     categories_ = LightCategories(shader_.whole.requests);
 }
 
+/// A point speaks once. Under the classic rule all its light is there when it is shaded; else it
+/// comes direction by direction, and what the point says it says without.
 ir::Function ShaderCode::slice(ir::Question which) const {
-    return plan_ ? ir::slice(*plan_, which) : ir::slice(shader_.whole, which);
+    if (!plan_)
+        return ir::slice(shader_.whole, which);
+    ir::Function function = ir::slice(*plan_, which);
+    const bool shaded = which == ir::Question::Shade, lit = rule_ == ir::LightRule::Classic;
+    return shaded == lit ? function : ir::silenced(std::move(function));
 }
 
 const QuestionCode &ShaderCode::question(ir::Question which) const {
@@ -41,7 +57,7 @@ const QuestionCode &ShaderCode::question(ir::Question which) const {
 std::vector<ir::Question> ShaderCode::questionsAsked() const {
     using ir::Question;
     if (!plan_)
-        return {Question::Light};
+        return {ir::questionsOf(shader_.kind).front()};
     std::vector<Question> asked{Question::Prepare, Question::Scatter, Question::Opacity};
     const bool classic = rule_ == ir::LightRule::Classic;
     if (classic || !facts_.affine)
@@ -99,6 +115,7 @@ void ShaderCode::bind(ShaderArgs &args) const {
     args.spaces = spaces_.data();
     categories_.bind(args);
     args.callbacks = &messages_->callbacks();
+    args.services = &answers_->services();
 }
 
 } // namespace candela

@@ -11,6 +11,7 @@
 #include "language/ir/transform/light_rule.h"
 #include "language/jit/jit.h"
 #include "world/shading/light_categories.h"
+#include "world/shading/shader_answers.h"
 #include "world/shading/shader_messages.h"
 #include "world/shading/shader_spaces.h"
 
@@ -33,13 +34,16 @@ struct QuestionCode {
 
     /// Index of the output's first plane; -1 if the question doesn't have it.
     int output(ir::OutputKind) const;
+    /// Puts the output's planes, as far as the question has them, where ShaderArgs::outputs wants
+    /// them.
+    void place(ir::OutputKind, float *const *planes, std::vector<float *> &outputs) const;
     bool reads(ShaderInput input) const { return function.inputsRead[int(input)]; }
 };
 
 class ShaderCode {
 public:
     ShaderCode(ir::LoweredShader, ir::LightRule, std::shared_ptr<Jit>,
-               std::shared_ptr<const ShaderMessages>);
+               std::shared_ptr<const ShaderMessages>, std::shared_ptr<const ShaderAnswers>);
 
     const std::string &name() const { return shader_.name; }
     const ir::LoweredShader &shader() const { return shader_; }
@@ -71,7 +75,8 @@ public:
     void bindCategories(std::vector<std::uint8_t> accepts, int lightCount);
     const LightCategories &categories() const { return categories_; }
 
-    /// Fills what belongs to the shader: parameters, spaces, categories, and where it speaks.
+    /// Fills what belongs to the shader: parameters, spaces, categories, where it speaks and whom
+    /// it asks.
     void bind(ShaderArgs &) const;
 
 private:
@@ -90,6 +95,7 @@ private:
     bool isStandIn_ = false;
     std::shared_ptr<Jit> jit_;
     std::shared_ptr<const ShaderMessages> messages_;
+    std::shared_ptr<const ShaderAnswers> answers_;
     std::vector<float> blocks_;
     ShaderSpaces spaces_;
     LightCategories categories_;

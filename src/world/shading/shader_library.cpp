@@ -19,13 +19,15 @@ struct ShaderLibrary::State {
         : diagnostics(diagnostics), sources(settings.folders, diagnostics),
           libraryFolders(settings.libraryFolders),
           jit(std::make_shared<Jit>(settings.jit, diagnostics)),
-          messages(std::make_shared<const ShaderMessages>(diagnostics)) {}
+          messages(std::make_shared<const ShaderMessages>(diagnostics)),
+          answers(std::make_shared<ShaderAnswers>()) {}
 
     DiagnosticSink &diagnostics;
     ShaderSources sources;
     std::vector<std::string> libraryFolders;
     std::shared_ptr<Jit> jit;
     std::shared_ptr<const ShaderMessages> messages;
+    std::shared_ptr<ShaderAnswers> answers;
     std::map<std::string, std::optional<ir::LoweredShader>> lowered; ///< By source and strings.
     std::map<const ir::LoweredShader *, std::vector<int>> controlRelevant; ///< Of those.
     std::map<std::string, std::shared_ptr<ShaderCode>> codes; ///< And by folded values.
@@ -177,10 +179,9 @@ std::optional<ShaderInstance> ShaderLibrary::instance(ShaderKind kind, const Sha
     std::shared_ptr<ShaderCode> &code = state_->codes[key];
     if (!code) {
         ir::LoweredShader specialised = *lowered;
-        if (!folded.empty())
-            specialised.whole = ir::fold(lowered->whole, folded);
+        specialised.whole = ir::fold(lowered->whole, folded);
         code = std::make_shared<ShaderCode>(std::move(specialised), rule, state_->jit,
-                                            state_->messages);
+                                            state_->messages, state_->answers);
         state_->inOrder.push_back(code);
     }
     return ShaderInstance{code, code->addBlock(block)};
@@ -227,6 +228,8 @@ void ShaderLibrary::makeReady() {
             state_->replace(*state_->inOrder[first + k]);
     }
 }
+
+void ShaderLibrary::bindOptions(const Options &options) { state_->answers->bindOptions(options); }
 
 std::vector<std::shared_ptr<ShaderCode>> ShaderLibrary::all() const { return state_->inOrder; }
 

@@ -46,6 +46,8 @@ public:
     /// Compiles all specialisations that are new, on all threads. A surface for which there is no
     /// code becomes the library's default surface, a light gives no light; an error names them.
     void makeReady();
+    /// What option() tells all shaders, until it is bound anew. Not to be called while any runs.
+    void bindOptions(const Options &);
 
     /// All specialisations so far, for binding spaces and categories.
     std::vector<std::shared_ptr<ShaderCode>> all() const;

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/shading/shader_messages.h"
 
-#include <cstdio>
 #include <mutex>
 
 namespace candela {
 
 ShaderMessages::ShaderMessages(DiagnosticSink &diagnostics) : diagnostics_(diagnostics) {
     callbacks_.context = this;
-    // Lines of points that are shaded side by side come in any order but whole: POSIX locks the
-    // stream for the time of a call.
-    callbacks_.print = [](void *, const char *text) { std::fputs(text, stdout); };
     callbacks_.indexOutside = [](void *context, const char *file, std::int32_t line) {
         static_cast<ShaderMessages *>(context)->indexOutside(file, line);
     };
     callbacks_.loopEnded = [](void *context, const char *file, std::int32_t line) {
         static_cast<ShaderMessages *>(context)->loopEnded(file, line);
+    };
+    callbacks_.serviceAbsent = [](void *context, const char *service, const char *file,
+                                  std::int32_t line) {
+        static_cast<ShaderMessages *>(context)->serviceAbsent(service, file, line);
     };
 }
 
@@ -44,6 +44,13 @@ void ShaderMessages::loopEnded(std::string_view file, int line) {
         diagnostics_.error({std::make_shared<const std::string>(file), line},
                            "the loop here does not end at some points, or takes more turns than "
                            "Option \"shading\" \"loopturns\" allows: they are black");
+}
+
+void ShaderMessages::serviceAbsent(std::string_view service, std::string_view file, int line) {
+    if (isNew("service ", file, line))
+        diagnostics_.error({std::make_shared<const std::string>(file), line},
+                           "nothing in this renderer answers what is asked here (" +
+                               std::string(service) + "): the answer is 0");
 }
 
 } // namespace candela

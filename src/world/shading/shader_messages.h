@@ -27,6 +27,7 @@ private:
     bool isNew(std::string_view mistake, std::string_view file, int line);
     void indexOutside(std::string_view file, int line);
     void loopEnded(std::string_view file, int line);
+    void serviceAbsent(std::string_view service, std::string_view file, int line);
 
     DiagnosticSink &diagnostics_;
     ShaderCallbacks callbacks_;

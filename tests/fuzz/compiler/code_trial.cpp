@@ -31,9 +31,9 @@ bool interpreterAgrees() {
 std::string compareCode(const ir::Function &function, Batch &batch, const std::string &question,
                         Monitor &monitor) {
     static Generators generators;
-    const auto frame = batch.frame();
+    const auto frames = batch.frames();
     const auto run = [&](const Batch::Code &code) {
-        batch.frame() = frame;
+        batch.frames() = frames;
         return batch.run(function, code, Light::Given);
     };
     const auto execute = [&](ShaderFunction code) {

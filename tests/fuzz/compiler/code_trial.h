@@ -7,8 +7,8 @@
 
 namespace candela::fuzz {
 
-/// What is wrong with the code for a question, or nothing. The batch's frame is as the questions
-/// before have left it, and is that again for each run.
+/// What is wrong with the code for a question, or nothing. The batch's frames are as the
+/// questions before have left them, and are that again for each run.
 std::string compareCode(const ir::Function &, Batch &, const std::string &question, Monitor &);
 
 } // namespace candela::fuzz

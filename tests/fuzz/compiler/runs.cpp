@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runs.h"
 
+#include "language/ir/core/print_format.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -13,14 +15,18 @@ namespace {
 
 using Plane = ir::TestBatch::Plane;
 
-void notePrint(void *context, const char *text) {
-    std::string line = text;
-    // The sign of NaN is not defined.
-    for (std::size_t at; (at = line.find("-nan")) != std::string::npos;)
-        line.erase(at, 1);
-    RunResult &run = *static_cast<RunResult *>(context);
-    ++run.lines;
-    run.digest += std::hash<std::string>()(line);
+void notePrint(void *context, const ServiceCall &call) {
+    for (int lane = 0; lane < call.laneCount; ++lane) {
+        if (!call.asks(lane))
+            continue;
+        std::string line = ir::printedText(call, lane);
+        // The sign of NaN is not defined.
+        for (std::size_t at; (at = line.find("-nan")) != std::string::npos;)
+            line.erase(at, 1);
+        RunResult &run = *static_cast<RunResult *>(context);
+        ++run.lines;
+        run.digest += std::hash<std::string>()(line);
+    }
 }
 
 void noteOutside(void *context, const char *file, std::int32_t line) {
@@ -79,9 +85,12 @@ std::string differenceOf(const RunResult &expected, const RunResult &found) {
         for (std::size_t i = 0; i < expected.outputs[k].size(); ++i)
             if (!sameBits(expected.outputs[k][i], found.outputs[k][i]))
                 return differenceAt("output", k, i, expected.outputs[k][i], found.outputs[k][i]);
-    for (std::size_t i = 0; i < expected.frame.size(); ++i)
-        if (!sameBits(expected.frame[i], found.frame[i]))
-            return differenceAt("frame", 0, i, expected.frame[i], found.frame[i]);
+    for (const auto frame : {&ir::TestFrames::surface, &ir::TestFrames::view}) {
+        const Plane &a = expected.frames.*frame, &b = found.frames.*frame;
+        for (std::size_t i = 0; i < a.size(); ++i)
+            if (!sameBits(a[i], b[i]))
+                return differenceAt("frame", frame == &ir::TestFrames::view, i, a[i], b[i]);
+    }
     if (expected.lines != found.lines || expected.digest != found.digest)
         return std::to_string(expected.lines) + " lines printed, other than " +
                std::to_string(found.lines);
@@ -138,7 +147,12 @@ void Batch::fit(const ir::Function &function) {
 
 RunResult Batch::run(const ir::Function &function, const Code &code, Light light) {
     RunResult result;
-    points_.callbacks = {&result, notePrint, noteOutside};
+    points_.callbacks = {&result, noteOutside};
+    points_.services.context = &result;
+    points_.services[Service::print] = notePrint;
+    points_.services[Service::option] = [](void *, const ServiceCall &call) {
+        ir::answerService(nullptr, call);
+    };
     const auto ambient = pointersTo(ambient_), answers = pointersTo(answers_);
     const auto withLight = [&](const ir::Function &, const ShaderArgs &dark) {
         ShaderArgs args = dark;
@@ -152,7 +166,7 @@ RunResult Batch::run(const ir::Function &function, const Code &code, Light light
         code(function, args);
     };
     result.outputs = points_.run(function, withLight, unreached);
-    result.frame = points_.frame;
+    result.frames = points_.frames;
     return result;
 }
 

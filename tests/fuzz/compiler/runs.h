@@ -23,7 +23,7 @@ struct RunResult {
     using Plane = ir::TestBatch::Plane;
 
     std::vector<Plane> outputs;
-    Plane frame;
+    ir::TestFrames frames;
     /// Of what was printed, in any order: widths differ in theirs.
     std::uint64_t lines = 0, digest = 0;
     std::set<std::pair<std::string, int>> outside; ///< Where arrays are indexed outside.
@@ -59,9 +59,9 @@ public:
     /// Makes room for the requests of the function, which folding and the light rule add to.
     void fit(const ir::Function &);
 
-    /// Starts from the frame that the last run has left.
+    /// Starts from the frames that the last run has left.
     RunResult run(const ir::Function &, const Code &, Light);
-    ir::TestBatch::Plane &frame() { return points_.frame; }
+    ir::TestFrames &frames() { return points_.frames; }
 
 private:
     ir::TestBatch points_;

@@ -54,10 +54,12 @@ TEST_F(Runs, DifferInAnyPart) {
     found.outputs[1][0] = std::nextafter(found.outputs[1][0], 9.0f);
     EXPECT_EQ(differenceOf(expected, found).find("output 1, lane 0"), 0u);
     found = expected;
-    found.frame.assign(1, 2);
-    RunResult other = found;
-    other.frame[0] = 3;
-    EXPECT_EQ(differenceOf(found, other).find("frame"), 0u);
+    for (const auto frame : {&ir::TestFrames::surface, &ir::TestFrames::view}) {
+        (found.frames.*frame).assign(1, 2);
+        RunResult other = found;
+        (other.frames.*frame)[0] = 3;
+        EXPECT_EQ(differenceOf(found, other).find("frame"), 0u);
+    }
     found = expected;
     ++found.digest;
     EXPECT_NE(differenceOf(expected, found).find("printed"), std::string::npos);

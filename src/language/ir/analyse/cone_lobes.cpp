@@ -156,12 +156,12 @@ private:
                *angle <= quarterTurn && isAlongLoopAxis(found->axis);
     }
 
-    /// The loop's axis itself, or normalised.
+    /// The loop's axis itself, or what it is normalised from.
     bool isAlongLoopAxis(const Triple &axis) const {
         const ValueId *ofLoop = loop_.operands.data() + 3;
         const auto isScaled = [&](int k) {
-            const Instruction *i = definition(axis[k]);
-            return i && i->op == Op::Mul && i->operands[0] == ofLoop[k] &&
+            const Instruction *i = definition(ofLoop[k]);
+            return i && i->op == Op::Mul && i->operands[0] == axis[k] &&
                    isReciprocalLength(i->operands[1]);
         };
         return std::equal(axis.begin(), axis.end(), ofLoop) ||

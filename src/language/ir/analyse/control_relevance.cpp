@@ -36,7 +36,7 @@ struct OriginAnalysis : ForwardAnalysis<Origin> {
             return {false, {i.immediate}};
         Origin from;
         from.other = info(i.op).uniformity == ResultUniformity::Varying || !isPure(i.op) ||
-                     info(i.op).kind == OpClass::Source;
+                     info(i.op).kind == OpClass::Source || info(i.op).kind == OpClass::Service;
         for (ValueId v : i.operands)
             from.add(at(v));
         return from;

@@ -9,14 +9,6 @@ namespace candela::ir {
 
 namespace {
 
-bool viewDependent(int plane) {
-    return (plane >= int(ShaderInput::I) && plane <= int(ShaderInput::ILast_)) ||
-           (plane >= int(ShaderInput::E) && plane <= int(ShaderInput::ELast_));
-}
-bool sampleDependent(int plane) {
-    return plane >= int(ShaderInput::sampleL) && plane <= int(ShaderInput::sampleLLast_);
-}
-
 /// What a value needs; by control, too.
 struct BindingTimeAnalysis : ForwardAnalysis<BindingTime> {
     using ForwardAnalysis::ForwardAnalysis;
@@ -51,13 +43,13 @@ struct BindingTimeAnalysis : ForwardAnalysis<BindingTime> {
         return carried;
     }
 
-    BindingTime result(const Instruction &i, std::size_t, const Enclosing *) const {
+    BindingTime result(const Instruction &i, std::size_t, const Enclosing *around) const {
         if (i.op == Op::Input)
-            return sampleDependent(i.immediate) ? BindingTime::Response
-                   : viewDependent(i.immediate) ? BindingTime::View
-                                                : BindingTime::Surface;
+            return bindingTimeOf(ShaderInput(i.immediate));
         if (isArrayAccess(i.op))
             return arrayOf(i);
+        if (isService(i.op))
+            return latest(i.operands, conditionAround(around));
         return isAnswer(i.op) ? BindingTime::Response : latest(i.operands);
     }
     /// Loads and stores of an array keep their order: all count to the latest.

@@ -8,13 +8,10 @@
 
 namespace candela::ir {
 
-/// Values are partitioned by dependence: Surface (neither view nor light), View (depends on I) and
-/// Response (depends on a light sample or an answer).
-enum class BindingTime : std::uint8_t { Surface, View, Response };
-
 /// Dependence by data and by control. A value made in a branch does not depend on the branch's
 /// condition (it may be computed earlier, whatever the condition will be); what leaves the branch
-/// does. Loops stay behind their conditions, since only then do they surely end.
+/// does. Loops stay behind their conditions, since only then do they surely end; and so do
+/// services, since nobody may be asked in vain.
 struct Dependence {
     struct Definition {
         const Instruction *instruction = nullptr; ///< Null for arguments of regions.

@@ -8,6 +8,7 @@
 #include "language/ir/core/builder_light.h"
 #include "language/ir/core/builder_sources.h"
 #include "language/ir/core/builder_vectors.h"
+#include "language/ir/core/regions.h"
 #include "language/ir/interpret/interpreter.h"
 #include "language/ir/interpret/test_batch.h"
 #include "language/ir/questions/questions.h"
@@ -28,9 +29,10 @@ namespace {
 
 constexpr int loopLine = 10, trickLine = 20;
 
-/// The sum over light of what `term` gives for each channel, over the hemisphere about the axis.
-Values gatherAbout(Builder &b, const Triple &axis,
+/// The sum over light of what `term` gives for each channel, over the hemisphere about a vector.
+Values gatherAbout(Builder &b, const Triple &along,
                    const std::function<ValueId(const Triple &L, ValueId Cl)> &term) {
+    const Triple axis = normalize(b, along);
     LightRequest request;
     request.form = ConeForm::Classic;
     request.coneCount = 1;
@@ -392,6 +394,26 @@ TEST(Fold, ControlRelevantParametersVanish) {
     Function shiny = fold(whole, {{2, 0.5f}});
     EXPECT_TRUE(surfaceFacts(shiny).hasLoops);
     EXPECT_TRUE(controlRelevantParameters(shiny).empty());
+}
+
+TEST(Fold, UnrollsShortLoopsThatNoParameterDecides) {
+    const auto turning = [](int turns) {
+        return surface([&](Builder &b) {
+            const Values end =
+                loop(b, {boolean(b, true), number(b, 0), number(b, 1)}, [&](const Values &carried) {
+                    const ValueId next = add(b, carried[1], number(b, 1));
+                    return Values{less(b, next, number(b, float(turns))), next,
+                                  mul(b, carried[2], parameter(b, 0))};
+                });
+            return Values(colorSamples, end[2]);
+        });
+    };
+    const auto hasLoop = [](const Function &f) {
+        return anyInstruction(f.body, [](const Instruction &i) { return i.op == Op::Loop; });
+    };
+    EXPECT_TRUE(hasLoop(turning(6)));
+    EXPECT_FALSE(hasLoop(fold(turning(6), {})));
+    EXPECT_TRUE(hasLoop(fold(turning(60), {}))) << "long";
 }
 
 TEST(Fold, UnrollsLoopsThatAskForLight) {

@@ -43,9 +43,13 @@ std::size_t Builder::KeyHash::operator()(const Key &key) const {
 
 namespace {
 
-Uniformity uniformityOfResults(const Function &function, Op op, const Values &operands) {
-    Uniformity uniformity = info(op).uniformity == ResultUniformity::Varying ? Uniformity::Varying
-                                                                             : Uniformity::Uniform;
+Uniformity uniformityOfResults(const Function &function, Op op, const Values &operands,
+                               int immediate) {
+    const ResultUniformity rule = info(op).uniformity;
+    const bool varies = rule == ResultUniformity::Varying ||
+                        (rule == ResultUniformity::Service &&
+                         variesByItself(function.services[std::size_t(immediate)]));
+    Uniformity uniformity = varies ? Uniformity::Varying : Uniformity::Uniform;
     for (ValueId v : operands)
         if (function.values[v].uniformity == Uniformity::Varying)
             uniformity = Uniformity::Varying;
@@ -53,7 +57,7 @@ Uniformity uniformityOfResults(const Function &function, Op op, const Values &op
 }
 
 Values makeResults(Function &function, Op op, const Values &operands, int immediate) {
-    const Uniformity uniformity = uniformityOfResults(function, op, operands);
+    const Uniformity uniformity = uniformityOfResults(function, op, operands, immediate);
     Values results;
     const auto make = [&](Type type, int count) {
         for (int k = 0; k < count; ++k)
@@ -64,7 +68,9 @@ Values makeResults(Function &function, Op op, const Values &operands, int immedi
                                          : function.values[operands.back()].type;
     for (char letter : info(op).results)
         if (letter == '*')
-            make(Type::Float, runtime::info(runtime::RuntimeFunction(immediate)).outputs);
+            make(Type::Float, isService(op)
+                                  ? function.services[std::size_t(immediate)].results
+                                  : runtime::info(runtime::RuntimeFunction(immediate)).outputs);
         else
             make(letter == '.' ? same : typeOf(letter), countOf(letter, function.colors.samples));
     return results;
@@ -82,7 +88,9 @@ Values Builder::emit(Op op, const Values &operands, int immediate, float number)
         if (auto known = known_.find(key); known != known_.end())
             return known->second;
     Values results = makeResults(function_, op, operands, immediate);
-    append({op, operands, results, {}, immediate, number, line_, file_});
+    append({op, operands, results, {}, immediate, number, place_.line, place_.file});
+    if (results.size() == 1)
+        unitVectors.note(op, operands, results[0]);
     if (isPure(op)) {
         known_.emplace(key, results);
         scopes_.back().known.push_back(std::move(key));

@@ -4,7 +4,8 @@
 //
 // The builder itself knows only instructions and regions; what one writes with it are functions
 // by subject: builder_sources.h (constants, inputs), builder_arithmetic.h, builder_vectors.h,
-// builder_control.h, builder_light.h, builder_effects.h (arrays, outputs).
+// builder_control.h, builder_light.h, builder_effects.h (arrays, outputs),
+// builder_services.h.
 //
 //     Builder b(function);
 //     Values lit = lightLoop(b, request, position, cones, {number(b, 0)},
@@ -18,6 +19,7 @@
 #include "language/ir/core/budget.h"
 #include "language/ir/core/constant_pool.h"
 #include "language/ir/core/ir.h"
+#include "language/ir/core/unit_vectors.h"
 
 #include <array>
 #include <functional>
@@ -60,12 +62,12 @@ public:
     const Budget &budget() const { return budget_; }
 
     /// The source line that following instructions belong to.
-    void setLine(int line) { line_ = line; }
-    int line() const { return line_; }
+    void setLine(int line) { place_.line = line; }
+    int line() const { return place_.line; }
     /// The source file (into Function::files) of array accesses and loops, for messages at run
     /// time.
-    void setFile(int file) { file_ = file; }
-    int file() const { return file_; }
+    void setFile(int file) { place_.file = file; }
+    int file() const { return place_.file; }
 
     /// The results of any operation but those with regions: folds, reuses, infers.
     Values emit(Op, const Values &operands, int immediate = 0, float number = 0);
@@ -76,6 +78,9 @@ public:
     ValueId newValue(Type t, Uniformity r) { return function_.addValue(t, r); }
     /// The number of the next call site of random numbers.
     int nextRandom() { return randoms_++; }
+
+    /// What is known of lengths; emit() takes note of what it makes.
+    UnitVectors unitVectors;
 
 private:
     /// A pure operation.
@@ -94,12 +99,16 @@ private:
         std::vector<Key> known; ///< What was first computed in it.
     };
 
+    struct Place {
+        int line = 0, file = 0;
+    };
+
     Function &function_;
     std::vector<Scope> scopes_;                      ///< The open regions, outermost first.
     std::unordered_map<Key, Values, KeyHash> known_; ///< Visible results, by what they are.
     ConstantPool constants_;
     Budget budget_;
-    int line_ = 0, file_ = 0;
+    Place place_;
     int randoms_ = 0;
 };
 

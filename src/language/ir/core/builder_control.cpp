@@ -30,6 +30,7 @@ Values ifElse(Builder &b, ValueId condition, const std::function<Values()> &then
             results.push_back(
                 b.newValue(b.type(x), varying ? Uniformity::Varying : Uniformity::Uniform));
             instruction.results.push_back(results.back());
+            b.unitVectors.note(Op::Select, {condition, x, y}, results.back());
             yesKept.yields.push_back(x);
             noKept.yields.push_back(y);
         }

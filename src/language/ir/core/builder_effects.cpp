@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/ir/core/builder_effects.h"
 
-#include "language/ir/core/builder_sources.h"
-
 namespace candela::ir {
 
 int addArray(Builder &b, Type type, int size) {
@@ -30,7 +28,7 @@ void addOutputSlots(std::vector<OutputSlot> &slots, const OutputName &name, int 
 }
 
 OutputSlot outputSlot(const OutputName &name, int component) {
-    return {name, component, name == OutputKind::Oi ? 1.0f : 0.0f};
+    return {name, component, valueWhenEnded(name.kind)};
 }
 
 void output(Builder &b, const OutputName &name, int component, ValueId value) {
@@ -41,12 +39,6 @@ void output(Builder &b, const OutputName &name, int component, ValueId value) {
         slots.push_back(outputSlot(name, component));
     }
     b.emit(Op::Output, {value}, slot);
-}
-
-void printValues(Builder &b, const std::string &format, const Values &values) {
-    Values operands{text(b, format)};
-    operands.insert(operands.end(), values.begin(), values.end());
-    b.emit(Op::Print, operands);
 }
 
 } // namespace candela::ir

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stays in program order: arrays in memory, outputs, prints.
+// What stays in program order: arrays in memory, outputs.
 #pragma once
 
 #include "language/ir/core/builder.h"
@@ -21,6 +21,5 @@ std::size_t arrayNumbers(const Function &);
 void addOutputSlots(std::vector<OutputSlot> &, const OutputName &, int colorSamples);
 /// The function gets the slot if it has none of that name and component yet.
 void output(Builder &, const OutputName &, int component, ValueId);
-void printValues(Builder &, const std::string &format, const Values &);
 
 } // namespace candela::ir

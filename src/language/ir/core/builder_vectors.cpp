@@ -40,9 +40,13 @@ Triple cross(Builder &b, const Triple &x, const Triple &y) {
 ValueId length(Builder &b, const Triple &x) { return sqrt(b, dot(b, x, x)); }
 
 Triple normalize(Builder &b, const Triple &x) {
+    if (b.unitVectors.has(x))
+        return x;
     ValueId size = length(b, x);
     ValueId divisor = select(b, equal(b, size, number(b, 0)), number(b, 1), size);
-    return scale(b, x, div(b, number(b, 1), divisor));
+    const Triple unit = scale(b, x, div(b, number(b, 1), divisor));
+    b.unitVectors.addNormalized(unit);
+    return unit;
 }
 
 Triple reflect(Builder &b, const Triple &I, const Triple &N) {

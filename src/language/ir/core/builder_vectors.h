@@ -16,7 +16,7 @@ Triple neg(Builder &, const Triple &);
 ValueId dot(Builder &, const Triple &, const Triple &); ///< (x x' + y y') + z z'
 Triple cross(Builder &, const Triple &, const Triple &);
 ValueId length(Builder &, const Triple &);
-/// Of unit length; a zero vector stays zero.
+/// Of unit length; a zero vector stays zero. What is known to be unit is not divided again.
 Triple normalize(Builder &, const Triple &);
 /// I - 2 (I.N) N, with N as it is.
 Triple reflect(Builder &, const Triple &I, const Triple &N);

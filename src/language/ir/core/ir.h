@@ -65,7 +65,8 @@ struct Instruction {
     std::int32_t immediate = 0;
     float number = 0;
     int line = 0; ///< Of the shader's source, for messages; 0 = made by the compiler.
-    int file = 0; ///< Into Function::files, for messages at run time: of array accesses and loops.
+    /// Into Function::files, for messages at run time: of array accesses, loops and services.
+    int file = 0;
 };
 
 /// How a light loop chooses its samples and states its importance.
@@ -81,8 +82,9 @@ struct LightRequest {
     enum class Kind : std::uint8_t { Loop, Trace };
     Kind kind = Kind::Loop;
     ConeForm form = ConeForm::Everywhere;
-    /// Operands of a LightLoop: position (3), then cones: (axis 3, angle) for Classic; (axis 3,
-    /// angle, exponent, importance) each for Extended; then the initial carried values.
+    /// Operands of a LightLoop: position (3), then cones: (axis 3, angle) for Classic, the axis
+    /// normalised; (axis 3, angle, exponent, importance) each for Extended; then the initial
+    /// carried values.
     int coneCount = 0;
     int category = -1; ///< Index into Function::categories, -1 = all.
     int line = 0;
@@ -94,6 +96,15 @@ struct Emission {
     bool distant = false;  ///< solar(): light without a position, from its direction everywhere.
     bool repeated = false; ///< In a loop: it may be stated again and again.
     int line = 0;
+};
+
+/// What a Query or a Command asks, beside its operands; equal ones are one. Where it is asked, the
+/// instruction says.
+struct ServiceUse {
+    const ServiceInfo *info = nullptr;
+    std::vector<int> texts; ///< Into Function::strings.
+    int results = 0;        ///< All of them floats.
+    bool operator==(const ServiceUse &) const = default;
 };
 
 /// A local array in memory.
@@ -121,6 +132,7 @@ struct Function {
     std::vector<Array> arrays;
     std::vector<LightRequest> requests;
     std::vector<Emission> emissions;       ///< Of light shaders, in the order of the text.
+    std::vector<ServiceUse> services;      ///< By the immediate of Query and Command.
     std::vector<std::string> strings;      ///< By ConstString's immediate.
     std::vector<std::string> files;        ///< Source files, by Instruction::file.
     std::vector<std::string> spaces;       ///< Named coordinate systems, by Space's immediate.
@@ -130,7 +142,11 @@ struct Function {
     std::vector<ParameterSlot> variables;  ///< Planes that override parameters.
     std::vector<OutputSlot> outputs;
     std::vector<bool> inputsRead; ///< By ShaderInput.
-    int spillSlots = 0;
+    /// What a lane of its batches is: a point, a view of one, or a response for a view.
+    BindingTime lanes = BindingTime::Surface;
+    /// Of the two frames. FrameStore and FrameLoad count the surface frame's slots first and then
+    /// the view frame's.
+    int surfaceSlots = 0, viewSlots = 0;
     /// Turns of a loop, those of the loops in it included, for a point: then the point's loop ends,
     /// and its outputs are as OutputSlot::whenEnded says.
     int mostTurns = mostLoopTurns;
@@ -140,6 +156,17 @@ struct Function {
         return ValueId(values.size() - 1);
     }
 };
+
+/// A slot of one of the frames.
+struct SpillSlot {
+    BindingTime frame; ///< Surface or View.
+    int slot, slots;   ///< Which of how many.
+};
+inline SpillSlot spillSlot(const Function &function, int number) {
+    if (number < function.surfaceSlots)
+        return {BindingTime::Surface, number, function.surfaceSlots};
+    return {BindingTime::View, number - function.surfaceSlots, function.viewSlots};
+}
 
 /// The function as text, for `--emit ir`, tests and people.
 std::string print(const Function &);

@@ -5,9 +5,10 @@
 
 namespace candela::ir {
 
-int costOf(const Instruction &i) {
-    return i.op == Op::Call ? runtime::info(runtime::RuntimeFunction(i.immediate)).cost
-                            : info(i.op).cost;
+int costOf(const Function &function, const Instruction &i) {
+    if (i.op == Op::Call)
+        return runtime::info(runtime::RuntimeFunction(i.immediate)).cost;
+    return isService(i.op) ? serviceOf(function, i).info->cost : info(i.op).cost;
 }
 
 } // namespace candela::ir

@@ -21,6 +21,7 @@ enum class OpClass : std::uint8_t {
     Memory, ///< Local arrays.
     Call,   ///< Runtime functions.
     Random,
+    Service, ///< Asks the renderer.
     Control, ///< Owns regions.
     Light,   ///< Asks for light, or about it.
     Frame,   ///< Takes from the frame of an earlier function.
@@ -40,6 +41,7 @@ enum class Immediate : std::uint8_t {
     Space,
     Array,
     RuntimeFunction,
+    Service,
     Site, ///< Tells places in the text apart.
     Request,
     RequestOrFinite, ///< A request, or finiteRequests.
@@ -56,6 +58,7 @@ enum class ResultUniformity : std::uint8_t {
     Operands, ///< Where an operand does.
     Varying,
     Array,   ///< Where an operand or the array does.
+    Service, ///< services.def.
     Regions, ///< Where what the regions yield does, or what decides among them.
 };
 
@@ -90,8 +93,9 @@ enum class SlopeRule : std::uint8_t {
     Chain,  ///< The one operand's, times a factor of operand and result.
     Angle,  ///< Of atan2.
     Power,
-    Memory, ///< An array of slopes beside the array.
-    Call,   ///< functions.def names a function that gives slopes.
+    Memory,  ///< An array of slopes beside the array.
+    Call,    ///< functions.def names a function that gives slopes.
+    Service, ///< services.def.
     Control,
     Raised,  ///< The operand's of an order higher.
     Held,    ///< Not known: counts as 0, of which users are told.
@@ -121,6 +125,7 @@ enum class BoundRule : std::uint8_t {
     Union,    ///< Of all that may be chosen, stored or converted.
     Fraction, ///< [0,1).
     Call,     ///< functions.def.
+    Service,  ///< services.def.
     Control,
     Effect, ///< No results.
 };
@@ -135,7 +140,7 @@ struct OpInfo {
     Purity purity;
     Speculation speculation;
     /// Of computing it again where its operands stand, in units of an addition. 0: nothing to
-    /// compute, or (Call) functions.def says.
+    /// compute, or (Call, Query) functions.def or services.def says.
     int cost;
     SlopeRule slope;
     BoundRule bound;
@@ -194,7 +199,16 @@ constexpr bool isAnswer(Op op) {
     return info(op).kind == OpClass::Light && info(op).results == "c";
 }
 
-/// As OpInfo::cost, with that of the runtime function that a Call calls.
-int costOf(const Instruction &);
+/// As OpInfo::cost, with that of the runtime function or the service that is called.
+int costOf(const Function &, const Instruction &);
+/// The service that a Query or a Command asks.
+inline const ServiceUse &serviceOf(const Function &function, const Instruction &i) {
+    return function.services[std::size_t(i.immediate)];
+}
+constexpr bool isService(Op op) { return info(op).immediate == Immediate::Service; }
+/// Does a query's answer vary though no operand does?
+inline bool variesByItself(const ServiceUse &use) {
+    return use.info->uniformity == ServiceUniformity::Varying;
+}
 
 } // namespace candela::ir

@@ -78,7 +78,7 @@ TEST(OpInfo, CallsArePureAsAllRuntimeFunctionsAre) {
         EXPECT_EQ(known.purity, runtime::RuntimePurity::Pure) << known.name;
         EXPECT_GT(known.cost, 1) << known.name;
         Instruction call{Op::Call, {}, {}, {}, f};
-        EXPECT_EQ(costOf(call), known.cost);
+        EXPECT_EQ(costOf(Function(), call), known.cost);
     }
 }
 

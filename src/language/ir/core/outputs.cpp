@@ -11,13 +11,14 @@ namespace {
 struct OutputRow {
     int components;
     std::string_view text;
+    float ended;
     bool ofCone;
 };
 
 constexpr int Color = 0;
 constexpr OutputRow rows[] = {
-#define OUTPUT(name, components, text, meaning) {components, text, false},
-#define CONE_OUTPUT(name, components, text, meaning) {components, text, true},
+#define OUTPUT(name, components, text, ended, meaning) {components, text, ended, false},
+#define CONE_OUTPUT(name, components, text, ended, meaning) {components, text, ended, true},
 #include "language/ir/core/outputs.def"
 #undef CONE_OUTPUT
 #undef OUTPUT
@@ -43,6 +44,10 @@ int takeCone(std::string_view &text) {
 int componentsOf(OutputKind kind, int colorSamples) {
     const int components = rows[int(kind)].components;
     return components == Color ? colorSamples : components;
+}
+
+float valueWhenEnded(OutputKind kind) {
+    return kind == OutputKind::Parameter ? 0 : rows[int(kind)].ended;
 }
 
 OutputName::OutputName(std::string_view text) : kind(OutputKind::Parameter) {

@@ -12,7 +12,7 @@ namespace candela::ir {
 
 /// The rows of outputs.def, and what a shader's text calls otherwise.
 enum class OutputKind : std::uint8_t {
-#define OUTPUT(name, components, text, meaning) name,
+#define OUTPUT(name, components, text, ended, meaning) name,
 #define CONE_OUTPUT OUTPUT
 #include "language/ir/core/outputs.def"
 #undef CONE_OUTPUT
@@ -22,6 +22,9 @@ enum class OutputKind : std::uint8_t {
 
 /// Planes of an output of outputs.def, where colors have so many samples.
 int componentsOf(OutputKind, int colorSamples);
+
+/// What it holds at points where a loop had to be ended (budget.h); also of parameters.
+float valueWhenEnded(OutputKind);
 
 /// What an output is of.
 struct OutputName {
@@ -44,8 +47,7 @@ struct OutputName {
 struct OutputSlot {
     OutputName name;
     int component = 0;
-    /// What it holds at points where a loop had to be ended (budget.h): black, opaque.
-    float whenEnded = 0;
+    float whenEnded = 0; ///< As valueWhenEnded().
 };
 
 /// Index of the plane that holds it; -1 if none does.

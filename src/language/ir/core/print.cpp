@@ -12,12 +12,12 @@ namespace candela::ir {
 namespace {
 
 constexpr const char *inputNames[] = {
-#define SHADER_INPUT(name, components, meaning) #name,
+#define SHADER_INPUT(name, components, time, meaning) #name,
 #include "language/runtime/shader_inputs.def"
 #undef SHADER_INPUT
 };
 constexpr int inputComponents[] = {
-#define SHADER_INPUT(name, components, meaning) components,
+#define SHADER_INPUT(name, components, time, meaning) components,
 #include "language/runtime/shader_inputs.def"
 #undef SHADER_INPUT
 };
@@ -37,7 +37,9 @@ public:
     explicit Printer(const Function &function) : function_(function) {}
 
     std::string run() {
-        line("function {} frame {}", function_.name, function_.spillSlots);
+        constexpr const char *lanes[] = {"points", "views", "responses"};
+        line("function {} of {}, frames {} + {}", function_.name, lanes[int(function_.lanes)],
+             function_.surfaceSlots, function_.viewSlots);
         if (!function_.colors.isRgb())
             line("colors of {} samples", function_.colors.samples);
         for (std::size_t i = 0; i < function_.requests.size(); ++i)
@@ -93,6 +95,13 @@ private:
         return fmt::format("\"{}\".{}", slots[index].name.text(), slots[index].component);
     }
 
+    std::string service(const ServiceUse &use) const {
+        std::string text = fmt::format(" {}", use.info->name);
+        for (int constant : use.texts)
+            text += fmt::format(" \"{}\"", function_.strings[std::size_t(constant)]);
+        return text;
+    }
+
     std::string immediate(const Instruction &i) const {
         if (i.op == Op::ConstFloat)
             return fmt::format(" {:a} ({})", i.number, i.number);
@@ -110,6 +119,7 @@ private:
             const ParameterSlot &known = function_.parameters[i.immediate];
             return fmt::format(" {} \"{}\".{}", i.immediate, known.name, known.component);
         }
+        case Immediate::Service: return service(serviceOf(function_, i));
         case Immediate::Number:
         case Immediate::Variable:
         case Immediate::Array:

@@ -90,4 +90,20 @@ std::string formatPrint(const std::string &pattern, const std::vector<PrintArgum
     return line;
 }
 
+std::string printedText(const ServiceCall &call, int lane) {
+    std::vector<std::string> texts(std::size_t(call.site->operandCount));
+    std::vector<PrintArgument> values;
+    for (int k = 0; k < call.site->operandCount; ++k) {
+        const char type = call.site->types[k];
+        if (type == 's') {
+            texts[std::size_t(k)] = call.string(k, lane);
+            values.push_back({0, &texts[std::size_t(k)]});
+        } else {
+            const ServiceCell cell = call.operand(k, lane);
+            values.push_back({type == 'f' ? cell.number : float(cell.integer), nullptr});
+        }
+    }
+    return formatPrint(call.site->texts[0], values);
+}
+
 } // namespace candela::ir

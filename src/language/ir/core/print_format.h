@@ -2,6 +2,8 @@
 // What the shaders' printf() and format() make of values (RI 3.2 section 15.8).
 #pragma once
 
+#include "language/runtime/services.h"
+
 #include <string>
 #include <vector>
 
@@ -18,5 +20,8 @@ struct PrintArgument {
 /// percent sign. Flags, width and precision are those of C, the last two at most 128. What a
 /// pattern asks for beyond the arguments is left out.
 std::string formatPrint(const std::string &pattern, const std::vector<PrintArgument> &);
+
+/// What a lane that asks Service::print has to say.
+std::string printedText(const ServiceCall &, int lane);
 
 } // namespace candela::ir

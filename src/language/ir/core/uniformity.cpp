@@ -30,6 +30,8 @@ struct UniformityAnalysis : ForwardAnalysis<Uniformity> {
         switch (info(i.op).uniformity) {
         case ResultUniformity::Uniform: return Uniformity::Uniform;
         case ResultUniformity::Varying: return Uniformity::Varying;
+        case ResultUniformity::Service:
+            return varyingIf(variesByItself(serviceOf(function, i)) || anyVaries(i.operands));
         case ResultUniformity::Array:
             return varyingIf(arrayOf(i) == Uniformity::Varying || anyVaries(i.operands));
         default: return varyingIf(anyVaries(i.operands));

@@ -5,6 +5,7 @@
 #include "language/ir/core/uniformity.h"
 #include "language/runtime/runtime_functions.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <iterator>
 
@@ -111,13 +112,15 @@ private:
         case Immediate::Space: return below(function_.spaces.size());
         case Immediate::Array: return below(function_.arrays.size());
         case Immediate::RuntimeFunction: return below(std::size_t(runtime::RuntimeFunction::Count));
+        case Immediate::Service: return below(function_.services.size());
         case Immediate::Request: return below(function_.requests.size());
         case Immediate::RequestOrFinite:
             return i.immediate == finiteRequests || below(function_.requests.size());
         case Immediate::Emission: return below(function_.emissions.size());
         case Immediate::Category: return below(function_.categories.size());
         case Immediate::Output: return below(function_.outputs.size());
-        case Immediate::Frame: return below(std::size_t(std::max(function_.spillSlots, 0)));
+        case Immediate::Frame:
+            return below(std::size_t(function_.surfaceSlots + function_.viewSlots));
         case Immediate::Direction:
             return expect(i, mayHaveSlopes_, "is not written out") && below(directionCount);
         }
@@ -136,11 +139,28 @@ private:
         case Op::FrameStore:
             return expect(i, i.operands.size() == 1 && i.results.empty(), "wrong arity") &&
                    expect(i, type(i.operands[0]) != Type::String, "saves a string");
-        case Op::Print:
-            return expect(i, !i.operands.empty() && type(i.operands[0]) == Type::String,
-                          "has no format");
+        case Op::Query:
+        case Op::Command: return checkService(i);
         default: return checkLetters(i);
         }
+    }
+
+    bool checkService(const Instruction &i) {
+        const ServiceUse &use = serviceOf(function_, i);
+        const auto purity = i.op == Op::Query ? ServicePurity::Query : ServicePurity::Command;
+        const auto known = [&](int text) {
+            return text >= 0 && std::size_t(text) < function_.strings.size();
+        };
+        return expect(i, use.info && use.info->purity == purity, "asks no service of its kind") &&
+               expect(i,
+                      int(use.texts.size()) == use.info->texts &&
+                          std::all_of(use.texts.begin(), use.texts.end(), known),
+                      "wrong constant strings") &&
+               (use.info->operands == "*" ||
+                checkLetters(i, use.info->operands, i.operands, Type::Float, "operand")) &&
+               (use.info->results == "*" ||
+                checkLetters(i, use.info->results, i.results, Type::Float, "result")) &&
+               checkAll(i, i.results, use.results);
     }
 
     bool checkAll(const Instruction &i, const std::vector<ValueId> &values, int count) {

@@ -4,7 +4,9 @@
 #include "language/ir/core/builder_control.h"
 #include "language/ir/core/builder_effects.h"
 #include "language/ir/core/builder_light.h"
+#include "language/ir/core/builder_services.h"
 #include "language/ir/core/builder_sources.h"
+#include "language/ir/core/test_services.h"
 
 #include <gtest/gtest.h>
 
@@ -31,6 +33,9 @@ Function sample() {
                              return Values{add(b, carried[0], mul(b, Cl[0], L[2]))};
                          });
     output(b, "Ci", 0, add(b, lit[0], counted[1]));
+    query(b, info(Service::option), {"Shutter", "float[2]"}, {}, 3);
+    query(b, testObject, {"Sides"}, {}, 2);
+    printValues(b, "%f", {u});
     b.finish();
     return function;
 }
@@ -68,6 +73,20 @@ TEST(Verify, CatchesCorruptions) {
         {"no such parameter", [](Function &f) { find(f, Op::Parameter).immediate = 5; }},
         {"no such output", [](Function &f) { find(f, Op::Output).immediate = -1; }},
         {"no such request", [](Function &f) { f.requests.clear(); }},
+        {"no such service", [](Function &f) { find(f, Op::Query).immediate = 3; }},
+        {"a query with effects", [](Function &f) { find(f, Op::Command).op = Op::Query; }},
+        {"a command without", [](Function &f) { find(f, Op::Query).op = Op::Command; }},
+        {"constant string missing", [](Function &f) { f.services[0].texts.pop_back(); }},
+        {"no such constant string", [](Function &f) { f.services[0].texts[1] = 99; }},
+        {"another number of answers", [](Function &f) { f.services[0].results = 2; }},
+        {"operands that nobody takes",
+         [](Function &f) { find(f, Op::Query).operands = find(f, Op::Input).results; }},
+        {"answers that vary by themselves",
+         [](Function &f) {
+             for (Instruction &i : f.body.body)
+                 if (i.op == Op::Query && i.immediate == 1)
+                     f.values[i.results[0]].uniformity = Uniformity::Uniform;
+         }},
         {"spill slot out of range", [](Function &f) { find(f, Op::Output).op = Op::FrameStore; }},
         {"uniformity too low",
          [](Function &f) {
@@ -88,7 +107,8 @@ TEST(Verify, CatchesCorruptions) {
 TEST(Print, ShowsStructureAndNames) {
     std::string text = print(sample());
     for (const char *part :
-         {"LightLoop 0", "Parameter 0 \"Kd\".0", "Input u", "yields", "Output \"Ci\".0"})
+         {"LightLoop 0", "Parameter 0 \"Kd\".0", "Input u", "yields", "Output \"Ci\".0", "$f",
+          "Query option \"Shutter\" \"float[2]\"", "Command print \"%f\" %f"})
         EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
 }
 

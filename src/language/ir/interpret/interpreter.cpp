@@ -4,7 +4,7 @@
 #include "foundation/units/color.h"
 #include "language/ir/core/evaluate.h"
 #include "language/ir/core/op_info.h"
-#include "language/ir/core/print_format.h"
+#include "language/ir/interpret/lane_service.h"
 #include "language/runtime/runtime_functions.h"
 #include "language/runtime/scalar_math.h"
 
@@ -75,17 +75,25 @@ private:
 class LaneArguments {
 public:
     LaneArguments(const ShaderArgs &args, const Function &function, int lane)
-        : args_(args), colorSamples_(function.colors.samples), spillSlots_(function.spillSlots),
-          lane_(lane) {}
-
-    float input(int plane) const { return args_.inputs[plane][lane_]; }
-    float parameter(int slot) const {
-        return args_.parameters[args_.parameterOffset[lane_] + slot];
+        : args_(args), function_(function), colorSamples_(function.colors.samples), lane_(lane) {
+        const bool responds = function.lanes == BindingTime::Response;
+        const bool isPoint = function.lanes == BindingTime::Surface;
+        viewLane_ = responds && args.viewLane ? args.viewLane[lane] : lane;
+        surfaceLane_ = !isPoint && args.surfaceLane ? args.surfaceLane[viewLane_] : viewLane_;
     }
-    float variable(int plane) const { return args_.variables[plane][lane_]; }
+
+    float input(int plane) const {
+        return args_.inputs[plane][laneOf(bindingTimeOf(ShaderInput(plane)))];
+    }
+    float parameter(int slot) const {
+        return args_.parameters[args_.parameterOffset[surfaceLane_] + slot];
+    }
+    float variable(int plane) const { return args_.variables[plane][surfaceLane_]; }
     /// currentFromSpace and then spaceFromCurrent.
     const float *space(int index) const { return args_.spaces[index]; }
-    const float *object() const { return args_.objectMatrices + 32 * args_.objectIndex[lane_]; }
+    const float *object() const {
+        return args_.objectMatrices + 32 * args_.objectIndex[surfaceLane_];
+    }
     float random(int site, float turn) const {
         return randomNumber(std::bit_cast<std::uint32_t>(input(int(ShaderInput::seed))), site,
                             turn);
@@ -117,14 +125,24 @@ public:
         }
     }
 
-    float &frame(int slot) const {
-        auto block = std::size_t(lane_ / laneBlock) * spillSlots_ + slot;
-        return args_.frame[block * laneBlock + lane_ % laneBlock];
-    }
+    float load(int slot) const { return frame(slot, laneOf(spillSlot(function_, slot).frame)); }
+    void save(int slot, float value) const { frame(slot, lane_) = value; }
     float &output(int slot) const { return args_.outputs[slot][lane_]; }
     const ShaderCallbacks *callbacks() const { return args_.callbacks; }
+    const ShaderArgs &all() const { return args_; }
+    int lane() const { return lane_; }
 
 private:
+    int laneOf(BindingTime time) const {
+        return time == BindingTime::Surface ? surfaceLane_
+               : time == BindingTime::View  ? viewLane_
+                                            : lane_;
+    }
+    float &frame(int number, int lane) const {
+        const SpillSlot at = spillSlot(function_, number);
+        float *memory = at.frame == BindingTime::View ? args_.viewFrame : args_.surfaceFrame;
+        return memory[frameIndex(lane, at.slot, at.slots)];
+    }
     /// Black where the caller gave none.
     Color colorOf(const float *const *planes, int index) const {
         Color color{};
@@ -140,7 +158,8 @@ private:
     }
 
     const ShaderArgs &args_;
-    int colorSamples_, spillSlots_, lane_;
+    const Function &function_;
+    int colorSamples_, lane_, viewLane_, surfaceLane_;
 };
 
 /// How long the loops of a lane may still run: each outermost one begins anew.
@@ -256,18 +275,19 @@ private:
         switch (i.op) {
         case Op::ArrayLoad: cells_[i.results[0]] = element(i); return true;
         case Op::ArrayStore: element(i) = cells_[i.operands[1]]; return true;
-        case Op::FrameLoad: cells_.set(i, args_.frame(i.immediate)); return true;
+        case Op::FrameLoad: cells_.set(i, args_.load(i.immediate)); return true;
         case Op::FrameStore: {
             bool isBool = function_.values[i.operands[0]].type == Type::Bool;
             float value = isBool ? float(truth(i, 0)) : number(i, 0);
-            args_.frame(i.immediate) = turns_.ended() ? 0 : value;
+            args_.save(i.immediate, turns_.ended() ? 0 : value);
             return true;
         }
         case Op::Output:
             args_.output(i.immediate) =
                 turns_.ended() ? function_.outputs[i.immediate].whenEnded : number(i, 0);
             return true;
-        case Op::Print: print(i); return true;
+        case Op::Query:
+        case Op::Command: ask(i); return true;
         case Op::EmissionCone: return true; // For Question::Emission.
         default: return false;
         }
@@ -287,21 +307,14 @@ private:
         return function_.files.empty() ? "" : function_.files[i.file].c_str();
     }
 
-    void print(const Instruction &i) const {
-        const ShaderCallbacks *callbacks = args_.callbacks();
-        if (!callbacks || !callbacks->print || turns_.ended())
-            return;
-        std::vector<PrintArgument> values;
-        for (std::size_t k = 1; k < i.operands.size(); ++k) {
-            ValueId v = i.operands[k];
-            switch (function_.values[v].type) {
-            case Type::Float: values.push_back({cells_.number(v), nullptr}); break;
-            case Type::String: values.push_back({0, &text(v)}); break;
-            default: values.push_back({float(cells_.integer(v)), nullptr}); break;
-            }
-        }
-        std::string line = formatPrint(text(i.operands[0]), values);
-        callbacks->print(callbacks->context, line.c_str());
+    /// Where a loop has been ended nobody is asked.
+    void ask(const Instruction &i) {
+        LaneService service(function_, i);
+        for (ValueId v : i.operands)
+            service.add(function_.values[v].type, {.integer = cells_.integer(v)});
+        const std::vector<float> answer = turns_.ended() ? std::vector<float>(i.results.size())
+                                                         : service.ask(args_.all(), args_.lane());
+        cells_.setAll(i, answer.data());
     }
 
     bool runLight(const Instruction &i) {
@@ -331,7 +344,7 @@ private:
 
     /// Of a classic loop.
     bool isInsideCone(const Instruction &i, const Vector &L) const {
-        float cosine = dot(normalize(L), normalize(cells_.vector(i, 3)));
+        float cosine = dot(normalize(L), cells_.vector(i, 3));
         return cosine >= runtime::cos(number(i, 6));
     }
 

@@ -5,7 +5,7 @@
 // What ops.def leaves open is decided here, and compiled code follows:
 // - LightLoop takes the samples in order. A lane skips a sample whose Cl is zero in all samples of
 //   color, one whose light the loop's category does not accept, and, in a Classic loop, one
-//   outside the cone: dot(normalize(L), normalize(axis)) >= cos(angle) must hold, with the
+//   outside the cone: dot(normalize(L), axis) >= cos(angle) must hold, with the
 //   arithmetic of normalize() and dot() of builder_vectors.h.
 // - An Extended loop whose first angle is <= 0 is a delta request: it takes no samples but its own
 //   traced answer, once, with L = its first axis (unless the answer is black).

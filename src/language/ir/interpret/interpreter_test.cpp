@@ -3,8 +3,10 @@
 #include "language/ir/core/builder_control.h"
 #include "language/ir/core/builder_effects.h"
 #include "language/ir/core/builder_light.h"
+#include "language/ir/core/builder_services.h"
 #include "language/ir/core/builder_sources.h"
 #include "language/ir/core/builder_vectors.h"
+#include "language/ir/core/print_format.h"
 #include "language/ir/interpret/interpreter.h"
 
 #include "language/ir/core/builder.h"
@@ -28,9 +30,10 @@ Function lightSum(ConeForm form, const Values &extra, int category = -1) {
     request.category = category;
     int index = addRequest(b, request);
     Values cones;
+    const Triple N = input3(b, ShaderInput::N);
+    const Triple axis = form == ConeForm::Classic ? normalize(b, N) : N;
     if (form != ConeForm::Everywhere)
-        for (ValueId v : input3(b, ShaderInput::N))
-            cones.push_back(v);
+        cones.insert(cones.end(), axis.begin(), axis.end());
     for (ValueId v : extra)
         cones.push_back(number(b, float(v)));
     auto sum = lightLoop(b, index, input3(b, ShaderInput::P), cones, {number(b, 0)},
@@ -121,7 +124,7 @@ TEST(Interpreter, DeltaRequestsTakeTheirAnswer) {
 
 TEST(Interpreter, LoopsArraysFramesAndPrinting) {
     Function function;
-    function.spillSlots = 2;
+    function.surfaceSlots = 1, function.viewSlots = 2;
     Builder b(function);
     int array = addArray(b, Type::Float, 4);
     auto truth = boolean(b, true);
@@ -131,7 +134,7 @@ TEST(Interpreter, LoopsArraysFramesAndPrinting) {
         ValueId next = add(b, carried[1], number(b, 1));
         return Values{less(b, next, number(b, 6)), next};
     });
-    b.emit(Op::FrameStore, {less(b, number(b, 0), input(b, ShaderInput::u))}, 1);
+    b.emit(Op::FrameStore, {less(b, number(b, 0), input(b, ShaderInput::u))}, 2);
     output(b, "a", 0, arrayLoad(b, array, integer(b, 2)));
     output(b, "last", 0, arrayLoad(b, array, integer(b, 99)));
     output(b, "n", 0, result[1]);
@@ -140,9 +143,9 @@ TEST(Interpreter, LoopsArraysFramesAndPrinting) {
     ASSERT_EQ(verify(function), "") << print(function);
     TestBatch batch(function, 17, 9);
     std::vector<std::string> lines;
-    batch.callbacks.context = &lines;
-    batch.callbacks.print = [](void *context, const char *text) {
-        static_cast<std::vector<std::string> *>(context)->push_back(text);
+    batch.services.context = &lines;
+    batch.services[Service::print] = [](void *context, const ServiceCall &call) {
+        static_cast<std::vector<std::string> *>(context)->push_back(printedText(call, 0));
     };
     auto out = batch.run(function, interpret);
     for (int i = 0; i < 17; ++i) {
@@ -150,7 +153,7 @@ TEST(Interpreter, LoopsArraysFramesAndPrinting) {
         EXPECT_EQ(out[1][i], 25) << "indices outside are clamped";
         EXPECT_EQ(out[2][i], 6);
         float u = batch.inputs[int(ShaderInput::u)][i];
-        EXPECT_EQ(batch.frame[(i / 16 * 2 + 1) * 16 + i % 16], u > 0 ? 1.0f : 0.0f);
+        EXPECT_EQ(batch.frames.view[frameIndex(i, 1, 2)], u > 0 ? 1.0f : 0.0f);
     }
     ASSERT_EQ(lines.size(), 17u);
     EXPECT_EQ(lines[0], "n = 6.000000, 1.000000 2.000000 3.000000!");

@@ -4,8 +4,10 @@
 
 #include "foundation/units/color.h"
 #include "language/ir/core/ir.h"
+#include "language/ir/core/test_services.h"
 #include "language/runtime/shader_abi.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <random>
@@ -32,6 +34,26 @@ struct TestSamples {
     /// As ShaderArgs has them; empty = all categories accept all lights.
     std::vector<std::uint8_t> categoryAccepts;
     int lightCount = 0;
+};
+
+/// The memory for values between questions. It never shrinks: what one question saved, another
+/// loads.
+struct TestFrames {
+    TestPlane surface, view;
+
+    /// Room for so many lanes, all `value`.
+    void clear(const Function &function, int lanes, float value) {
+        surface.assign(std::size_t(function.surfaceSlots * lanes), value);
+        view.assign(std::size_t(function.viewSlots * lanes), value);
+    }
+    void grow(const Function &function, int lanes) {
+        const auto fit = [&](TestPlane &frame, int slots) {
+            if (std::size_t(slots * lanes) > frame.size())
+                frame.resize(std::size_t(slots * lanes));
+        };
+        fit(surface, function.surfaceSlots);
+        fit(view, function.viewSlots);
+    }
 };
 
 /// What the requests other than light loops are answered.
@@ -75,6 +97,12 @@ public:
 
     int padded() const { return (count + laneBlock - 1) / laneBlock * laneBlock; }
 
+    /// The same in all lanes.
+    void setParameters(const std::vector<float> &values) {
+        for (int i = 0; i < padded(); ++i)
+            std::copy(values.begin(), values.end(), parameters.begin() + parameterOffset[i]);
+    }
+
     /// `rows` light samples a point: rows of L and Cl.
     void setSamples(int rows, unsigned seed) {
         std::mt19937 bits(seed);
@@ -96,8 +124,7 @@ public:
     template <typename Run>
     std::vector<Plane> run(const Function &function, Run &&runner, float clear = 0) {
         std::vector<Plane> outputs(function.outputs.size(), Plane(padded(), clear));
-        if (std::size_t needed = std::size_t(function.spillSlots) * padded(); frame.size() < needed)
-            frame.resize(needed); // Never shrinks: what one question saved, another loads.
+        frames.grow(function, padded());
         ShaderArgs args;
         args.count = count;
         args.active = active.empty() ? nullptr : active.data();
@@ -110,7 +137,10 @@ public:
         args.spaces = spacePointers.data();
         args.objectMatrices = objects.data();
         args.objectIndex = objectIndex.data();
-        args.frame = frame.data();
+        args.surfaceFrame = frames.surface.data();
+        args.viewFrame = frames.view.data();
+        args.surfaceLane = surfaceLane.empty() ? nullptr : surfaceLane.data();
+        args.viewLane = viewLane.empty() ? nullptr : viewLane.data();
         args.outputs = outputPointers.data();
         auto LPointers = pointers(samples.L), ClPointers = pointers(samples.Cl);
         args.sampleCount = samples.rows;
@@ -128,6 +158,7 @@ public:
         args.ambient = answers.givesAmbient ? ambientPointers.data() : nullptr;
         args.irradiance = answers.givesAmbient ? irradiancePointers.data() : nullptr;
         args.callbacks = &callbacks;
+        args.services = &services;
         runner(function, args);
         return outputs;
     }
@@ -140,8 +171,10 @@ public:
     TestSamples samples;
     TestAnswers answers;
     std::vector<std::int32_t> answeredRequest; ///< Of each point; finiteRequests at first.
-    Plane frame;
+    TestFrames frames;
+    std::vector<std::int32_t> surfaceLane, viewLane; ///< Empty = the same lanes.
     ShaderCallbacks callbacks;
+    ShaderServices services = testServices();
 
 private:
     static Plane matrices(std::mt19937 &bits) {

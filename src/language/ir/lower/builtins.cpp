@@ -23,7 +23,7 @@ Components builtin(Lowering &lowering, const sl::Expr &expr) {
         lowering.derivatives.try_emplace(lowering.b.line(), expr.where);
     for (const auto subject :
          {mathsBuiltin, geometryBuiltin, spaceBuiltin, colorBuiltin, matrixBuiltin, noiseBuiltin,
-          splineBuiltin, lightBuiltin, derivativeBuiltin, textBuiltin})
+          splineBuiltin, lightBuiltin, derivativeBuiltin, textBuiltin, informationBuiltin})
         if (const BuiltinLowering lowered = subject(call.id()))
             return lowered(call);
     lowering.messages.error(

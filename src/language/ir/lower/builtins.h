@@ -40,6 +40,7 @@ BuiltinLowering splineBuiltin(sl::BuiltinId);
 BuiltinLowering lightBuiltin(sl::BuiltinId);
 BuiltinLowering derivativeBuiltin(sl::BuiltinId);
 BuiltinLowering textBuiltin(sl::BuiltinId);
+BuiltinLowering informationBuiltin(sl::BuiltinId);
 
 /// A call of any of them.
 Components builtin(Lowering &, const sl::Expr &);

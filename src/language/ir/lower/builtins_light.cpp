@@ -14,9 +14,7 @@
 namespace candela::ir {
 namespace {
 
-/// The sum of Cl * factor(L), L of unit length, over the light before the surface. The cone is
-/// about the normal as it was given: the loop's test normalizes it as the caller does, and so
-/// shares what that comes to.
+/// The sum of Cl * factor(L), L of unit length, over the light before the surface.
 template <class Factor> Components gather(BuiltinCall &call, const char *category, Factor factor) {
     Builder &b = call.b;
     LightRequest request;
@@ -25,7 +23,7 @@ template <class Factor> Components gather(BuiltinCall &call, const char *categor
     request.coneCount = 1;
     request.category = categoryIndex(b, category);
     request.line = b.line();
-    Components cone = componentsOf(call.triple(0));
+    Components cone = componentsOf(normalize(b, call.triple(0)));
     cone.push_back(number(b, std::numbers::pi_v<float> / 2));
     return lightLoop(b, addRequest(call.lowering, request, call.expr.where),
                      tripleOf(call.lowering.variables.load(sl::PredefinedId::P)), cone,

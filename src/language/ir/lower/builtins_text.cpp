@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Strings are known when a shader is compiled: concat(), format() and match() are computed here.
 // printf() keeps its numbers for run time.
-#include "language/ir/core/builder_effects.h"
+#include "language/ir/core/builder_services.h"
 #include "language/ir/core/builder_sources.h"
 #include "language/ir/core/print_format.h"
 #include "language/ir/lower/builtins.h"

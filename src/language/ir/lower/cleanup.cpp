@@ -36,7 +36,7 @@ private:
 };
 
 struct Tables {
-    Renumbering values, arrays, strings, spaces, variables, requests, categories;
+    Renumbering values, arrays, services, strings, spaces, variables, requests, categories;
 
     void renumber(std::vector<ValueId> &list) {
         for (ValueId &v : list)
@@ -57,6 +57,7 @@ struct Tables {
     Renumbering *tableOf(Immediate kind) {
         switch (kind) {
         case Immediate::Array: return &arrays;
+        case Immediate::Service: return &services;
         case Immediate::String: return &strings;
         case Immediate::Space: return &spaces;
         case Immediate::Variable: return &variables;
@@ -108,6 +109,10 @@ void removeUnused(Function &function, std::vector<ShaderParameter> &parameters) 
     for (LightRequest &request : function.requests)
         if (request.category >= 0)
             request.category = tables.categories(request.category);
+    function.services = tables.services.apply(function.services);
+    for (ServiceUse &use : function.services)
+        for (int &text : use.texts)
+            text = tables.strings(text);
     function.values = tables.values.apply(function.values);
     function.arrays = tables.arrays.apply(function.arrays);
     function.strings = tables.strings.apply(function.strings);

@@ -81,6 +81,7 @@ void branch(Lowering &lowering, ValueId condition, const std::function<void()> &
             otherRegion.yields.push_back(o);
             cells[i] = b.newValue(b.type(a), Uniformity::Uniform);
             instruction.results.push_back(cells[i]);
+            b.unitVectors.note(Op::Select, {condition, a, o}, cells[i]);
         }
     }
     if (empty)

@@ -89,7 +89,8 @@ Components describeCones(Lowering &lowering, const sl::LightArguments &light,
     Components operands;
     if (light.form == sl::ConeForm::Classic) {
         request.coneCount = 1;
-        operands = evaluate(lowering, *light.axis);
+        const Triple axis = tripleOf(evaluate(lowering, *light.axis));
+        operands = componentsOf(normalize(lowering.b, axis));
         operands.push_back(evaluateFloat(lowering, *light.angle));
     } else if (light.form == sl::ConeForm::Extended) {
         for (const ConeValues &cone : evaluateCones(lowering, light)) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Light loops of surface shaders; light shaders.
+#include "language/ir/core/regions.h"
 #include "language/ir/lower/test_support.h"
 
 #include <cmath>
@@ -45,6 +46,31 @@ TEST(LowerLight, ClassicCulls) {
     EXPECT_FLOAT_EQ(redUnder("illuminance(P, N, PI/2) Ci += Cl;"), 2.5f);
     EXPECT_FLOAT_EQ(redUnder("illuminance(P, N, PI/4) Ci += Cl;"), 2);
     EXPECT_FLOAT_EQ(redUnder("illuminance(P, N, 0.1) Ci += Cl;"), 1);
+}
+
+TEST(LowerLight, ClassicAsksForTheDirectionOfItsAxisAlone) {
+    for (const char *axis : {"8 * N", "N / 8", "-(N / -8)"})
+        for (const auto &[angle, sum] : {std::pair{"PI/4", 2.0f}, {"0.1", 1.0f}})
+            EXPECT_FLOAT_EQ(
+                redUnder(std::string("illuminance(P, ") + axis + ", " + angle + ") Ci += Cl;"), sum)
+                << axis << " " << angle;
+}
+
+/// The normal's length, and that of each direction of light.
+TEST(LowerLight, UnitNormalsAreNotNormalizedAgain) {
+    const auto roots = [](const std::string &body) {
+        ShaderRun run("surface test() { " + body + " }", 3);
+        int count = 0;
+        forEachInstruction(run.lowered->whole.body,
+                           [&](const Instruction &i) { count += i.op == Op::Sqrt; });
+        return count;
+    };
+    EXPECT_EQ(roots("Ci = diffuse(N);"), 2);
+    EXPECT_EQ(roots("Ci = diffuse(normalize(N));"), 2);
+    EXPECT_EQ(roots("normal Nf = faceforward(normalize(N), I); Ci = diffuse(Nf);"), 2);
+    EXPECT_EQ(roots("normal Nf = normalize(N); if (u > .5) Nf = -Nf; Ci = diffuse(Nf);"), 2);
+    EXPECT_EQ(roots("normal Nn = normalize(N); illuminance(P, -Nn, PI/2) Ci += Cl * (L . Nn);"), 1);
+    EXPECT_EQ(roots("normal Nn = normalize(N); Ci = diffuse(2 * Nn);"), 3);
 }
 
 TEST(LowerLight, ExtendedCullsNothing) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The standard shaders, parameters and their defaults, errors.
+#include "language/ir/core/print_format.h"
 #include "language/ir/lower/test_support.h"
 
 #include <cmath>
@@ -118,13 +119,14 @@ TEST(Lower, VariablesOverrideParameters) {
     EXPECT_EQ(run.run().at("Ci")[0][2], run.batch->variables[0][2] * 3);
 }
 
-TEST(Lower, PrintsThroughTheCallback) {
+TEST(Lower, PrintsThroughTheService) {
     ShaderRun run("surface test() { printf(\"%s: %f %c\\n\", \"at\", 2, color(1, 2, 3)); }", 1);
     ASSERT_TRUE(run.lowered) << run.diagnostics.text();
     std::string text;
-    run.batch->callbacks = {&text, [](void *context, const char *line) {
-                                *static_cast<std::string *>(context) += line;
-                            }};
+    run.batch->services.context = &text;
+    run.batch->services[Service::print] = [](void *context, const ServiceCall &call) {
+        *static_cast<std::string *>(context) += printedText(call, 0);
+    };
     run.run();
     EXPECT_EQ(text, "at: 2.000000 1.000000 2.000000 3.000000\n");
 }

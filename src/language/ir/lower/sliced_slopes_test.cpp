@@ -96,7 +96,7 @@ TEST(SlicedSlopesOfFrames, AreRefused) {
     ShaderRun run("surface s() { Ci = Cs * noise(P) * diffuse(normalize(N)); Oi = 1; }");
     ASSERT_TRUE(run.lowered);
     Function scatter = slice(run.lowered->whole, Question::Scatter);
-    ASSERT_GT(scatter.spillSlots, 0);
+    ASSERT_GT(scatter.surfaceSlots, 0);
     const std::string before = print(scatter);
     const SlopeReport report = addOutputSlopes(scatter, {Direction::U});
     ASSERT_TRUE(report.fault);

@@ -2,6 +2,7 @@
 #include "language/ir/questions/emission.h"
 
 #include "language/ir/core/builder_effects.h"
+#include "language/ir/questions/answers.h"
 #include "language/ir/transform/dead_code.h"
 
 namespace candela::ir {
@@ -53,9 +54,9 @@ ConeSlot coneSlot(const std::vector<OutputSlot> &outputs, int cone, int request)
             .importance = plane(OutputKind::ConeImportance)};
 }
 
-Function sliceEmission(const Function &whole) {
+Function answerEmission(const Function &whole) {
     Function result = whole;
-    removeAll(Op::Print, result.body);
+    removeAll(Op::Command, result.body);
     removeAll(Op::Output, result.body);
     result.outputs = emissionOutputs(whole);
     writeEmissions(result.body, result.outputs);
@@ -65,7 +66,7 @@ Function sliceEmission(const Function &whole) {
 
 LightFacts lightFacts(const Function &whole) {
     LightFacts facts;
-    const Function emission = sliceEmission(whole);
+    const Function emission = answerEmission(whole);
     for (int n = 0; n < int(whole.emissions.size()); ++n)
         facts.cones.push_back(coneSlot(emission.outputs, n, n));
     for (int c = 0; c < 3; ++c)

@@ -9,7 +9,4 @@ namespace candela::ir {
 /// Where the outputs have the cone of that number, which a request states.
 ConeSlot coneSlot(const std::vector<OutputSlot> &, int cone, int request);
 
-/// Answers Question::Emission.
-Function sliceEmission(const Function &whole);
-
 } // namespace candela::ir

@@ -13,9 +13,10 @@
 
 namespace candela::ir {
 
-/// Spill slots of the values that later binding times need. The slot of Ce's channel k has the key
-/// text.values.size() + k.
+/// Spill slots of the values that later binding times need, numbered as Function has them. The slot
+/// of Ce's channel k, which is the view's, has the key text.values.size() + k.
 struct FramePlan {
+    int surfaceSlots = 0, viewSlots = 0;
     std::map<ValueId, int> all;     ///< For Surface and View.
     std::map<ValueId, int> scatter; ///< For Prepare and Scatter: those that Scatter loads.
 };
@@ -37,11 +38,6 @@ struct Plan {
 Function specializeUnder(const Plan &, const Assumption &, OutputKind from, OutputKind to);
 
 FramePlan planFrame(const Plan &);
-
-/// The framed functions. Loads and stores that `slots` does not name are numbered by ValueId.
-Function specializePrepare(const Plan &, BindingTime first, const std::map<ValueId, int> &slots);
-Function specializeSurface(const Plan &, const std::map<ValueId, int> &slots);
-Function specializeScatter(const Plan &, const std::map<ValueId, int> &slots);
 /// Output slots of Prepare, in order: cones, Ce, Ca, Oi, and Completed where a loop may be ended.
 std::vector<OutputSlot> prepareOutputs(const Plan &);
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The functions that share a frame: Surface, View, Prepare and Scatter.
+// The functions that share frames: Surface, View, Prepare and Scatter.
 #include "foundation/units/color.h"
 #include "language/ir/core/builder_arithmetic.h"
 #include "language/ir/core/builder_effects.h"
 #include "language/ir/core/builder_sources.h"
 #include "language/ir/core/regions.h"
-#include "language/ir/questions/plan.h"
+#include "language/ir/questions/answers.h"
 #include "language/ir/transform/dead_code.h"
 
 #include <algorithm>
@@ -16,8 +16,10 @@ namespace candela::ir {
 
 namespace {
 
+using Slots = std::map<ValueId, int>;
+
 /// Operations worth recomputing rather than loading. Between surface and view much is: a slot
-/// there costs memory in every frame.
+/// there costs memory at every point.
 constexpr int scatterRecomputes = 1, viewRecomputes = 24;
 /// Instructions of Prepare: each cone is probed in a walk through all that responds to light; and
 /// what values become there, for all cones.
@@ -62,13 +64,15 @@ ValueId importanceOf(SpecializedText &specialized, Builder &b, int assumption,
     return max(b, sum, number(b, 0));
 }
 
-void finishFramed(const Plan &plan, Builder &b, Function &function,
-                  const std::map<ValueId, int> &slots) {
-    if (plan.framed) {
-        function.spillSlots = 0;
-        for (auto [value, slot] : slots)
-            function.spillSlots = std::max(function.spillSlots, slot + 1);
-    }
+/// Of the value with the key.
+BindingTime frameOf(const Plan &plan, ValueId key) {
+    const auto &times = plan.dependence.bindingTime;
+    return key < times.size() ? times[key] : BindingTime::View;
+}
+
+void finishFramed(const Plan &plan, Builder &b, Function &function) {
+    function.surfaceSlots = plan.frame.surfaceSlots;
+    function.viewSlots = plan.frame.viewSlots;
     b.finish();
     removeDeadCode(function);
 }
@@ -95,8 +99,7 @@ std::vector<OutputSlot> prepareOutputs(const Plan &plan) {
 
 /// With the importance of the first `probes` cones that are not stated; of the others it is said to
 /// be 1. Nothing if it becomes too large, which it does not without probes.
-static std::optional<Function> prepareWith(const Plan &plan, BindingTime first,
-                                           const std::map<ValueId, int> &slots,
+static std::optional<Function> prepareWith(const Plan &plan, BindingTime first, const Slots &slots,
                                            std::size_t probes) {
     Function result = emptyLike(plan.text);
     result.outputs = prepareOutputs(plan);
@@ -142,19 +145,19 @@ static std::optional<Function> prepareWith(const Plan &plan, BindingTime first,
         output(b, OutputKind::Completed, 0, number(b, 1));
     if (b.budget().exceeded() || (probes > 0 && arrayNumbers(result) > mostArrayNumbers))
         return {};
-    finishFramed(plan, b, result, slots);
+    finishFramed(plan, b, result);
     return result;
 }
 
-Function specializePrepare(const Plan &plan, BindingTime first,
-                           const std::map<ValueId, int> &slots) {
+/// Loads and stores that `slots` does not name are numbered by their keys; here and below.
+static Function specializePrepare(const Plan &plan, BindingTime first, const Slots &slots) {
     const std::size_t most = mostMapped / (plan.text.values.size() + 1);
     for (std::size_t probes = std::min(plan.cones.size(), most);; probes /= 4)
         if (auto prepared = prepareWith(plan, first, slots, probes))
             return std::move(*prepared);
 }
 
-Function specializeSurface(const Plan &plan, const std::map<ValueId, int> &slots) {
+static Function specializeSurface(const Plan &plan, const Slots &slots) {
     Function result = emptyLike(plan.text);
     Builder b(result);
     SpecializationOptions options;
@@ -164,11 +167,11 @@ Function specializeSurface(const Plan &plan, const std::map<ValueId, int> &slots
     options.coneTests = &plan.coneTests;
     if (plan.framed)
         specialize(plan.text, plan.dependence, b, {{}}, options);
-    finishFramed(plan, b, result, slots);
+    finishFramed(plan, b, result);
     return result;
 }
 
-Function specializeScatter(const Plan &plan, const std::map<ValueId, int> &slots) {
+static Function specializeScatter(const Plan &plan, const Slots &slots) {
     Function result = emptyLike(plan.text);
     Builder b(result);
     SpecializationOptions options;
@@ -194,7 +197,7 @@ Function specializeScatter(const Plan &plan, const std::map<ValueId, int> &slots
         }
         output(b, OutputKind::G, k, g);
     }
-    finishFramed(plan, b, result, slots);
+    finishFramed(plan, b, result);
     return result;
 }
 
@@ -202,18 +205,36 @@ FramePlan planFrame(const Plan &plan) {
     FramePlan frame;
     if (!plan.framed)
         return frame;
-    std::set<ValueId> scatter = loadsOf(specializeScatter(plan, {}));
-    std::map<ValueId, int> byValue;
+    const std::set<ValueId> scatter = loadsOf(specializeScatter(plan, {}));
+    Slots byValue;
     for (ValueId v : scatter)
         byValue[v] = int(v);
-    std::set<ValueId> view = loadsOf(specializePrepare(plan, BindingTime::View, byValue));
-    int next = 0;
+    const std::set<ValueId> view = loadsOf(specializePrepare(plan, BindingTime::View, byValue));
+    const auto number = [&](const std::set<ValueId> &values, BindingTime of, int first,
+                            int &slots) {
+        for (ValueId v : values)
+            if (frameOf(plan, v) == of && frame.all.try_emplace(v, first + slots).second)
+                ++slots;
+    };
+    for (const std::set<ValueId> *values : {&scatter, &view})
+        number(*values, BindingTime::Surface, 0, frame.surfaceSlots);
+    number(scatter, BindingTime::View, frame.surfaceSlots, frame.viewSlots);
     for (ValueId v : scatter)
-        frame.all[v] = frame.scatter[v] = next++;
-    for (ValueId v : view)
-        if (frame.all.try_emplace(v, next).second)
-            ++next;
+        frame.scatter[v] = frame.all.at(v);
     return frame;
 }
+
+Function answerSurface(const Plan &plan) { return specializeSurface(plan, plan.frame.all); }
+
+Function answerView(const Plan &plan) {
+    return specializePrepare(plan, plan.framed ? BindingTime::View : BindingTime::Surface,
+                             plan.frame.all);
+}
+
+Function answerPrepare(const Plan &plan) {
+    return specializePrepare(plan, BindingTime::Surface, plan.frame.scatter);
+}
+
+Function answerScatter(const Plan &plan) { return specializeScatter(plan, plan.frame.scatter); }
 
 } // namespace candela::ir

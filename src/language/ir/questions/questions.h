@@ -2,8 +2,10 @@
 // One procedural text, many questions: how a lowered shader is sliced into the functions that
 // answer them (data specialisation; DESIGN section 3).
 //
-// `Prepare` runs the Surface and View parts (analyse/dependence.h) once a point and view and saves
-// in the frame what `Scatter` needs; `Scatter` then runs once a light direction.
+// `Surface` runs what depends on the point alone and saves what is needed of it in the surface
+// frame; `View`, what depends on the viewer too, once a view of the point, in the view frame;
+// `Scatter` then runs once a light direction, for a view. A path's two ends ask so: one surface,
+// viewed from both sides. `Prepare` is Surface and View in one, for who has one view of each point.
 #pragma once
 
 #include "foundation/base/diagnostics.h"
@@ -16,15 +18,17 @@
 
 namespace candela::ir {
 
-/// A surface shader's printf() speaks in Prepare alone (or in View, which stands for it), so that a
-/// point prints once, whatever else it is asked; what stands in light loops prints nothing.
+/// A surface shader's printf() (all of its services with effects) speaks in two questions: in Shade
+/// as the text has it, and in Prepare (or View, which stands for it) as the text has it without any
+/// light, so that what stands in light loops says nothing. Who asks both silences one
+/// (silenced()), so that a point speaks once.
 enum class Question : std::uint8_t {
-#define QUESTION(name, text, kind, meaning) name,
+#define QUESTION(name, ...) name,
 #include "language/ir/questions/questions.def"
 #undef QUESTION
 };
 inline constexpr int questionCount = 0
-#define QUESTION(name, text, kind, meaning) +1
+#define QUESTION(name, ...) +1
 #include "language/ir/questions/questions.def"
 #undef QUESTION
     ;
@@ -32,6 +36,19 @@ inline constexpr int questionCount = 0
 const char *nameOf(Question);
 /// The questions that texts of the kind answer, in order.
 std::vector<Question> questionsOf(sl::ShaderKind);
+
+/// Of the memories that ShaderArgs has for values between questions.
+enum class FrameUse : std::uint8_t { None, Surface, View, Both };
+constexpr bool uses(FrameUse frames, BindingTime frame) {
+    return frames == FrameUse::Both ||
+           frames == (frame == BindingTime::View ? FrameUse::View : FrameUse::Surface);
+}
+FrameUse framesReadBy(Question);
+FrameUse framesWrittenBy(Question);
+/// What a lane of the question's batches is: a point, a view of one, or a response for a view.
+BindingTime lanesOf(Question);
+/// Texts of the kind are planned: of some question to them the answer comes from a Plan.
+bool isPlanned(sl::ShaderKind);
 
 /// One importance cone that Prepare (or, of lights, Emission) states, by the planes that hold it
 /// (outputs.def). The caller clears the importance plane first: lanes that do not reach the request
@@ -57,9 +74,14 @@ struct SurfaceFacts {
     /// Scatter re-run the text (no frame is saved), and the facts say so for the caller's warning.
     bool staticRequests = true;
     int notStaticLine = 0;
+    /// The line of a printf() that light decides about: by what it prints, or whether; 0 = none.
+    int printsLightLine = 0;
 };
 
-/// What slicing must know of a surface shader's text before it answers any question.
+/// The function without its services with effects.
+Function silenced(Function);
+
+/// What slicing must know of a planned text before it answers any question.
 struct Plan;
 /// Made once, for all questions to the shader. `whole` is a lowered shader to which folding and the
 /// light rule have been applied.
@@ -78,7 +100,7 @@ SurfaceFacts surfaceFacts(const Plan &);
 /// The function that answers the question, with dead code gone, ready to interpret or compile.
 Function slice(const Plan &, Question);
 
-/// The same with a plan of their own; light shaders have none.
+/// The same with a plan of their own, if they need one.
 SurfaceFacts surfaceFacts(const Function &whole);
 Function slice(const Function &whole, Question);
 

@@ -23,5 +23,19 @@ TEST(Questions, EachBelongsToOneKindAndHasItsOwnName) {
               (std::vector{Question::Light, Question::Emission}));
 }
 
+TEST(Questions, AreAskedOfEveryKindThatHasOutputs) {
+    constexpr int outputs[] = {
+#define SHADER_OUTPUT(name) +1
+#define SHADER_KIND(name, letter, text, light, outputs) 0 outputs,
+#include "language/syntax/kinds.def"
+#undef SHADER_KIND
+#undef SHADER_OUTPUT
+    };
+    for (int kind = 0; kind < sl::shaderKindCount; ++kind)
+        EXPECT_EQ(questionsOf(sl::ShaderKind(kind)).empty(), outputs[kind] == 0) << kind;
+    EXPECT_TRUE(isPlanned(sl::ShaderKind::Surface));
+    EXPECT_FALSE(isPlanned(sl::ShaderKind::Light));
+}
+
 } // namespace
 } // namespace candela::ir

@@ -8,8 +8,10 @@
 #include "language/ir/core/builder_control.h"
 #include "language/ir/core/builder_effects.h"
 #include "language/ir/core/builder_light.h"
+#include "language/ir/core/builder_services.h"
 #include "language/ir/core/builder_sources.h"
 #include "language/ir/core/builder_vectors.h"
+#include "language/ir/core/test_services.h"
 
 #include <random>
 
@@ -56,7 +58,7 @@ private:
 
     void arithmetic() {
         ValueId x = any(), y = any();
-        switch (below(8)) {
+        switch (below(10)) {
         case 0: pool_.push_back(unary(b_, Op::Sin, add(b_, x, y))); break;
         case 1: pool_.push_back(unary(b_, Op::Cos, mul(b_, x, y))); break;
         case 2: pool_.push_back(min(b_, x, neg(b_, y))); break;
@@ -64,6 +66,8 @@ private:
         case 4: pool_.push_back(callRuntime(b_, 2, {x, y, any()})[0]); break;
         case 5: arrayStore(b_, array_, unary(b_, Op::IntegerFromFloat, x), y); break;
         case 6: pool_.push_back(arrayLoad(b_, array_, unary(b_, Op::IntegerFromFloat, y))); break;
+        case 7: pool_.push_back(query(b_, testSample, {"map"}, {x, y}, 2)[1]); break;
+        case 8: command(b_, testNote, {"note"}, {x}); break;
         default: pool_.push_back(unary(b_, Op::Sin, sub(b_, x, y))); break;
         }
     }

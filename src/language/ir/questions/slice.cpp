@@ -1,82 +1,93 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/ir/analyse/affine.h"
 #include "language/ir/analyse/opacity.h"
+#include "language/ir/core/regions.h"
+#include "language/ir/questions/answers.h"
 #include "language/ir/questions/emission.h"
-#include "language/ir/questions/plan.h"
 #include "language/ir/questions/questions.h"
 #include "language/ir/transform/dead_code.h"
+#include "language/ir/transform/late_loads.h"
 #include "language/ir/transform/short_loops.h"
+
+#include <algorithm>
 
 namespace candela::ir {
 
-const char *nameOf(Question question) {
-    constexpr const char *names[] = {
-#define QUESTION(name, text, kind, meaning) text,
+namespace {
+
+/// A row of questions.def.
+struct QuestionRow {
+    const char *text;
+    sl::ShaderKind kind;
+    FrameUse reads, writes;
+    Function (*ofText)(const Function &);
+    Function (*ofPlan)(const Plan &);
+};
+
+constexpr QuestionRow row(const char *text, sl::ShaderKind kind, FrameUse reads, FrameUse writes,
+                          Function (*answer)(const Function &)) {
+    return {text, kind, reads, writes, answer, nullptr};
+}
+constexpr QuestionRow row(const char *text, sl::ShaderKind kind, FrameUse reads, FrameUse writes,
+                          Function (*answer)(const Plan &)) {
+    return {text, kind, reads, writes, nullptr, answer};
+}
+
+constexpr QuestionRow rows[] = {
+#define QUESTION(name, text, kind, of, reads, writes, meaning)                                     \
+    row(text, sl::ShaderKind::kind, FrameUse::reads, FrameUse::writes, answer##name),
 #include "language/ir/questions/questions.def"
 #undef QUESTION
-    };
-    return names[int(question)];
+};
+
+const QuestionRow &rowOf(Question question) { return rows[int(question)]; }
+
+} // namespace
+
+const char *nameOf(Question question) { return rowOf(question).text; }
+FrameUse framesReadBy(Question question) { return rowOf(question).reads; }
+FrameUse framesWrittenBy(Question question) { return rowOf(question).writes; }
+
+BindingTime lanesOf(Question question) {
+    const FrameUse read = framesReadBy(question);
+    return uses(read, BindingTime::View)      ? BindingTime::Response
+           : uses(read, BindingTime::Surface) ? BindingTime::View
+                                              : BindingTime::Surface;
 }
 
 std::vector<Question> questionsOf(sl::ShaderKind kind) {
-    constexpr sl::ShaderKind kinds[] = {
-#define QUESTION(name, text, kind, meaning) sl::ShaderKind::kind,
-#include "language/ir/questions/questions.def"
-#undef QUESTION
-    };
     std::vector<Question> questions;
     for (int q = 0; q < questionCount; ++q)
-        if (kinds[q] == kind)
+        if (rows[q].kind == kind)
             questions.push_back(Question(q));
     return questions;
 }
 
-namespace {
-
-Function sliceFramed(const Plan &plan, Question question) {
-    const FramePlan &frame = plan.frame;
-    Function result;
-    switch (question) {
-    case Question::Surface: result = specializeSurface(plan, frame.all); break;
-    case Question::View:
-        result = specializePrepare(plan, plan.framed ? BindingTime::View : BindingTime::Surface,
-                                   frame.all);
-        break;
-    case Question::Prepare:
-        result = specializePrepare(plan, BindingTime::Surface, frame.scatter);
-        break;
-    default: result = specializeScatter(plan, frame.scatter); break;
-    }
-    result.spillSlots = int(frame.all.size());
-    return result;
+bool isPlanned(sl::ShaderKind kind) {
+    return std::ranges::any_of(rows,
+                               [&](const QuestionRow &r) { return r.kind == kind && r.ofPlan; });
 }
 
-/// Shade and the questions to lights, which take the text as it is.
-Function sliceWhole(const Function &whole, Question question) {
-    if (question == Question::Emission)
-        return sliceEmission(whole);
+static Function answerWhole(const Function &whole) {
     Function result = whole;
-    if (question == Question::Shade)
-        removeAll(Op::Print, result.body);
     removeAll(Op::EmissionCone, result.body);
     removeDeadCode(result);
     return result;
 }
 
-bool takesWhole(Question question) {
-    return question == Question::Shade || question == Question::Light ||
-           question == Question::Emission;
+Function answerShade(const Function &whole) { return answerWhole(whole); }
+
+Function answerLight(const Function &whole) { return answerWhole(whole); }
+
+Function answerEmit(const Plan &plan) {
+    return specializeUnder(plan, {}, OutputKind::Ci, OutputKind::Ce);
 }
 
-Function sliceQuestion(const Plan &plan, Question question) {
-    if (takesWhole(question))
-        return sliceWhole(plan.whole, question);
-    switch (question) {
-    case Question::Emit: return specializeUnder(plan, {}, OutputKind::Ci, OutputKind::Ce);
-    case Question::Opacity: return specializeUnder(plan, {}, OutputKind::Oi, OutputKind::Oi);
-    default: return sliceFramed(plan, question);
-    }
+Function answerOpacity(const Plan &plan) {
+    return specializeUnder(plan, {}, OutputKind::Oi, OutputKind::Oi);
 }
+
+namespace {
 
 std::vector<ConeSlot> coneSlots(const Plan &plan) {
     const std::vector<OutputSlot> outputs = prepareOutputs(plan);
@@ -90,8 +101,31 @@ std::vector<ConeSlot> coneSlots(const Plan &plan) {
 
 Function named(Function function, const Function &whole, Question question) {
     function.name = whole.name + "." + nameOf(question);
+    function.lanes = lanesOf(question);
+    loadLate(function);
     markShortLoops(function);
     return function;
+}
+
+/// Light decides about what a command says, or whether it stands in what is run.
+bool dependsOnLight(const Plan &plan, const Instruction &command, const Enclosing *around) {
+    const auto responds = [&](ValueId v) { return plan.dependence.responds(v); };
+    if (std::ranges::any_of(command.operands, responds))
+        return true;
+    for (; around; around = around->outer)
+        if (around->owner->op == Op::LightLoop ||
+            std::ranges::any_of(around->owner->operands, responds))
+            return true;
+    return false;
+}
+
+int printsLightLine(const Plan &plan) {
+    int line = 0;
+    forEachEnclosed(plan.text.body, [&](const Instruction &i, const Enclosing *around) {
+        if (line == 0 && i.op == Op::Command && dependsOnLight(plan, i, around))
+            line = i.line;
+    });
+    return line;
 }
 
 bool hasLoops(const Plan &plan) {
@@ -103,13 +137,22 @@ bool hasLoops(const Plan &plan) {
 
 } // namespace
 
+Function silenced(Function function) {
+    removeAll(Op::Command, function.body);
+    removeDeadCode(function);
+    return function;
+}
+
 Function slice(const Plan &plan, Question question) {
-    return named(sliceQuestion(plan, question), plan.whole, question);
+    const QuestionRow &asked = rowOf(question);
+    return named(asked.ofPlan ? asked.ofPlan(plan) : asked.ofText(plan.whole), plan.whole,
+                 question);
 }
 
 Function slice(const Function &whole, Question question) {
-    return takesWhole(question) ? named(sliceWhole(whole, question), whole, question)
-                                : slice(*makePlan(whole), question);
+    const QuestionRow &asked = rowOf(question);
+    return asked.ofText ? named(asked.ofText(whole), whole, question)
+                        : slice(*makePlan(whole), question);
 }
 
 SurfaceFacts surfaceFacts(const Plan &plan) {
@@ -125,6 +168,7 @@ SurfaceFacts surfaceFacts(const Plan &plan) {
     facts.notAffineLine = proof.line;
     facts.staticRequests = plan.dependence.staticRequests;
     facts.notStaticLine = plan.dependence.notStaticLine;
+    facts.printsLightLine = printsLightLine(plan);
     return facts;
 }
 

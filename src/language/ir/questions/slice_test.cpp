@@ -36,6 +36,7 @@ struct Subject {
         for (int c = 0; c < 3; ++c)
             batch.inputs[int(ShaderInput::sampleL) + c] = batch.samples.L[c];
         batch.active = {0xbfff, 0xffff};
+        batch.services = testServices(&log);
     }
 
     std::vector<TestBatch::Plane> shade(const Function &text, int samples, int answered = -1,
@@ -85,8 +86,7 @@ struct Subject {
 
     void forgetFrame() {
         const Function &prepare = slice(Question::Prepare);
-        batch.frame.assign(std::size_t(prepare.spillSlots) * batch.padded(),
-                           std::numeric_limits<float>::quiet_NaN());
+        batch.frames.clear(prepare, batch.padded(), std::numeric_limits<float>::quiet_NaN());
     }
 
     void checkScatter() {
@@ -98,7 +98,9 @@ struct Subject {
         for (int i = 0; i < batch.padded(); ++i)
             batch.samples.light.push_back((i + int(seed)) % 3);
         auto lit = shade(whole, 1);
+        told();
         expectOutput(scatter, batch.run(scatter, interpret), "g", lit, &none, "Ci");
+        EXPECT_TRUE(told().empty()) << "Scatter of seed " << seed;
         batch.samples.light.clear(), batch.samples.categoryAccepts.clear();
         for (int request = 0; request < int(whole.requests.size()); ++request) {
             auto kept = batch.inputs;
@@ -121,9 +123,23 @@ struct Subject {
         }
     }
 
+    /// What has been told since the last time, of the services with effects; only active lanes ask
+    /// any.
+    std::multiset<LaneAsked> told() {
+        std::multiset<LaneAsked> commands;
+        for (const LaneAsked &asked : log.lanes) {
+            EXPECT_TRUE(isActive(asked.lane)) << "seed " << seed << ", lane " << asked.lane;
+            if (asked.service == testNote.name)
+                commands.insert(asked);
+        }
+        log = {};
+        return commands;
+    }
+
     unsigned seed;
     Function whole;
     TestBatch batch;
+    ServiceLog log;
     std::map<int, Function> slices;
 };
 
@@ -131,15 +147,22 @@ void checkQuestions(unsigned seed, bool dynamic) {
     Subject subject(seed, dynamic);
     subject.forgetFrame();
     subject.batch.answers.givesAmbient = true;
+    subject.told();
     auto prepared = subject.batch.run(subject.slice(Question::Prepare), interpret);
+    const auto said = subject.told();
     subject.batch.answers.givesAmbient = false;
+    subject.shade(subject.whole, 0);
+    EXPECT_EQ(said, subject.told()) << "Prepare speaks as the text without light, seed " << seed;
     subject.checkPrepared(subject.slice(Question::Prepare), prepared);
     subject.checkScatter();
 
     subject.forgetFrame();
+    subject.told();
     subject.batch.run(subject.slice(Question::Surface), interpret);
+    EXPECT_TRUE(subject.told().empty()) << seed;
     subject.batch.answers.givesAmbient = true;
     auto viewed = subject.batch.run(subject.slice(Question::View), interpret);
+    EXPECT_EQ(subject.told(), said) << "View speaks for Prepare, seed " << seed;
     subject.batch.answers.givesAmbient = false;
     for (std::size_t p = 0; p < prepared.size(); ++p)
         for (int i = 0; i < points; ++i)
@@ -151,9 +174,15 @@ void checkQuestions(unsigned seed, bool dynamic) {
     subject.expectOutput(emit, subject.batch.run(emit, interpret), "Ce", none, nullptr, "Ci");
     const Function &opacity = subject.slice(Question::Opacity);
     subject.expectOutput(opacity, subject.batch.run(opacity, interpret), "Oi", none, nullptr, "Oi");
+    subject.told();
     auto lit = subject.shade(subject.whole, 1);
+    const auto saidLit = subject.told();
     const Function &shade = subject.slice(Question::Shade);
     subject.expectOutput(shade, subject.shade(shade, 1), "Ci", lit, nullptr, "Ci");
+    EXPECT_EQ(subject.told(), saidLit) << "Shade speaks as the text, seed " << seed;
+    const Function silent = silenced(shade);
+    subject.expectOutput(silent, subject.shade(silent, 1), "Ci", lit, nullptr, "Ci");
+    EXPECT_TRUE(subject.told().empty()) << seed;
 }
 
 TEST(Slice, AnswersAsTheWholeTextDoes) {
@@ -170,7 +199,8 @@ TEST(Slice, FramesAreUsed) {
     int framed = 0, statics = 0;
     for (unsigned seed = 0; seed < 40; ++seed) {
         Function whole = RandomText(seed, false).make();
-        framed += slice(whole, Question::Scatter).spillSlots > 0;
+        const Function scatter = slice(whole, Question::Scatter);
+        framed += scatter.surfaceSlots > 0 && scatter.viewSlots > 0;
         statics += surfaceFacts(whole).staticRequests;
     }
     EXPECT_GT(statics, 12);

@@ -21,9 +21,9 @@ void addConeTests(Builder &b, const Function &text, Region &region,
             addConeTests(b, text, inner, coneTests);
         if (i.op == Op::LightLoop && text.requests[i.immediate].form == ConeForm::Classic) {
             ConeTest &test = coneTests[i.immediate];
+            test.known = true;
+            test.axis = {i.operands[3], i.operands[4], i.operands[5]};
             Region before = b.region({}, [&] {
-                test.known = true;
-                test.axis = normalize(b, {i.operands[3], i.operands[4], i.operands[5]});
                 test.cosine = unary(b, Op::Cos, i.operands[6]);
                 return Values{};
             });

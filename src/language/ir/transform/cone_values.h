@@ -20,7 +20,7 @@ struct StatedCone {
 /// Where the text's instruction `request` stands where it is written anew.
 StatedCone stateCone(ValueMapping &, Builder &, const Instruction &request, const Cone &);
 
-/// What a classic loop tests directions with: the normalised axis, the cosine of the half angle.
+/// What a classic loop tests directions with: its axis, the cosine of the half angle.
 struct ConeTest {
     bool known = false;
     Triple axis{};

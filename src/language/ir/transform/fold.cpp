@@ -46,6 +46,10 @@ std::optional<Function> rewrite(const Function &text, const Dependence &dependen
 } // namespace
 
 Function fold(const Function &whole, const std::vector<FoldedValue> &values) {
+    const bool loops =
+        anyInstruction(whole.body, [](const Instruction &i) { return i.op == Op::Loop; });
+    if (values.empty() && !loops)
+        return whole;
     std::map<int, float> bySlot;
     for (const FoldedValue &value : values)
         bySlot[value.slot] = value.value;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Folding of instance parameters into a text.
+// Folding of instance parameters and of what is constant in loops into a text.
 #pragma once
 
 #include "language/ir/core/ir.h"
@@ -8,12 +8,12 @@
 
 namespace candela::ir {
 
-/// Replaces Parameter slots by constants where `values[slot]` is given and folds all that follows:
-/// constants, branches, loops of known count that hold light requests.
 struct FoldedValue {
     int slot;
     float value;
 };
+/// Replaces Parameter slots by constants where `values[slot]` is given and folds all that follows:
+/// constants, branches, loops of known count that are short or hold light requests.
 Function fold(const Function &whole, const std::vector<FoldedValue> &values);
 
 } // namespace candela::ir

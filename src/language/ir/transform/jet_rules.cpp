@@ -211,6 +211,9 @@ SlopeKind slopeKind(const Function &function, const Instruction &i) {
     case SlopeRule::Source: return kindOfSource(function, i);
     case SlopeRule::Held: return SlopeKind::Held;
     case SlopeRule::Refused: return SlopeKind::Refused;
+    case SlopeRule::Service:
+        return serviceOf(function, i).info->slope == ServiceSlope::Held ? SlopeKind::Held
+                                                                        : SlopeKind::Zero;
     case SlopeRule::Call:
         return runtime::coordinatesOf(RuntimeFunction(i.immediate)) > 0 ? SlopeKind::Rule
                                                                         : SlopeKind::Zero;
@@ -226,7 +229,7 @@ std::string inputName(int plane) {
         const char *name;
         int components;
     } inputs[] = {
-#define SHADER_INPUT(name, components, meaning) {#name, components},
+#define SHADER_INPUT(name, components, time, meaning) {#name, components},
 #include "language/runtime/shader_inputs.def"
 #undef SHADER_INPUT
     };
@@ -253,6 +256,8 @@ std::string slopeNote(const Function &function, const Instruction &i) {
         return stays("the derivative of " + function.variables[size_t(i.immediate)].name);
     case Op::FrameLoad: return "derivatives of values from a frame are not known";
     case Op::Call: return "there are no derivatives of noise beyond the second";
+    case Op::Query:
+        return stays("what " + std::string(serviceOf(function, i).info->name) + "() gives");
     default: return stays("light");
     }
 }
@@ -274,7 +279,7 @@ int firstRefusedOrder(const Instruction &i, size_t result) {
 
 bool changesWith(const Function &function, const Instruction &i, Direction d) {
     const SlopeRule rule = info(i.op).slope;
-    if (rule != SlopeRule::Source)
+    if (rule != SlopeRule::Source && rule != SlopeRule::Service)
         return rule == SlopeRule::Held || rule == SlopeRule::Refused;
     if (i.op == Op::Input)
         if (const InputSlope slope = inputSlope(i.immediate); slope.kind == InputSlope::Parameter)

@@ -26,6 +26,7 @@ struct Specialization {
     std::vector<int> active; ///< The assumptions under which is being written; all at first.
     int loopDepth = 0;
     int repeating = 0; ///< > 0: what is being written was written, and saved, before.
+    int ahead = 0;     ///< > 0: what is being written stands before the conditions around it.
 
     /// The binding time that a value of a binding time counts to.
     BindingTime counted(BindingTime) const;
@@ -44,6 +45,8 @@ struct Specialization {
 
 /// Write what belongs to the range of binding times.
 void walk(Specialization &, const Region &, BindingTimes);
+/// The same where the region's owner has not been reached yet: values only.
+void walkAhead(Specialization &, const Region &, BindingTimes);
 void walkLoop(Specialization &, const Instruction &, BindingTimes);
 void walkLightLoop(Specialization &, const Instruction &, BindingTimes);
 /// Answer, Ambient, Irradiance.

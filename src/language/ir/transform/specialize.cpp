@@ -15,6 +15,7 @@ Function emptyLike(const Function &whole) {
     result.colors = whole.colors;
     result.requests = whole.requests;
     result.emissions = whole.emissions;
+    result.services = whole.services;
     result.strings = whole.strings;
     result.files = whole.files;
     result.spaces = whole.spaces;
@@ -95,9 +96,9 @@ std::vector<std::vector<int>> groupsBy(Specialization &s, ValueId condition) {
     return groups;
 }
 
-/// What is said once, whatever the assumptions.
+/// What is said once, whatever the assumptions, and only where it stands.
 void walkStatement(Specialization &s, const Instruction &i) {
-    if (s.options.prints && s.active[0] == 0)
+    if (s.options.prints && s.active[0] == 0 && s.ahead == 0)
         s.b.emit(i.op, s.mapping.values(0, i.operands), i.immediate);
 }
 
@@ -150,7 +151,7 @@ void walkIf(Specialization &s, const Instruction &i, BindingTimes range) {
     BindingTime condition = s.bindingTimeOf(i.operands[0]);
     auto hoist = [&](BindingTime last) {
         for (const Region &region : i.regions)
-            walk(s, region, {range.first, last});
+            walkAhead(s, region, {range.first, last});
     };
     if (condition > range.last)
         return hoist(range.last);
@@ -179,7 +180,7 @@ static void walk(Specialization &s, const Instruction &i, BindingTimes range) {
         s.outputs[{slot.name, slot.component}] = i.operands[0];
         return;
     }
-    case Op::Print:
+    case Op::Command:
     case Op::EmissionCone: return walkStatement(s, i);
     case Op::If: return walkIf(s, i, range);
     case Op::Loop: return walkLoop(s, i, range);
@@ -194,6 +195,12 @@ static void walk(Specialization &s, const Instruction &i, BindingTimes range) {
 void walk(Specialization &s, const Region &region, BindingTimes range) {
     for (const Instruction &i : region.body)
         walk(s, i, range);
+}
+
+void walkAhead(Specialization &s, const Region &region, BindingTimes range) {
+    ++s.ahead;
+    walk(s, region, range);
+    --s.ahead;
 }
 
 } // namespace candela::ir

@@ -39,7 +39,7 @@ struct SpecializationOptions {
     bool framed = false;
     bool fused = false; ///< Surface and View count as one binding time.
     int recomputeCost = 1;
-    bool prints = false;
+    bool prints = false; ///< Services with effects are asked.
     /// Loops of known count are unrolled where they hold light requests or are small.
     bool unrolls = false;
     /// Every instruction that asks for light gets a request of its own, in program order.

@@ -152,7 +152,7 @@ void walkAnswer(Specialization &s, const Instruction &i, BindingTimes range) {
 void walkLightLoop(Specialization &s, const Instruction &i, BindingTimes range) {
     // What the body computes without looking at the light is computed once, before.
     if (s.options.framed && s.loopDepth == 0 && range.first < BindingTime::Response)
-        walk(s, i.regions[0], {range.first, std::min(range.last, BindingTime::View)});
+        walkAhead(s, i.regions[0], {range.first, std::min(range.last, BindingTime::View)});
     if (range.last < BindingTime::Response)
         return;
     if (s.options.cones && s.active[0] == 0)

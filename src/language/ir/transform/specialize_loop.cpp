@@ -4,6 +4,7 @@
 #include "language/ir/analyse/trip_count.h"
 #include "language/ir/core/builder_control.h"
 #include "language/ir/core/builder_sources.h"
+#include "language/ir/core/regions.h"
 #include "language/ir/transform/specialization.h"
 
 #include <algorithm>
@@ -81,12 +82,18 @@ bool storesIn(const Specialization &s, const Region &region, BindingTimes range)
     return false;
 }
 
+/// Whether something in the loop is said now.
+bool speaksIn(const Specialization &s, const Region &region) {
+    return s.options.prints && s.ahead == 0 &&
+           anyInstruction(region, [](const Instruction &i) { return i.op == Op::Command; });
+}
+
 bool wantsLoop(const Specialization &s, const Instruction &i, BindingTimes range) {
     if (s.bindingTimeOf(i.regions[0].arguments[0]) > range.last)
         return false;
     if (s.loopDepth > 0 || !s.options.framed)
         return true;
-    return storesIn(s, i.regions[0], range) ||
+    return storesIn(s, i.regions[0], range) || speaksIn(s, i.regions[0]) ||
            std::any_of(i.results.begin(), i.results.end(),
                        [&](ValueId v) { return range.has(s.bindingTimeOf(v)); });
 }

@@ -62,9 +62,9 @@ ValueId ValueMapping::rematerialise(int assumption, ValueId old) {
 /// To compute the value from sources alone, in units of an addition.
 int ValueMapping::cost(ValueId v) const {
     const Instruction *i = dependence_.definition[v].instruction;
-    if (!i || !isPure(i->op))
+    if (!i || !isPure(i->op) || isService(i->op))
         return tooDear;
-    int sum = costOf(*i);
+    int sum = costOf(text_, *i);
     for (ValueId operand : i->operands) {
         if (sum > recomputeCost_)
             return tooDear;
