@@ -168,8 +168,7 @@ void Gathers::loadIntoRows(const Table &table, Value *rows) {
         });
     };
     auto *base = arguments_.fieldPointer(table.baseField);
-    auto *indexPlane = builder_.CreateGEP(
-        code_.integerType, arguments_.fieldPointer(table.indexField), arguments_.firstPoint());
+    auto *indexPlane = arguments_.plane({table.indexField});
     const auto share = [&](Value *index) {
         auto *origin = builder_.CreateGEP(code_.floatType, base, index);
         eachRow([&](Value *place) {
