@@ -386,8 +386,9 @@ TEST(Services, UniformQueriesAreAskedOnceABlockIfAnyLaneAsks) {
             for (const ir::LaneAsked &asked : log.lanes)
                 EXPECT_TRUE(asks(asked.lane)) << name << " lane " << asked.lane;
             for (int lane = 0; lane < 48; ++lane)
-                if (asks(lane))
+                if (asks(lane)) {
                     EXPECT_EQ(outputs[0][std::size_t(lane)], 3.25f) << name;
+                }
         }
     }
 }
