@@ -5,7 +5,6 @@
 #include "language/ir/core/builder_control.h"
 #include "language/ir/core/builder_effects.h"
 #include "language/ir/core/builder_sources.h"
-#include "language/ir/core/print_format.h"
 #include "language/ir/interpret/interpreter.h"
 #include "language/ir/interpret/test_batch.h"
 #include "language/jit/jit.h"
@@ -57,15 +56,8 @@ struct Result {
 };
 
 void collectPrint(void *context, const ServiceCall &call) {
-    for (int lane = 0; lane < call.laneCount; ++lane) {
-        if (!call.asks(lane))
-            continue;
-        std::string line = ir::printedText(call, lane);
-        // The sign of NaN is not defined.
-        for (std::size_t at; (at = line.find("-nan")) != std::string::npos;)
-            line.erase(at, 1);
-        static_cast<std::vector<std::string> *>(context)->push_back(line);
-    }
+    for (std::string &line : ir::printedLines(call))
+        static_cast<std::vector<std::string> *>(context)->push_back(std::move(line));
 }
 
 template <typename Runner>

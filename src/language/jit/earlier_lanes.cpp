@@ -96,6 +96,24 @@ void EarlierLanes::load() {
     builder_.SetInsertPoint(done);
 }
 
+/// What the plane names, which `read` reads; `own` if there is no plane.
+static Value *named(CodeFunction &code, Value *plane, Value *own,
+                    const std::function<Value *(Value *plane)> &read) {
+    auto &builder = code.builder;
+    auto *from = builder.GetInsertBlock();
+    auto *given = code.block("given"), *join = code.block("named");
+    builder.CreateCondBr(builder.CreateIsNull(plane), join, given);
+    builder.SetInsertPoint(given);
+    auto *loaded = read(plane);
+    auto *end = builder.GetInsertBlock();
+    builder.CreateBr(join);
+    builder.SetInsertPoint(join);
+    auto *lanes = builder.CreatePHI(own->getType(), 2);
+    lanes->addIncoming(own, from);
+    lanes->addIncoming(loaded, end);
+    return lanes;
+}
+
 /// Inactive lanes look at lane 0, where something stands.
 Value *EarlierLanes::viewLanes() {
     const Lanes &lanes = code_.lanes;
@@ -104,20 +122,12 @@ Value *EarlierLanes::viewLanes() {
     own = builder_.CreateSelect(mask, own, llvm::Constant::getNullValue(own->getType()));
     if (lanes_ != BindingTime::Response)
         return own;
-    auto *plane = arguments_.fieldPointer(offsetof(ShaderArgs, viewLane));
-    auto *from = builder_.GetInsertBlock();
-    auto *given = code_.block("views"), *join = code_.block("view");
-    builder_.CreateCondBr(builder_.CreateIsNull(plane), join, given);
-    builder_.SetInsertPoint(given);
-    auto *loaded = lanes.maskedLoad(
-        code_.integerType, builder_.CreateGEP(code_.integerType, plane, arguments_.firstPoint()),
-        mask);
-    builder_.CreateBr(join);
-    builder_.SetInsertPoint(join);
-    auto *view = builder_.CreatePHI(own->getType(), 2);
-    view->addIncoming(own, from);
-    view->addIncoming(loaded, given);
-    return view;
+    return named(
+        code_, arguments_.fieldPointer(offsetof(ShaderArgs, viewLane)), own, [&](Value *plane) {
+            return lanes.maskedLoad(
+                code_.integerType,
+                builder_.CreateGEP(code_.integerType, plane, arguments_.firstPoint()), mask);
+        });
 }
 
 Value *EarlierLanes::base(const Row &row) {
@@ -138,30 +148,12 @@ Value *EarlierLanes::index(const Row &row, const Places &places) {
                               builder_.CreateAnd(lane, number(laneBlock - 1)));
 }
 
-/// Reads surfaceLane[view] with `read`, where it is not null.
-static Value *surfaceLanes(CodeFunction &code, ShaderArguments &arguments, Value *view,
-                           const std::function<Value *(Value *plane)> &read) {
-    auto &builder = code.builder;
-    auto *plane = arguments.fieldPointer(offsetof(ShaderArgs, surfaceLane));
-    auto *from = builder.GetInsertBlock();
-    auto *given = code.block("surfaces"), *join = code.block("surface");
-    builder.CreateCondBr(builder.CreateIsNull(plane), join, given);
-    builder.SetInsertPoint(given);
-    auto *loaded = read(plane);
-    builder.CreateBr(join);
-    builder.SetInsertPoint(join);
-    auto *surface = builder.CreatePHI(view->getType(), 2);
-    surface->addIncoming(view, from);
-    surface->addIncoming(loaded, given);
-    return surface;
-}
-
 void EarlierLanes::gather(Value *view) {
     const Lanes &lanes = code_.lanes;
     auto *mask = code_.masks.current();
-    auto *surface = surfaceLanes(code_, arguments_, view, [&](Value *plane) {
-        return lanes.gather(code_.integerType, plane, view, mask);
-    });
+    auto *surface =
+        named(code_, arguments_.fieldPointer(offsetof(ShaderArgs, surfaceLane)), view,
+              [&](Value *plane) { return lanes.gather(code_.integerType, plane, view, mask); });
     for (const Row &row : rows_)
         lanes.store(lanes.gather(code_.floatType, base(row), index(row, {view, surface}), mask),
                     builder_.CreateConstGEP1_32(code_.floatType, known_.memory,
@@ -181,10 +173,11 @@ void EarlierLanes::gatherInLoop(Value *view) {
     lane->addIncoming(builder_.getInt32(0), from);
     auto *own =
         builder_.CreateLoad(code_.integerType, builder_.CreateGEP(code_.integerType, views, lane));
-    auto *surface = surfaceLanes(code_, arguments_, own, [&](Value *plane) {
-        return builder_.CreateLoad(code_.integerType,
-                                   builder_.CreateGEP(code_.integerType, plane, own));
-    });
+    auto *surface = named(
+        code_, arguments_.fieldPointer(offsetof(ShaderArgs, surfaceLane)), own, [&](Value *plane) {
+            return builder_.CreateLoad(code_.integerType,
+                                       builder_.CreateGEP(code_.integerType, plane, own));
+        });
     for (const Row &row : rows_) {
         auto *element = builder_.CreateGEP(code_.floatType, base(row), index(row, {own, surface}));
         auto *to = builder_.CreateAdd(lane, builder_.getInt32(unsigned(row.row * laneBlock)));

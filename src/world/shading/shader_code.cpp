@@ -7,16 +7,6 @@
 
 namespace candela {
 
-int QuestionCode::output(ir::OutputKind kind) const { return ir::slotOf(function.outputs, kind); }
-
-void QuestionCode::place(ir::OutputKind kind, float *const *planes,
-                         std::vector<float *> &outputs) const {
-    outputs.resize(function.outputs.size());
-    for (std::size_t slot = 0; slot < outputs.size(); ++slot)
-        if (function.outputs[slot].name == kind)
-            outputs[slot] = planes[function.outputs[slot].component];
-}
-
 ShaderCode::ShaderCode(ir::LoweredShader shader, ir::LightRule rule, std::shared_ptr<Jit> jit,
                        std::shared_ptr<const ShaderMessages> messages,
                        std::shared_ptr<const ShaderAnswers> answers)

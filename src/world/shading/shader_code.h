@@ -33,10 +33,15 @@ struct QuestionCode {
     void ask(const ShaderArgs &args) const { code ? code(&args) : ir::interpret(function, args); }
 
     /// Index of the output's first plane; -1 if the question doesn't have it.
-    int output(ir::OutputKind) const;
+    int output(ir::OutputKind kind) const { return ir::slotOf(function.outputs, kind); }
     /// Puts the output's planes, as far as the question has them, where ShaderArgs::outputs wants
     /// them.
-    void place(ir::OutputKind, float *const *planes, std::vector<float *> &outputs) const;
+    void place(ir::OutputKind kind, float *const *planes, std::vector<float *> &outputs) const {
+        outputs.resize(function.outputs.size());
+        for (std::size_t slot = 0; slot < outputs.size(); ++slot)
+            if (function.outputs[slot].name == kind)
+                outputs[slot] = planes[function.outputs[slot].component];
+    }
     bool reads(ShaderInput input) const { return function.inputsRead[int(input)]; }
 };
 

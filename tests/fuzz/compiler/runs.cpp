@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runs.h"
 
-#include "language/ir/core/print_format.h"
 
 #include <algorithm>
 #include <bit>
@@ -16,14 +15,8 @@ namespace {
 using Plane = ir::TestBatch::Plane;
 
 void notePrint(void *context, const ServiceCall &call) {
-    for (int lane = 0; lane < call.laneCount; ++lane) {
-        if (!call.asks(lane))
-            continue;
-        std::string line = ir::printedText(call, lane);
-        // The sign of NaN is not defined.
-        for (std::size_t at; (at = line.find("-nan")) != std::string::npos;)
-            line.erase(at, 1);
-        RunResult &run = *static_cast<RunResult *>(context);
+    RunResult &run = *static_cast<RunResult *>(context);
+    for (const std::string &line : ir::printedLines(call)) {
         ++run.lines;
         run.digest += std::hash<std::string>()(line);
     }

@@ -2,6 +2,7 @@
 // For tests: services that note who asks them, and answer.
 #pragma once
 
+#include "language/ir/core/print_format.h"
 #include "language/runtime/shader_abi.h"
 
 #include <bit>
@@ -79,6 +80,19 @@ inline void noteService(void *log, const ServiceCall &call) {
             asked.operands.push_back(call.operand(k, lane).integer);
         to.lanes.insert(std::move(asked));
     }
+}
+
+/// The lines that lanes print; the sign of NaN, which is not defined, is left out.
+inline std::vector<std::string> printedLines(const ServiceCall &call) {
+    std::vector<std::string> lines;
+    for (int lane = 0; lane < call.laneCount; ++lane) {
+        if (!call.asks(lane))
+            continue;
+        std::string &line = lines.emplace_back(printedText(call, lane));
+        for (std::size_t at; (at = line.find("-nan")) != std::string::npos;)
+            line.erase(at, 1);
+    }
+    return lines;
 }
 
 /// A number that tells operands and places of results apart; the same at all widths.

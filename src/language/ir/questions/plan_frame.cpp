@@ -23,7 +23,7 @@ using Slots = std::map<ValueId, int>;
 constexpr int scatterRecomputes = 1, viewRecomputes = 24;
 /// Instructions of Prepare: each cone is probed in a walk through all that responds to light; and
 /// what values become there, for all cones.
-constexpr std::size_t mostPrepared = 2 * mostInstructions, mostMapped = 1 << 24;
+constexpr std::size_t mostPrepared = mostInstructions / 2, mostMapped = 1 << 24;
 
 std::set<ValueId> loadsOf(const Function &function) {
     std::set<ValueId> loads;

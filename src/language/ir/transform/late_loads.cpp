@@ -27,8 +27,11 @@ bool isLoad(Op op) {
            (facts.immediate == Immediate::Input || facts.immediate == Immediate::Variable ||
             facts.immediate == Immediate::Frame || isAnswer(op));
 }
-/// Parameters are gathered at the head of each block of points.
-bool isThereAnyway(Op op) { return isConstant(op) || info(op).immediate == Immediate::Parameter; }
+bool isParameter(Op op) { return info(op).immediate == Immediate::Parameter; }
+
+/// Code gathers this many parameters at the head of each block of points; more of them wait in
+/// memory, and are loaded where they are used as all else.
+constexpr std::size_t mostAtHead = 64;
 
 /// Operations upon loads that may wait with them.
 constexpr int mostHeight = 2;
@@ -36,7 +39,8 @@ constexpr int mostHeight = 2;
 /// Writes a body anew, what can wait before the first instruction that wants it.
 class LateLoads {
 public:
-    explicit LateLoads(std::size_t values) : waiting_(values, none), height_(values, mostHeight) {}
+    LateLoads(std::size_t values, bool parametersWait)
+        : waiting_(values, none), height_(values, mostHeight), parametersWait_(parametersWait) {}
 
     std::vector<Instruction> run(std::vector<Instruction> body) {
         result_.reserve(body.size());
@@ -48,7 +52,7 @@ public:
             placeWhatIsUsed(i);
             if (leavesSomething(i))
                 placeAll();
-            if (isThereAnyway(i.op))
+            if (isConstant(i.op) || isParameter(i.op))
                 height_[i.results[0]] = 0;
             result_.push_back(std::move(i));
         }
@@ -61,7 +65,7 @@ private:
 
     /// Above mostHeight where it can't wait.
     int heightOf(const Instruction &i) const {
-        if (isLoad(i.op) && i.operands.empty())
+        if ((isLoad(i.op) && i.operands.empty()) || (parametersWait_ && isParameter(i.op)))
             return 0;
         int height = mostHeight + 1;
         if (isPure(i.op) && info(i.op).speculation == Speculation::Always)
@@ -110,15 +114,19 @@ private:
     std::vector<std::size_t> waiting_; ///< By value: where in late_ it is, if it has no place yet.
     std::vector<int> height_;          ///< By value; mostHeight where it has a place, but
                                        ///< 0 where it is there anyway.
-    std::vector<Instruction> late_;    ///< Those that have a place are empty.
-    std::size_t placed_ = 0;           ///< Of late_, all of the first.
+    bool parametersWait_;
+    std::vector<Instruction> late_; ///< Those that have a place are empty.
+    std::size_t placed_ = 0;        ///< Of late_, all of the first.
     std::vector<Instruction> result_;
 };
 
 } // namespace
 
 void loadLate(Function &function) {
-    function.body.body = LateLoads(function.values.size()).run(std::move(function.body.body));
+    const auto parameters = std::ranges::count_if(
+        function.body.body, [](const Instruction &i) { return isParameter(i.op); });
+    function.body.body = LateLoads(function.values.size(), std::size_t(parameters) > mostAtHead)
+                             .run(std::move(function.body.body));
 }
 
 } // namespace candela::ir

@@ -15,7 +15,7 @@ namespace {
 /// The names of the operations, in order, constants left out.
 std::string operationsOf(const std::function<void(Builder &)> &write) {
     Function function;
-    function.parameters.resize(2);
+    function.parameters.resize(100);
     Builder b(function);
     write(b);
     b.finish();
@@ -35,6 +35,19 @@ TEST(LateLoads, StandWhereTheyAreFirstUsed) {
                   output(b, "x", 0, add(b, mul(b, sine, s), t));
               }),
               "Input Sin Input Mul Add Output");
+}
+
+TEST(LateLoads, ParametersWaitWhereThereAreMany) {
+    for (const int count : {64, 65}) {
+        const std::string names = operationsOf([&](Builder &b) {
+            std::vector<ValueId> parameters;
+            for (int slot = 0; slot < count; ++slot)
+                parameters.push_back(parameter(b, slot));
+            const ValueId sine = unary(b, Op::Sin, input(b, ShaderInput::t));
+            output(b, "x", 0, add(b, sine, parameters[0]));
+        });
+        EXPECT_EQ(names.starts_with("Input Sin"), count > 64) << names;
+    }
 }
 
 TEST(LateLoads, StandBeforeTheRegionThatUsesThem) {
