@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runs.h"
 
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -140,7 +139,9 @@ void Batch::fit(const ir::Function &function) {
 
 RunResult Batch::run(const ir::Function &function, const Code &code, Light light) {
     RunResult result;
-    points_.callbacks = {&result, noteOutside};
+    points_.callbacks = {&result, noteOutside, [](void *context, const char *, std::int32_t) {
+                             static_cast<RunResult *>(context)->ended = true;
+                         }};
     points_.services.context = &result;
     points_.services[Service::print] = notePrint;
     points_.services[Service::option] = [](void *, const ServiceCall &call) {

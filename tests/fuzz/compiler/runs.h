@@ -27,6 +27,7 @@ struct RunResult {
     /// Of what was printed, in any order: widths differ in theirs.
     std::uint64_t lines = 0, digest = 0;
     std::set<std::pair<std::string, int>> outside; ///< Where arrays are indexed outside.
+    bool ended = false;                            ///< A loop has been ended somewhere.
 };
 
 /// What is equal in all bits, but for the bits of NaN, which IEEE leaves open.

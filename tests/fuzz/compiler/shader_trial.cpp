@@ -87,6 +87,8 @@ private:
         monitor_.enter(Stage::Interpret, nameOf(question));
         const ir::Function &function = slices_.at(question);
         const RunResult found = batch_.run(function, ir::interpret, light);
+        if (whole.ended) // Slices run only the loops that they need (docs/compiler-limits.md).
+            return {};
         for (const Names &name : names)
             if (const std::string difference =
                     differenceOfOutputs(whole_, whole, name.whole, function, found, name.slice);
