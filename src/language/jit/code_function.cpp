@@ -45,7 +45,7 @@ llvm::BasicBlock *CodeFunction::block(const char *name) {
 }
 
 Values CodeFunction::valuesIf(Value *condition, const char *name,
-                              const std::function<Values()> &body) {
+                              const std::function<Values()> &body, const Values &otherwise) {
     auto *from = builder.GetInsertBlock();
     auto *run = block(name), *join = block("join");
     builder.CreateCondBr(condition, run, join);
@@ -58,10 +58,12 @@ Values CodeFunction::valuesIf(Value *condition, const char *name,
     builder.CreateBr(join);
     builder.SetInsertPoint(join);
     Values merged;
-    for (Value *value : made) {
-        auto *phi = builder.CreatePHI(value->getType(), 2);
-        phi->addIncoming(llvm::Constant::getNullValue(value->getType()), from);
-        phi->addIncoming(value, end);
+    for (std::size_t k = 0; k < made.size(); ++k) {
+        auto *type = made[k]->getType();
+        auto *phi = builder.CreatePHI(type, 2);
+        phi->addIncoming(otherwise.empty() ? llvm::Constant::getNullValue(type) : otherwise[k],
+                         from);
+        phi->addIncoming(made[k], end);
         merged.push_back(phi);
     }
     return merged;

@@ -35,8 +35,10 @@ struct CodeFunction {
     llvm::Function *addPiece(llvm::ArrayRef<llvm::Type *> arguments);
     llvm::BasicBlock *block(const char *name);
     /// What `body` writes runs if the condition (one bool for all lanes) holds, and gives its
-    /// values then; else they are zero. Masks are given in the form that is kept.
-    Values valuesIf(Value *condition, const char *name, const std::function<Values()> &body);
+    /// values then; else they are `otherwise`, or zero without. Masks are given in the form that is
+    /// kept.
+    Values valuesIf(Value *condition, const char *name, const std::function<Values()> &body,
+                    const Values &otherwise = {});
     /// Runs what `body` writes `count` times, with 0, 1, ...; `count` > 0.
     void repeat(int count, const char *name, const std::function<void(Value *turn)> &body);
     /// Element `index` of a table of constants.

@@ -99,19 +99,8 @@ void EarlierLanes::load() {
 /// What the plane names, which `read` reads; `own` if there is no plane.
 static Value *named(CodeFunction &code, Value *plane, Value *own,
                     const std::function<Value *(Value *plane)> &read) {
-    auto &builder = code.builder;
-    auto *from = builder.GetInsertBlock();
-    auto *given = code.block("given"), *join = code.block("named");
-    builder.CreateCondBr(builder.CreateIsNull(plane), join, given);
-    builder.SetInsertPoint(given);
-    auto *loaded = read(plane);
-    auto *end = builder.GetInsertBlock();
-    builder.CreateBr(join);
-    builder.SetInsertPoint(join);
-    auto *lanes = builder.CreatePHI(own->getType(), 2);
-    lanes->addIncoming(own, from);
-    lanes->addIncoming(loaded, end);
-    return lanes;
+    return code.valuesIf(code.builder.CreateIsNotNull(plane), "named",
+                         [&] { return Values{read(plane)}; }, {own})[0];
 }
 
 /// Inactive lanes look at lane 0, where something stands.
@@ -165,30 +154,23 @@ void EarlierLanes::gatherInLoop(Value *view) {
     const Lanes &lanes = code_.lanes;
     auto *views = code_.entryMemory(view->getType(), 1, "views");
     lanes.store(view, views);
-    auto *from = builder_.GetInsertBlock(), *loop = code_.block("lane");
-    auto *done = code_.block("rows");
-    builder_.CreateBr(loop);
-    builder_.SetInsertPoint(loop);
-    auto *lane = builder_.CreatePHI(code_.integerType, 2);
-    lane->addIncoming(builder_.getInt32(0), from);
-    auto *own =
-        builder_.CreateLoad(code_.integerType, builder_.CreateGEP(code_.integerType, views, lane));
-    auto *surface = named(
-        code_, arguments_.fieldPointer(offsetof(ShaderArgs, surfaceLane)), own, [&](Value *plane) {
-            return builder_.CreateLoad(code_.integerType,
-                                       builder_.CreateGEP(code_.integerType, plane, own));
-        });
-    for (const Row &row : rows_) {
-        auto *element = builder_.CreateGEP(code_.floatType, base(row), index(row, {own, surface}));
-        auto *to = builder_.CreateAdd(lane, builder_.getInt32(unsigned(row.row * laneBlock)));
-        builder_.CreateStore(builder_.CreateLoad(code_.floatType, element),
-                             builder_.CreateGEP(code_.floatType, known_.memory, to));
-    }
-    auto *next = builder_.CreateAdd(lane, builder_.getInt32(1));
-    lane->addIncoming(next, builder_.GetInsertBlock());
-    builder_.CreateCondBr(builder_.CreateICmpSLT(next, builder_.getInt32(lanes.width())), loop,
-                          done);
-    builder_.SetInsertPoint(done);
+    code_.repeat(lanes.width(), "lane", [&](Value *lane) {
+        auto *own = builder_.CreateLoad(code_.integerType,
+                                        builder_.CreateGEP(code_.integerType, views, lane));
+        auto *surface =
+            named(code_, arguments_.fieldPointer(offsetof(ShaderArgs, surfaceLane)), own,
+                  [&](Value *plane) {
+                      return builder_.CreateLoad(code_.integerType,
+                                                 builder_.CreateGEP(code_.integerType, plane, own));
+                  });
+        for (const Row &row : rows_) {
+            auto *element =
+                builder_.CreateGEP(code_.floatType, base(row), index(row, {own, surface}));
+            auto *to = builder_.CreateAdd(lane, builder_.getInt32(unsigned(row.row * laneBlock)));
+            builder_.CreateStore(builder_.CreateLoad(code_.floatType, element),
+                                 builder_.CreateGEP(code_.floatType, known_.memory, to));
+        }
+    });
 }
 
 } // namespace candela::codegen

@@ -62,29 +62,20 @@ Values Gathers::gatherInLoop(const Table &table, Value *base, Value *index) {
     auto *rows =
         code_.entryMemory(lanes.varying(code_.floatType), int(table.loaded.size()), "rows");
     builder_.CreateStore(index, indices);
-    auto *from = builder_.GetInsertBlock(), *loop = code_.block("lane"),
-         *done = code_.block("rows");
-    builder_.CreateBr(loop);
-    builder_.SetInsertPoint(loop);
-    auto *lane = builder_.CreatePHI(code_.integerType, 2);
-    lane->addIncoming(builder_.getInt32(0), from);
-    auto *own = builder_.CreateLoad(code_.integerType,
-                                    builder_.CreateGEP(code_.integerType, indices, lane));
-    auto *origin = builder_.CreateGEP(code_.floatType, base, own);
-    int row = 0;
-    for (const auto &[place, value] : table.loaded) {
-        auto *element = builder_.CreateConstGEP1_32(code_.floatType, origin, unsigned(place));
-        auto *to = builder_.CreateAdd(lane, builder_.getInt32(row++ * lanes.width()));
-        builder_.CreateStore(code_.invariantLoad(code_.floatType, element),
-                             builder_.CreateGEP(code_.floatType, rows, to));
-    }
-    auto *next = builder_.CreateAdd(lane, builder_.getInt32(1));
-    lane->addIncoming(next, loop);
-    builder_.CreateCondBr(builder_.CreateICmpSLT(next, builder_.getInt32(lanes.width())), loop,
-                          done);
-    builder_.SetInsertPoint(done);
+    code_.repeat(lanes.width(), "lane", [&](Value *lane) {
+        auto *own = builder_.CreateLoad(code_.integerType,
+                                        builder_.CreateGEP(code_.integerType, indices, lane));
+        auto *origin = builder_.CreateGEP(code_.floatType, base, own);
+        int row = 0;
+        for (const auto &[place, value] : table.loaded) {
+            auto *element = builder_.CreateConstGEP1_32(code_.floatType, origin, unsigned(place));
+            auto *to = builder_.CreateAdd(lane, builder_.getInt32(row++ * lanes.width()));
+            builder_.CreateStore(code_.invariantLoad(code_.floatType, element),
+                                 builder_.CreateGEP(code_.floatType, rows, to));
+        }
+    });
     Values values;
-    for (row = 0; row < int(table.loaded.size()); ++row)
+    for (int row = 0; row < int(table.loaded.size()); ++row)
         values.push_back(lanes.load(
             code_.floatType,
             builder_.CreateConstGEP1_32(code_.floatType, rows, unsigned(row * lanes.width()))));

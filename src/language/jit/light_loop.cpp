@@ -25,19 +25,11 @@ static Value *whereByteIsNotZero(CodeFunction &code, Value *bytes, Value *light,
     auto *lights = code.entryMemory(light->getType(), 1, "lights");
     auto *found = code.entryMemory(llvm::FixedVectorType::get(byte, width), 1, "found");
     builder.CreateStore(light, lights);
-    auto *from = builder.GetInsertBlock(), *loop = code.block("light_of_lane"),
-         *done = code.block("lights_of_lanes");
-    builder.CreateBr(loop);
-    builder.SetInsertPoint(loop);
-    auto *lane = builder.CreatePHI(code.integerType, 2);
-    lane->addIncoming(builder.getInt32(0), from);
-    auto *own =
-        builder.CreateLoad(code.integerType, builder.CreateGEP(code.integerType, lights, lane));
-    builder.CreateStore(ofLight(own), builder.CreateGEP(byte, found, lane));
-    auto *next = builder.CreateAdd(lane, builder.getInt32(1));
-    lane->addIncoming(next, loop);
-    builder.CreateCondBr(builder.CreateICmpSLT(next, builder.getInt32(width)), loop, done);
-    builder.SetInsertPoint(done);
+    code.repeat(width, "light_of_lane", [&](Value *lane) {
+        auto *own =
+            builder.CreateLoad(code.integerType, builder.CreateGEP(code.integerType, lights, lane));
+        builder.CreateStore(ofLight(own), builder.CreateGEP(byte, found, lane));
+    });
     auto *all = builder.CreateLoad(llvm::FixedVectorType::get(byte, width), found);
     return builder.CreateAnd(among, builder.CreateIsNotNull(all));
 }
