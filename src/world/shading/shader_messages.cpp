@@ -19,35 +19,34 @@ ShaderMessages::ShaderMessages(DiagnosticSink &diagnostics) : diagnostics_(diagn
     };
 }
 
-bool ShaderMessages::isNew(std::string_view mistake, std::string_view file, int line) {
-    std::string key(mistake);
-    key += file;
+bool ShaderMessages::isNew(Mistake mistake, std::string_view file, int line) {
+    Places &said = said_[std::size_t(mistake)];
     {
         std::shared_lock lock(mutex_);
-        const auto lines = said_.find(key);
-        if (lines != said_.end() && lines->second.contains(line))
+        const auto lines = said.find(file);
+        if (lines != said.end() && lines->second.contains(line))
             return false;
     }
     std::lock_guard lock(mutex_);
-    return said_[key].insert(line).second;
+    return said[std::string(file)].insert(line).second;
 }
 
 void ShaderMessages::indexOutside(std::string_view file, int line) {
-    if (isNew("index ", file, line))
+    if (isNew(Mistake::Index, file, line))
         diagnostics_.warning({std::make_shared<const std::string>(file), line},
                              "an index here is outside the array at some points: the nearest "
                              "element is taken");
 }
 
 void ShaderMessages::loopEnded(std::string_view file, int line) {
-    if (isNew("loop ", file, line))
+    if (isNew(Mistake::Loop, file, line))
         diagnostics_.error({std::make_shared<const std::string>(file), line},
                            "the loop here does not end at some points, or takes more turns than "
                            "Option \"shading\" \"loopturns\" allows: they are black");
 }
 
 void ShaderMessages::serviceAbsent(std::string_view service, std::string_view file, int line) {
-    if (isNew("service ", file, line))
+    if (isNew(Mistake::Service, file, line))
         diagnostics_.error({std::make_shared<const std::string>(file), line},
                            "nothing in this renderer answers what is asked here (" +
                                std::string(service) + "): the answer is 0");

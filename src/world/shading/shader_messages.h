@@ -5,6 +5,8 @@
 #include "foundation/base/diagnostics.h"
 #include "language/runtime/shader_abi.h"
 
+#include <array>
+#include <cstdint>
 #include <map>
 #include <set>
 #include <shared_mutex>
@@ -23,8 +25,10 @@ public:
     const ShaderCallbacks &callbacks() const { return callbacks_; }
 
 private:
+    enum class Mistake : std::uint8_t { Index, Loop, Service, Count };
+
     /// True the first time that the place is named for the kind of mistake.
-    bool isNew(std::string_view mistake, std::string_view file, int line);
+    bool isNew(Mistake, std::string_view file, int line);
     void indexOutside(std::string_view file, int line);
     void loopEnded(std::string_view file, int line);
     void serviceAbsent(std::string_view service, std::string_view file, int line);
@@ -32,7 +36,8 @@ private:
     DiagnosticSink &diagnostics_;
     ShaderCallbacks callbacks_;
     std::shared_mutex mutex_; ///< A shader that is wrong everywhere only reads what was said.
-    std::map<std::string, std::set<int>, std::less<>> said_; ///< Lines, by mistake and file.
+    using Places = std::map<std::string, std::set<int>, std::less<>>; ///< Lines by file.
+    std::array<Places, std::size_t(Mistake::Count)> said_;
 };
 
 } // namespace candela
