@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// The named maps that filter shaders read and write, as they stand between two filters.
+#pragma once
+
+#include "language/runtime/image_map.h"
+
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace candela {
+
+/// An image of some channels in memory: planes of rows with room on either side (imageHalo).
+class OwnedImage {
+public:
+    /// Black. 0 < channels; width and height may be 0.
+    OwnedImage(int width, int height, int channels);
+    /// Bytes that such an image takes.
+    static double bytesNeeded(int width, int height, int channels);
+
+    const ImageMap &view() const { return view_; }
+    int width() const { return view_.width; }
+    int height() const { return view_.height; }
+    int channels() const { return view_.channels; }
+    float *row(int channel, int y) { return view_.row(channel, y); }
+    const float *row(int channel, int y) const { return view_.row(channel, y); }
+
+private:
+    std::unique_ptr<float[]> memory_;
+    std::vector<float *> planes_;
+    ImageMap view_;
+};
+
+/// Maps by name: "Ci" (the picture so far, which a filter reads as "Cs"), "Oi", "Z", "N", "albedo",
+/// "variance", "id", other channels of the film, and what filters make for those after them.
+class ImageMaps {
+public:
+    /// Null if there is none of that name.
+    OwnedImage *find(const std::string &name);
+    const OwnedImage *find(const std::string &name) const;
+    /// Takes the place of a map of that name.
+    OwnedImage &set(const std::string &name, OwnedImage);
+    void remove(const std::string &name);
+    std::vector<std::string> names() const;
+
+    /// Rows by columns of a channel from, and to, a plane without gaps.
+    void setPlane(const std::string &name, int channel, std::span<const float> values);
+    std::vector<float> plane(const std::string &name, int channel) const;
+
+private:
+    std::map<std::string, OwnedImage> maps_;
+};
+
+} // namespace candela
