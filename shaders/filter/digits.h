@@ -60,7 +60,12 @@ float appendvalue(output float text[]; float length, mantissa, exponent)
         else if (order >= -4 && order <= 5)
             at = appendnumber(text, at, mantissa, -exponent);
         else {
-            at = appendnumber(text, at, mantissa, order - exponent);
+            float decimals = order - exponent, short = mantissa;
+            while (decimals > 0 && mod(short, 10) == 0) {
+                decimals -= 1;
+                short /= 10;
+            }
+            at = appendnumber(text, at, short, decimals);
             text[at] = LETTER_E;
             at += 1;
             if (order < 0) {

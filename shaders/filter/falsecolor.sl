@@ -210,10 +210,11 @@ filter falsecolor(
             } else {
                 float value = mantissas[n] * pow(10, exponents[n]);
                 float at = barbottom - placeof(value, top, span) * (barbottom - bartop);
+                float line = floor(at - dots / 2);
                 length = appendvalue(text, 0, mantissas[n], exponents[n]);
                 textleft = barright + 4 * dots;
-                texttop = floor(at - 3.5 * dots + .5);
-                for (y = floor(at - .5 * dots); y < floor(at - .5 * dots) + dots; y += 1)
+                texttop = line - 3 * dots;
+                for (y = line; y < line + dots; y += 1)
                     for (x = barright; x < barright + 3 * dots; x += 1)
                         setimage("Ci", x, y, .9);
             }
