@@ -44,7 +44,7 @@ filter reinhard02(
             }
     } else {
         float weights[65];
-        float size = 1, growing = 1;
+        float size = 1;
 
         setsize("reinhard02.scaled", xsize, ysize);
         setsize("reinhard02.across", xsize, ysize);
