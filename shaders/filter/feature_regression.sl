@@ -38,24 +38,25 @@ filter feature_regression(
     /* The light: what a white surface would show. Its variance, over three by three pixels. */
     for (y = 0; y < ysize; y += 1)
         for (x = 0; x < xsize; x += 1) {
-            color seen = image("albedo", x, y) + ALBEDO_FLOOR;
-            setimage("light", x, y, image("Cs", x, y) / seen);
-            setimage("light_error", x, y, image("variance", x, y) / (seen * seen));
+            color seen = color image("albedo", x, y) + ALBEDO_FLOOR;
+            setimage("light", x, y, color image("Cs", x, y) / seen);
+            setimage("light_error", x, y, color image("variance", x, y) / (seen * seen));
         }
     for (y = 0; y < ysize; y += 1)
         for (x = 0; x < xsize; x += 1) {
             color sum = 0;
             for (j = -1; j <= 1; j += 1)
                 for (i = -1; i <= 1; i += 1)
-                    sum += image("light_error", x + i, y + j);
-            setimage("light_variance", x, y, sum / 9);
+                    sum += color image("light_error", x + i, y + j);
+            /* A single pixel may have a variance of its own: one path that others missed. */
+            setimage("light_variance", x, y, max(sum / 9, color image("light_error", x, y)));
         }
 
     /* Non-local means of the light. Each offset stands for its opposite, too. The pixel itself is
        the first to take part. */
     for (y = 0; y < ysize; y += 1)
         for (x = 0; x < xsize; x += 1) {
-            setimage("similar_sum", x, y, image("light", x, y));
+            setimage("similar_sum", x, y, color image("light", x, y));
             setimage("similar_weights", x, y, 1);
             setimage("similar_squares", x, y, 1);
         }
@@ -68,9 +69,9 @@ filter feature_regression(
                 for (y = 0; y < ysize; y += 1)
                     for (x = 0; x < xsize; x += 1)
                         setimage("difference", x, y,
-                                 distance(image("light", x, y), image("light", x + i, y + j),
-                                          image("light_variance", x, y),
-                                          image("light_variance", x + i, y + j), per));
+                                 distance(color image("light", x, y), color image("light", x + i, y + j),
+                                          color image("light_variance", x, y),
+                                          color image("light_variance", x + i, y + j), per));
                 for (y = 0; y < ysize; y += 1)
                     for (x = 0; x < xsize; x += 1) {
                         float sum = 0;
@@ -83,7 +84,7 @@ filter feature_regression(
                         float sum = 0;
                         for (k = -patch; k <= patch; k += 1)
                             sum += float image("difference_row", x, y + k);
-                        color turn = image("N", x, y) - image("N", x + i, y + j);
+                        color turn = color image("N", x, y) - color image("N", x + i, y + j);
                         float weight = exp(-max(0, sum * scale) - squared(turn) / (bend * bend));
                         /* Nothing is taken from beyond the border. */
                         if (x + i < 0 || x + i >= xsize || y + j >= ysize)
@@ -92,13 +93,13 @@ filter feature_regression(
                     }
                 for (y = 0; y < ysize; y += 1)
                     for (x = 0; x < xsize; x += 1) {
-                        float ahead = image("similar", x, y);
+                        float ahead = float image("similar", x, y);
                         float behind = 0;
                         if (x - i >= 0 && x - i < xsize && y - j >= 0)
-                            behind = image("similar", x - i, y - j);
+                            behind = float image("similar", x - i, y - j);
                         setimage("similar_sum", x, y,
-                                 image("similar_sum", x, y) + ahead * image("light", x + i, y + j)
-                                     + behind * image("light", x - i, y - j));
+                                 color image("similar_sum", x, y) + ahead * color image("light", x + i, y + j)
+                                     + behind * color image("light", x - i, y - j));
                         setimage("similar_weights", x, y,
                                  float image("similar_weights", x, y) + ahead + behind);
                         setimage("similar_squares", x, y,
@@ -110,8 +111,8 @@ filter feature_regression(
     for (y = 0; y < ysize; y += 1)
         for (x = 0; x < xsize; x += 1) {
             float weights = image("similar_weights", x, y);
-            setimage("pilot", x, y, image("similar_sum", x, y) / weights);
-            setimage("pilot_variance", x, y, image("light_variance", x, y)
+            setimage("pilot", x, y, color image("similar_sum", x, y) / weights);
+            setimage("pilot_variance", x, y, color image("light_variance", x, y)
                      * (float image("similar_squares", x, y) / (weights * weights)));
         }
 
@@ -150,10 +151,10 @@ filter feature_regression(
     float nearness = 1 / (radius * radius);
     for (y = 0; y < ysize; y += 1)
         for (x = 0; x < xsize; x += 1) {
-            float plain = image("outline", x, y);
+            float plain = float image("outline", x, y);
             color own = image("pilot", x, y);
             color own_c = image("Cs", x, y);
-            color own_a = image("albedo", x, y) + ALBEDO_FLOOR;
+            color own_a = color image("albedo", x, y) + ALBEDO_FLOOR;
             color own_n = image("N", x, y);
             color own_v = image("pilot_variance", x, y);
             color own_cv = image("variance", x, y);
@@ -162,19 +163,19 @@ filter feature_regression(
             for (j = -radius; j <= radius; j += 1)
                 for (i = -radius; i <= radius; i += 1) {
                     color c = image("Cs", x + i, y + j);
-                    color basis = (image("albedo", x + i, y + j) + ALBEDO_FLOOR) / own_a;
-                    color d = image("pilot", x + i, y + j) - own;
+                    color basis = (color image("albedo", x + i, y + j) + ALBEDO_FLOOR) / own_a;
+                    color d = color image("pilot", x + i, y + j) - own;
                     color r = d * d
-                        / (fitper * (own_v + image("pilot_variance", x + i, y + j)) + slack);
+                        / (fitper * (own_v + color image("pilot_variance", x + i, y + j)) + slack);
                     float far = (i * i + j * j) * nearness;
                     if (plain > 0) {
                         d = c - own_c;
-                        r = d * d / (PLAIN_SPREAD * (own_cv + image("variance", x + i, y + j))
+                        r = d * d / (PLAIN_SPREAD * (own_cv + color image("variance", x + i, y + j))
                                      + 1e-6);
                         basis = 1;
                         far = 0;
                     }
-                    color turn = image("N", x + i, y + j) - own_n;
+                    color turn = color image("N", x + i, y + j) - own_n;
                     float weight = exp(-(comp(r, 0) + comp(r, 1) + comp(r, 2)) / 3
                                        - squared(turn) * turnscale - far);
                     color w = weight * basis * basis;
@@ -198,6 +199,8 @@ filter feature_regression(
             color u1 = (s10 * s22 - s20 * s21) / det;
             color u2 = (s20 * s11 - s10 * s21) / det;
             color b0 = (t0 - u1 * t1 - u2 * t2) / (s00 - u1 * s10 - u2 * s20);
-            setimage("Ci", x, y, b0);
+            /* Slopes that noise has made do not lead far from the mean. */
+            color mean = t0 / s00;
+            setimage("Ci", x, y, clamp(b0, .5 * mean, 2 * mean));
         }
 }
