@@ -134,6 +134,8 @@ void PixelLoopRun::run(const ir::PixelLoop &loop, ShaderFunction code, const flo
     std::copy_n(begin, sums, results);
     if (extent.columns == 0 || extent.rows == 0)
         return;
+    const bool isFromCorner = extent.firstColumn == 0 && extent.firstRow == 0;
+    maps_.prepare(loop, isFromCorner ? extent.columns : 0, isFromCorner ? extent.rows : 0);
     for (int map : loop.mapsRead)
         fillHalos(args_->maps[map]);
 
