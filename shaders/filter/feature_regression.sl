@@ -28,12 +28,25 @@ filter feature_regression(
     float search = 5;       /* pixels each way, where light like a pixel's own is sought */
     float patch = 2;        /* pixels each way of the patches that are compared */
     float tolerance = .35;  /* of patches, in standard errors */
-    float radius = 5;       /* pixels each way that a fit reaches */
+    float radius = 7;       /* pixels each way that a fit reaches */
     float fittolerance = .3; /* of the light that a fit takes in, in standard errors */
-    float contrast = .1;    /* and besides, as a share of the light */
+    float contrast = .12;   /* and besides, as a share of the light */
     float bend = .3;        /* of normals: the length of their difference that counts as another */)
 {
     float x, y, i, j, k;
+
+    setsize("light", xsize, ysize);
+    setsize("light_error", xsize, ysize);
+    setsize("light_variance", xsize, ysize);
+    setsize("similar_sum", xsize, ysize);
+    setsize("similar_weights", xsize, ysize);
+    setsize("similar_squares", xsize, ysize);
+    setsize("difference", xsize, ysize);
+    setsize("difference_row", xsize, ysize);
+    setsize("similar", xsize, ysize);
+    setsize("pilot", xsize, ysize);
+    setsize("pilot_variance", xsize, ysize);
+    setsize("outline", xsize, ysize);
 
     /* The light: what a white surface would show. Its variance, over three by three pixels. */
     for (y = 0; y < ysize; y += 1)
