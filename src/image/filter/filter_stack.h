@@ -15,7 +15,7 @@
 
 namespace candela {
 
-/// Whom a running stack tells what; from the thread that called it.
+/// Whom a running stack tells what; from any thread, one at a time.
 struct FilterListeners {
     DiagnosticSink &diagnostics;
     /// The filter at work, how many of the stack are done, and what part of this one is, where that
@@ -35,6 +35,9 @@ public:
     bool empty() const { return filters_.empty(); }
     /// The maps that some filter reads by name, "Cs" and "Ci" excepted: what the film has to give.
     std::vector<std::string> mapsRead() const;
+
+    /// The maps that some filter sets, "Ci" excepted.
+    std::vector<std::string> mapsSet() const;
 
     /// Runs the filters in order over the maps, each one's Ci being the next one's Cs. `maps` holds
     /// "Ci". What is not finite in Ci counts as 0, and is counted and told. False if it was

@@ -26,15 +26,25 @@ std::size_t planeFloats(int width, int height) {
 
 OwnedImage::OwnedImage(int width, int height, int channels) {
     const std::size_t plane = planeFloats(width, height);
-    const std::size_t all = plane * std::size_t(channels) + lineFloats;
+    constexpr int ofColor = 3;
+    const int kept = channels == 2 ? ofColor : channels;
+    const std::size_t all = plane * std::size_t(kept) + lineFloats;
     memory_ = std::make_unique<float[]>(all);
     void *start = memory_.get();
     std::size_t space = all * sizeof(float);
     auto *aligned = static_cast<float *>(
-        std::align(lineFloats * sizeof(float), plane * channels * sizeof(float), start, space));
-    for (int c = 0; c < channels; ++c)
-        planes_.push_back(aligned + std::size_t(c) * plane + imageHalo);
+        std::align(lineFloats * sizeof(float), plane * kept * sizeof(float), start, space));
+    for (int c = 0; c < std::max(kept, ofColor); ++c)
+        planes_.push_back(aligned + std::size_t(c < kept ? c : 0) * plane + imageHalo);
     view_ = {width, height, channels, strideOf(width), planes_.data()};
+}
+
+OwnedImage OwnedImage::copy() const {
+    OwnedImage result(width(), height(), channels());
+    for (int c = 0; c < channels(); ++c)
+        for (int y = 0; y < height(); ++y)
+            std::copy_n(row(c, y), width(), result.row(c, y));
+    return result;
 }
 
 double OwnedImage::bytesNeeded(int width, int height, int channels) {

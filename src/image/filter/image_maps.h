@@ -20,6 +20,8 @@ public:
     /// Bytes that such an image takes.
     static double bytesNeeded(int width, int height, int channels);
 
+    OwnedImage copy() const;
+
     const ImageMap &view() const { return view_; }
     int width() const { return view_.width; }
     int height() const { return view_.height; }

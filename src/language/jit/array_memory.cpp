@@ -17,9 +17,14 @@ llvm::Type *ArrayMemory::rowOf(const ir::Array &array) const {
 }
 
 ArrayMemory::ArrayMemory(CodeFunction &code, ValueTable &values, RuntimeCalls &calls,
-                         const TurnLimit &limit)
+                         const TurnLimit &limit, ShaderArguments &arguments)
     : code_(code), builder_(code.builder), values_(values), calls_(calls), limit_(limit) {
     for (const ir::Array &array : values.function().arrays) {
+        if (array.captured >= 0) {
+            memory_.push_back(
+                arguments.planeStart({offsetof(ShaderArgs, capturedArrays), array.captured}));
+            continue;
+        }
         auto *memory = builder_.CreateAlloca(llvm::ArrayType::get(rowOf(array), array.size));
         memory->setAlignment(llvm::Align(64));
         memory_.push_back(memory);
@@ -29,6 +34,8 @@ ArrayMemory::ArrayMemory(CodeFunction &code, ValueTable &values, RuntimeCalls &c
 void ArrayMemory::clear() {
     for (std::size_t k = 0; k < memory_.size(); ++k) {
         const ir::Array &array = values_.function().arrays[k];
+        if (array.captured >= 0)
+            continue;
         const auto row = code_.module.getDataLayout().getTypeAllocSize(rowOf(array));
         builder_.CreateMemSet(memory_[k], builder_.getInt8(0),
                               row.getFixedValue() * std::uint64_t(array.size), llvm::Align(64));

@@ -13,8 +13,8 @@ namespace candela::codegen {
 
 class ArrayMemory {
 public:
-    /// Takes memory for all arrays at the function's entry.
-    ArrayMemory(CodeFunction &, ValueTable &, RuntimeCalls &, const TurnLimit &);
+    /// Takes memory for all arrays at the function's entry; captured ones have it.
+    ArrayMemory(CodeFunction &, ValueTable &, RuntimeCalls &, const TurnLimit &, ShaderArguments &);
 
     /// Where the arrays are, as the machine function knows it that is being written.
     const Values &memory() const { return memory_; }

@@ -9,6 +9,7 @@
 #include "language/jit/earlier_lanes.h"
 #include "language/jit/function_pieces.h"
 #include "language/jit/gathers.h"
+#include "language/jit/image_access.h"
 #include "language/jit/light_loop.h"
 #include "language/jit/service_calls.h"
 #include "language/runtime/shader_abi.h"
@@ -118,6 +119,7 @@ private:
     ServiceCalls services_;
     TurnLimit limit_;
     ArrayMemory arrays_;
+    ImageAccess images_;
     ControlFlow control_;
     Value *allRun_ = nullptr; ///< Do all lanes run where the machine function begins?
 };
@@ -130,7 +132,8 @@ FunctionGenerator::FunctionGenerator(const ir::Function &function, const CodeTar
       gathers_(code_, arguments_, function.body), strings_(code_, function),
       calls_(code_, arguments_, values_, strings_, pieces_),
       services_(code_, arguments_, values_, strings_), limit_(code_, values_, calls_),
-      arrays_(code_, values_, calls_, limit_),
+      arrays_(code_, values_, calls_, limit_, arguments_),
+      images_(code_, arguments_, values_, limit_, arrays_),
       control_(code_, values_, limit_, [this](const Region &region) { emitRegion(region); }) {
     code_.colorSamples = function.colors.samples;
     if (pieces_.hasSlots())
@@ -332,6 +335,12 @@ Values FunctionGenerator::source(const Instruction &i) {
     case Op::Input: return {load(offsetof(ShaderArgs, inputs), i.immediate)};
     case Op::Variable: return {load(offsetof(ShaderArgs, variables), i.immediate)};
     case Op::Parameter: return {gathers_.parameter(i.immediate)};
+    case Op::Captured:
+        return {code_.invariantLoad(
+            code_.floatType,
+            builder_.CreateConstGEP1_64(code_.floatType,
+                                        arguments_.fieldPointer(offsetof(ShaderArgs, captured)),
+                                        std::uint64_t(i.immediate)))};
     case Op::Space: return arguments_.spaceMatrix(i.immediate, false);
     case Op::SpaceInverse: return arguments_.spaceMatrix(i.immediate, true);
     case Op::Object: return gathers_.objectMatrix(false);
@@ -361,6 +370,9 @@ void FunctionGenerator::emitMemory(const Instruction &i) {
     case Op::ArrayLoad: return values_.set(i.results[0], arrays_.load(i));
     case Op::ArrayStore: return arrays_.store(i);
     case Op::Call: return calls_.call(i);
+    case Op::ImageLoad: return images_.load(i);
+    case Op::ImageStore: return images_.store(i);
+    case Op::PixelLoop: return images_.runLoop(i);
     case Op::Query:
     case Op::Command: {
         MaskStack::Scope scope(code_.masks, limit_.running(code_.masks.current()));

@@ -56,6 +56,19 @@ void addFunction(ContentHash &hash, const ir::Function &function) {
     for (const ir::Array &array : function.arrays) {
         hash.add(std::uint64_t(array.type) << 8 | std::uint64_t(array.uniformity));
         hash.add(std::uint64_t(array.size));
+        hash.add(std::uint64_t(std::int64_t(array.captured)));
+    }
+    hash.add(function.images.size());
+    for (const ir::ImageUse &use : function.images) {
+        hash.add(std::uint64_t(std::uint32_t(use.map)) << 32 |
+                 std::uint64_t(std::uint32_t(use.values)));
+        hash.add(std::uint64_t(use.filter));
+    }
+    hash.add(function.pixelLoops.size());
+    for (const ir::PixelLoop &loop : function.pixelLoops) {
+        hash.add(loop.arrays.size());
+        for (int array : loop.arrays)
+            hash.add(std::uint64_t(std::uint32_t(array)));
     }
     hash.add(function.requests.size());
     for (const ir::LightRequest &request : function.requests) {
@@ -78,7 +91,8 @@ void addFunction(ContentHash &hash, const ir::Function &function) {
     hash.add(std::uint64_t(function.lanes));
     hash.add(std::uint64_t(std::uint32_t(function.surfaceSlots)) << 32 |
              std::uint64_t(std::uint32_t(function.viewSlots)));
-    hash.add(std::uint64_t(std::uint32_t(function.mostTurns)));
+    hash.add(std::uint64_t(std::uint32_t(function.mostTurns)) << 1 |
+             std::uint64_t(function.isEndless));
     for (const ir::OutputSlot &slot : function.outputs)
         hash.add(std::uint64_t(std::bit_cast<std::uint32_t>(slot.whenEnded)));
     addRegion(hash, function.body);

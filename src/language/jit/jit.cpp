@@ -108,6 +108,10 @@ void Jit::State::defineSymbols() {
     define(serviceSymbol, &askFromCode);
     define(indexOutsideSymbol, &reportIndexOutside);
     define(loopEndedSymbol, &reportLoopEnded);
+    define(lookUpSymbol, &runtime::lookUpFromCode);
+    define(setImageSymbol, &runtime::setFromCode);
+    define(pixelLoopSymbol, &runtime::runPixelLoop);
+    define(goesOnSymbol, &runtime::filterGoesOn);
     define("memset", &std::memset);
     define("memcpy", &std::memcpy);
     define("memmove", &std::memmove);

@@ -89,6 +89,12 @@ Values RuntimeCalls::evaluate(const ir::Instruction &i) {
     return given;
 }
 
+Value *RuntimeCalls::goesOn() {
+    auto *signature = llvm::FunctionType::get(builder_.getInt1Ty(), {code_.pointerType}, false);
+    return builder_.CreateCall(code_.external(goesOnSymbol, signature, false),
+                               {arguments_.pointer()});
+}
+
 void RuntimeCalls::reportIndexOutside(const ir::Instruction &i) { report(indexOutsideSymbol, i); }
 
 void RuntimeCalls::reportLoopEnded(const ir::Instruction &i) { report(loopEndedSymbol, i); }

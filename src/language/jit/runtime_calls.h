@@ -23,6 +23,8 @@ public:
     void reportIndexOutside(const ir::Instruction &);
     /// That the loop has been ended.
     void reportLoopEnded(const ir::Instruction &);
+    /// Asks whether a filter is to go on.
+    Value *goesOn();
 
 private:
     void report(const char *symbol, const ir::Instruction &);

@@ -17,5 +17,10 @@ inline std::string runtimeSymbol(int runtimeFunction, int width) {
 inline constexpr const char *serviceSymbol = "candela_service";
 inline constexpr const char *indexOutsideSymbol = "candela_index_outside";
 inline constexpr const char *loopEndedSymbol = "candela_loop_ended";
+/// Filters: runtime/image_access.h.
+inline constexpr const char *lookUpSymbol = "candela_image";
+inline constexpr const char *setImageSymbol = "candela_setimage";
+inline constexpr const char *pixelLoopSymbol = "candela_pixel_loop";
+inline constexpr const char *goesOnSymbol = "candela_goes_on";
 
 } // namespace candela

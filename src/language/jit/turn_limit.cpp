@@ -87,7 +87,8 @@ Value *TurnLimit::Scope::take(Value *lanes, llvm::BasicBlock *done) {
         return lanes;
     CodeFunction &code = limit_.code_;
     auto &builder = limit_.builder_;
-    const bool nested = contains_ || limit_.open_ > 1;
+    const bool isEndless = limit_.values_.function().isEndless;
+    const bool nested = !isEndless && (contains_ || limit_.open_ > 1); // All lanes end at once.
     const int most = limit_.values_.function().mostTurns;
     auto *count = builder.CreateAdd(builder.CreateLoad(code.integerType, limit_.all_),
                                     builder.getInt32(1), "turns");
@@ -100,7 +101,10 @@ Value *TurnLimit::Scope::take(Value *lanes, llvm::BasicBlock *done) {
                          llvm::MDBuilder(code.module.getContext()).createUnlikelyBranchWeights());
     builder.SetInsertPoint(many);
     auto *over = lanes;
-    if (nested) {
+    if (isEndless) {
+        builder.CreateStore(builder.getInt32(0), limit_.all_);
+        builder.CreateCondBr(limit_.calls_.goesOn(), go, end);
+    } else if (nested) {
         auto *limit = llvm::ConstantInt::get(each->getType(), std::uint64_t(most));
         over = builder.CreateAnd(lanes, builder.CreateICmpSGT(each, limit));
         builder.CreateCondBr(code.lanes.any(over), end, go);
@@ -108,7 +112,8 @@ Value *TurnLimit::Scope::take(Value *lanes, llvm::BasicBlock *done) {
         builder.CreateBr(end);
     }
     builder.SetInsertPoint(end);
-    limit_.calls_.reportLoopEnded(loop_);
+    if (!isEndless)
+        limit_.calls_.reportLoopEnded(loop_);
     auto *ended = builder.CreateLoad(lanes->getType(), limit_.ended_);
     builder.CreateStore(builder.CreateOr(ended, over), limit_.ended_);
     auto *rest = builder.CreateAnd(lanes, builder.CreateNot(over));

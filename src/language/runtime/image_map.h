@@ -11,17 +11,19 @@ namespace candela {
 /// loop they hold what the border holds, so that code may read past it.
 inline constexpr int imageHalo = 32;
 
+/// What a filter is told of its picture, by Op::Captured: the size of "Cs" as it begins.
+enum class PictureFact : std::int32_t { Width, Height, Count };
+
 /// The channels of a map. Row 0 is the top, column 0 the left; pixel centres are whole numbers.
 struct ImageMap {
     std::int32_t width = 0, height = 0, channels = 0;
     /// Floats from a row to the next: whole blocks of laneBlock pixels and both halos.
     std::int32_t rowStride = 0;
-    /// Of each channel: where pixel (0, 0) stands.
+    /// Of each channel: where pixel (0, 0) stands. There are three at least, for whom a color is
+    /// wanted: that of a single channel thrice, and zeros behind two.
     float *const *planes = nullptr;
 
-    float *row(int channel, int y) const {
-        return planes[channel] + std::int64_t(y) * rowStride;
-    }
+    float *row(int channel, int y) const { return planes[channel] + std::int64_t(y) * rowStride; }
 };
 
 } // namespace candela

@@ -8,6 +8,7 @@
 
 #include "foundation/base/planes.h"
 #include "foundation/units/color_basis.h"
+#include "language/runtime/image_map.h"
 #include "language/runtime/services.h"
 
 #include <cstddef>
@@ -57,6 +58,20 @@ struct ShaderCallbacks {
     /// happens.
     void (*serviceAbsent)(void *context, const char *service, const char *file,
                           std::int32_t line) = nullptr;
+    /// A filter is at work: called from any thread, some thousand times a second or less. False:
+    /// its loops are to end. Null = true.
+    bool (*goOn)(void *context) = nullptr;
+};
+
+struct ShaderArgs;
+
+/// Who runs a filter's pixel loops (ir/filter/pixel_loops.h).
+struct PixelLoopRunner {
+    void *context = nullptr;
+    /// Runs loop `loop` of the filter. `given`: what ir::PixelLoop::given lists, `arrays`, those of
+    /// PixelLoop::arrays; `results` gets those of PixelLoop::sums.
+    void (*run)(void *context, std::int32_t loop, const float *given, const float *const *arrays,
+                float *results) = nullptr;
 };
 
 /// No question but finite light samples: see ShaderArgs::answeredRequest.
@@ -133,6 +148,16 @@ struct ShaderArgs {
     /// ambient(): N planes; null = black. irradiance(): likewise, W m^-2.
     const float *const *ambient = nullptr;
     const float *const *irradiance = nullptr;
+
+    /// Filters: the maps, in ir::Function::maps order, each with its planes.
+    const ImageMap *maps = nullptr;
+    /// Numbers that are the same for all lanes, by Op::Captured, and arrays, by
+    /// ir::Array::captured.
+    const float *captured = nullptr;
+    const float *const *capturedArrays = nullptr;
+    /// Pixel loops: the column of the picture that lane 0 stands at; lanes go on from there.
+    std::int32_t firstColumn = 0;
+    const PixelLoopRunner *pixelLoops = nullptr;
 
     const ShaderCallbacks *callbacks = nullptr;
     const ShaderServices *services = nullptr;

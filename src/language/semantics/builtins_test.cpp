@@ -59,12 +59,13 @@ TEST(Builtins, WhatMustBeAvailableIs) {
                              "specularbrdf", "phong",       "trace",           "irradiance",
                              "photometric",  "radiometric", "totalluminance",  "totalradiance",
                              "depth",        "area",        "calculatenormal", "Du",
-                             "Dv",           "Deriv",       "option",          "rendererinfo"}) {
+                             "Dv",           "Deriv",       "option",          "rendererinfo",
+                             "image",        "setimage",    "setsize"}) {
         ASSERT_NE(findBuiltin(name), nullptr) << name;
         EXPECT_EQ(findBuiltin(name)->available, Available::Now) << name;
     }
     for (const char *name : {"texture", "environment", "shadow", "bump", "occlusion", "bake",
-                             "surface", "lightsource", "image", "setimage"}) {
+                             "surface", "lightsource"}) {
         ASSERT_NE(findBuiltin(name), nullptr) << name;
         EXPECT_EQ(findBuiltin(name)->available, Available::Later) << name;
     }

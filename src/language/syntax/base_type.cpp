@@ -16,9 +16,11 @@ struct KindRow {
     char letter;
     const char *text;
     LightUse light;
+    RunsFor runs;
 };
 constexpr KindRow kinds[] = {
-#define SHADER_KIND(name, letter, text, light, outputs) {letter, text, LightUse::light},
+#define SHADER_KIND(name, letter, text, light, runs, outputs)                                      \
+    {letter, text, LightUse::light, RunsFor::runs},
 #include "language/syntax/kinds.def"
 #undef SHADER_KIND
 };
@@ -27,6 +29,8 @@ constexpr KindRow kinds[] = {
 const char *nameOf(ShaderKind kind) { return kinds[int(kind)].text; }
 
 LightUse lightUseOf(ShaderKind kind) { return kinds[int(kind)].light; }
+
+RunsFor runsFor(ShaderKind kind) { return kinds[int(kind)].runs; }
 
 char letterOf(ShaderKind kind) { return kinds[int(kind)].letter; }
 

@@ -15,12 +15,12 @@ enum class Detail { Uniform, Varying };
 
 /// The rows of kinds.def.
 enum class ShaderKind {
-#define SHADER_KIND(name, letter, text, light, outputs) name,
+#define SHADER_KIND(name, letter, text, light, runs, outputs) name,
 #include "language/syntax/kinds.def"
 #undef SHADER_KIND
 };
 inline constexpr int shaderKindCount = 0
-#define SHADER_KIND(name, letter, text, light, outputs) +1
+#define SHADER_KIND(name, letter, text, light, runs, outputs) +1
 #include "language/syntax/kinds.def"
 #undef SHADER_KIND
     ;
@@ -30,6 +30,13 @@ enum class LightUse {
     None,
     Receives, ///< illuminance()
     Gives     ///< illuminate(), solar()
+};
+
+/// What a kind of shader is run for.
+enum class RunsFor {
+    Points,  ///< Each point, in batches.
+    Picture, ///< A whole picture at once; all values are uniform.
+    Never    ///< It is checked but not compiled.
 };
 
 /// By precedence class in RI order; see operators.h for the table.
@@ -55,6 +62,7 @@ const char *nameOf(BaseType);
 const char *nameOf(Detail);
 const char *nameOf(ShaderKind);
 LightUse lightUseOf(ShaderKind);
+RunsFor runsFor(ShaderKind);
 /// The letter that stands for it in tables.
 char letterOf(ShaderKind);
 /// The operator as the language spells it: ".", "*"...

@@ -187,16 +187,36 @@ std::optional<ShaderInstance> ShaderLibrary::instance(ShaderKind kind, const Sha
     return ShaderInstance{code, code->addBlock(block)};
 }
 
+/// The text with all parameters folded in.
+static ir::Function foldAll(const ir::Function &whole, const std::vector<float> &block) {
+    std::vector<ir::FoldedValue> folded;
+    for (int slot = 0; slot < int(block.size()); ++slot)
+        folded.push_back({slot, block[slot]});
+    return ir::fold(whole, folded);
+}
+
+std::shared_ptr<const FilterCode> ShaderLibrary::filter(const ShaderRecord &record,
+                                                        const Options &options) {
+    State &state = *state_;
+    const sl::TypedShader *shader = state.sources.find(
+        ShaderKind::Filter, record.name, searchFolders(options, "shader"), record.parameters.where);
+    std::string key = "filter ";
+    const ir::LoweredShader *lowered =
+        shader ? state.lowerOnce(*shader, record, options, {}, key) : nullptr;
+    if (!lowered)
+        return nullptr;
+    const std::vector<float> block = parameterBlock(*lowered, record, options, state.diagnostics);
+    return FilterCode::compile(foldAll(lowered->whole, block), state.jit, state.messages,
+                               state.answers, state.diagnostics);
+}
+
 std::optional<ir::LoweredShader> ShaderLibrary::State::standIn(ir::LightRule rule) {
     const sl::TypedShader *shader = fromLibrary(defaultSurface(rule));
     auto lowered = shader ? ir::lower(*shader, {}, {}, diagnostics) : std::nullopt;
     if (!lowered)
         return std::nullopt;
     const std::vector<float> block = parameterBlock(*lowered, {}, {}, diagnostics);
-    std::vector<ir::FoldedValue> folded;
-    for (int slot = 0; slot < int(block.size()); ++slot)
-        folded.push_back({slot, block[slot]});
-    lowered->whole = ir::fold(lowered->whole, folded);
+    lowered->whole = foldAll(lowered->whole, block);
     return lowered;
 }
 

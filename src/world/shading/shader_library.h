@@ -5,6 +5,7 @@
 
 #include "interface/ri/scene_builder.h"
 #include "language/ir/transform/light_rule.h"
+#include "world/shading/filter_code.h"
 #include "world/shading/shader_code.h"
 
 #include <map>
@@ -42,6 +43,10 @@ public:
     /// asks for that surface.
     std::optional<ShaderInstance> instance(ShaderKind, const ShaderRecord &, const Options &,
                                            ir::LightRule, const std::set<std::string> &variables);
+
+    /// The filter shader that a record describes, with its parameters, compiled. Null if it is
+    /// missing or faulty, which is reported.
+    std::shared_ptr<const FilterCode> filter(const ShaderRecord &, const Options &);
 
     /// Compiles all specialisations that are new, on all threads. A surface for which there is no
     /// code becomes the library's default surface, a light gives no light; an error names them.

@@ -56,6 +56,14 @@ Uniformity uniformityOfResults(const Function &function, Op op, const Values &op
     return uniformity;
 }
 
+/// Of an operation whose row says "*".
+int resultCount(const Function &function, Op op, int immediate) {
+    if (isService(op))
+        return function.services[std::size_t(immediate)].results;
+    return op == Op::ImageLoad ? function.images[std::size_t(immediate)].values
+                               : runtime::info(runtime::RuntimeFunction(immediate)).outputs;
+}
+
 Values makeResults(Function &function, Op op, const Values &operands, int immediate) {
     const Uniformity uniformity = uniformityOfResults(function, op, operands, immediate);
     Values results;
@@ -68,9 +76,7 @@ Values makeResults(Function &function, Op op, const Values &operands, int immedi
                                          : function.values[operands.back()].type;
     for (char letter : info(op).results)
         if (letter == '*')
-            make(Type::Float, isService(op)
-                                  ? function.services[std::size_t(immediate)].results
-                                  : runtime::info(runtime::RuntimeFunction(immediate)).outputs);
+            make(Type::Float, resultCount(function, op, immediate));
         else
             make(letter == '.' ? same : typeOf(letter), countOf(letter, function.colors.samples));
     return results;

@@ -50,6 +50,7 @@ Matrix matrixOf(Builder &b, Op op, int immediate) {
 
 } // namespace
 
+ValueId captured(Builder &b, int index) { return b.emit(Op::Captured, {}, index)[0]; }
 Matrix currentFromSpace(Builder &b, const std::string &name) {
     return matrixOf(b, Op::Space, intern(b.function().spaces, name));
 }

@@ -25,6 +25,8 @@ ValueId input(Builder &, ShaderInput, int component = 0);
 Triple input3(Builder &, ShaderInput);
 ValueId parameter(Builder &, int slot);
 ValueId variable(Builder &, int plane);
+/// Number `index` of ShaderArgs::captured.
+ValueId captured(Builder &, int index);
 Matrix currentFromSpace(Builder &, const std::string &name);
 Matrix spaceFromCurrent(Builder &, const std::string &name);
 Matrix currentFromObject(Builder &);

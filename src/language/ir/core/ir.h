@@ -16,6 +16,7 @@
 #include "foundation/units/color_basis.h"
 #include "language/ir/core/budget.h"
 #include "language/ir/core/outputs.h"
+#include "language/runtime/image_access.h"
 #include "language/runtime/shader_abi.h"
 
 #include <cstdint>
@@ -112,6 +113,41 @@ struct Array {
     Type type = Type::Float;
     Uniformity uniformity = Uniformity::Varying;
     int size = 0;
+    /// How many loops of the text its declaration stands in: each turn of them has its own.
+    int loopDepth = 0;
+    /// Not its own: entry of ShaderArgs::capturedArrays, from which it is only read; -1 = its own.
+    int captured = -1;
+};
+
+/// How a map is looked up or set; what an ImageLoad or an ImageStore has beside its operands.
+struct ImageUse {
+    int map = 0;    ///< Into Function::maps.
+    int values = 1; ///< Channels: 1, or a color's.
+    runtime::ImageFilter filter = runtime::ImageFilter::Bilinear;
+    bool operator==(const ImageUse &) const = default;
+};
+
+/// How the values of all turns of a loop become one.
+enum class Reduction : std::uint8_t { Sum, Least, Greatest };
+
+/// A loop over pixels whose turns do not see each other: a function of its own, whose lanes are
+/// pixels (ir/filter/pixel_loops.h makes it). Its captured numbers are the row and then `captured`
+/// of the operands of Op::PixelLoop; its outputs are what the sums are made of.
+struct PixelLoop {
+    std::shared_ptr<const struct Function> body;
+    /// The operands of Op::PixelLoop: first column, end of the columns, first row, end of the rows
+    /// (a column c from the first on belongs to it as long as c < end; or c <= end, if `closed`);
+    /// then the captured numbers; then what the sums begin with.
+    static constexpr int bounds = 4;
+    int captured = 0;
+    bool closedColumns = false, closedRows = false;
+    std::vector<int> arrays; ///< Of the function around it, that the body captures.
+    std::vector<Reduction> sums;
+    std::vector<int> mapsRead, mapsSet; ///< Into Function::maps.
+    /// Sets every pixel of the columns and rows in these of mapsSet, before it reads them.
+    std::vector<int> mapsCovered;
+
+    int given() const { return bounds + captured + int(sums.size()); }
 };
 
 /// A float of the instance's parameter block, or a plane of a variable that overrides one.
@@ -133,6 +169,9 @@ struct Function {
     std::vector<LightRequest> requests;
     std::vector<Emission> emissions;       ///< Of light shaders, in the order of the text.
     std::vector<ServiceUse> services;      ///< By the immediate of Query and Command.
+    std::vector<std::string> maps;         ///< Of filters: "Cs", "Ci" and what else it names.
+    std::vector<ImageUse> images;          ///< By the immediate of ImageLoad and ImageStore.
+    std::vector<PixelLoop> pixelLoops;     ///< By PixelLoop's immediate.
     std::vector<std::string> strings;      ///< By ConstString's immediate.
     std::vector<std::string> files;        ///< Source files, by Instruction::file.
     std::vector<std::string> spaces;       ///< Named coordinate systems, by Space's immediate.
@@ -150,6 +189,8 @@ struct Function {
     /// Turns of a loop, those of the loops in it included, for a point: then the point's loop ends,
     /// and its outputs are as OutputSlot::whenEnded says.
     int mostTurns = mostLoopTurns;
+    /// Loops may run for ever: after every mostTurns turns ShaderCallbacks::goOn is asked.
+    bool isEndless = false;
 
     ValueId addValue(Type type, Uniformity uniformity) {
         values.push_back({type, uniformity});

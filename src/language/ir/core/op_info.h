@@ -19,6 +19,7 @@ enum class OpClass : std::uint8_t {
     Choice,
     Conversion,
     Memory, ///< Local arrays.
+    Image,  ///< Reads the maps of filters.
     Call,   ///< Runtime functions.
     Random,
     Service, ///< Asks the renderer.
@@ -38,8 +39,11 @@ enum class Immediate : std::uint8_t {
     Input, ///< A plane, counted over the components of shader_inputs.def.
     Parameter,
     Variable,
+    Captured,
     Space,
     Array,
+    Image,
+    PixelLoop,
     RuntimeFunction,
     Service,
     Site, ///< Tells places in the text apart.

@@ -120,6 +120,10 @@ private:
             return fmt::format(" {} \"{}\".{}", i.immediate, known.name, known.component);
         }
         case Immediate::Service: return service(serviceOf(function_, i));
+        case Immediate::Image: {
+            const ImageUse &use = function_.images[std::size_t(i.immediate)];
+            return fmt::format(" \"{}\"", function_.maps[std::size_t(use.map)]);
+        }
         case Immediate::Number:
         case Immediate::Variable:
         case Immediate::Array:
@@ -128,6 +132,8 @@ private:
         case Immediate::RequestOrFinite:
         case Immediate::Category:
         case Immediate::Emission:
+        case Immediate::Captured:
+        case Immediate::PixelLoop:
         case Immediate::Frame: return fmt::format(" {}", i.immediate);
         case Immediate::Direction: return i.immediate == int(Direction::U) ? " by u" : " by v";
         }

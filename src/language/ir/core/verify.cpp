@@ -109,6 +109,9 @@ private:
         case Immediate::Input: return below(std::size_t(ShaderInput::Count));
         case Immediate::Parameter: return below(function_.parameters.size());
         case Immediate::Variable: return below(function_.variables.size());
+        case Immediate::Captured: return expect(i, i.immediate >= 0, "captures nothing");
+        case Immediate::Image: return below(function_.images.size());
+        case Immediate::PixelLoop: return below(function_.pixelLoops.size());
         case Immediate::Space: return below(function_.spaces.size());
         case Immediate::Array: return below(function_.arrays.size());
         case Immediate::RuntimeFunction: return below(std::size_t(runtime::RuntimeFunction::Count));
@@ -141,6 +144,16 @@ private:
                    expect(i, type(i.operands[0]) != Type::String, "saves a string");
         case Op::Query:
         case Op::Command: return checkService(i);
+        case Op::ImageLoad:
+            return checkAll(i, i.operands, runtime::lookupOperands) &&
+                   checkAll(i, i.results, function_.images[std::size_t(i.immediate)].values);
+        case Op::ImageStore:
+            return checkAll(i, i.operands, 2 + function_.images[std::size_t(i.immediate)].values);
+        case Op::PixelLoop: {
+            const PixelLoop &loop = function_.pixelLoops[std::size_t(i.immediate)];
+            return checkAll(i, i.operands, loop.given()) &&
+                   checkAll(i, i.results, int(loop.sums.size()));
+        }
         default: return checkLetters(i);
         }
     }

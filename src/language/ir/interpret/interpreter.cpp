@@ -191,8 +191,11 @@ public:
     Lane(const Function &function, const ShaderArgs &args, int lane)
         : function_(function), args_(args, function, lane), cells_(function.values.size()),
           turns_(function.mostTurns) {
-        for (const Array &array : function.arrays)
+        for (const Array &array : function.arrays) {
             arrays_.emplace_back(array.size, Cell{0});
+            for (int k = 0; array.captured >= 0 && k < array.size; ++k)
+                arrays_.back()[std::size_t(k)].number = args.capturedArrays[array.captured][k];
+        }
     }
 
     void run(const Region &region) {
@@ -225,6 +228,7 @@ private:
         case Op::ConstString: cells_.setInteger(i, i.immediate); return true;
         case Op::Input: cells_.set(i, args_.input(i.immediate)); return true;
         case Op::Parameter: cells_.set(i, args_.parameter(i.immediate)); return true;
+        case Op::Captured: cells_.set(i, args_.all().captured[i.immediate]); return true;
         case Op::Variable: cells_.set(i, args_.variable(i.immediate)); return true;
         case Op::Space: cells_.setAll(i, args_.space(i.immediate)); return true;
         case Op::SpaceInverse: cells_.setAll(i, args_.space(i.immediate) + 16); return true;
@@ -288,6 +292,9 @@ private:
             return true;
         case Op::Query:
         case Op::Command: ask(i); return true;
+        case Op::ImageLoad:
+        case Op::ImageStore:
+        case Op::PixelLoop: runImage(i); return true;
         case Op::EmissionCone: return true; // For Question::Emission.
         default: return false;
         }
@@ -315,6 +322,39 @@ private:
         const std::vector<float> answer = turns_.ended() ? std::vector<float>(i.results.size())
                                                          : service.ask(args_.all(), args_.lane());
         cells_.setAll(i, answer.data());
+    }
+
+    void runImage(const Instruction &i) {
+        std::vector<float> operands, results(i.results.size());
+        for (ValueId v : i.operands)
+            operands.push_back(cells_.number(v));
+        const ShaderArgs &args = args_.all();
+        if (i.op == Op::PixelLoop) {
+            runPixelLoop(i, operands, results);
+        } else if (i.op == Op::ImageLoad) {
+            const ImageUse &use = function_.images[std::size_t(i.immediate)];
+            runtime::lookUpImage(args.maps[use.map], use.filter, use.values, 1, 1, operands.data(),
+                                 results.data());
+        } else if (!turns_.ended()) {
+            const ImageUse &use = function_.images[std::size_t(i.immediate)];
+            runtime::setImage(args.maps[use.map], use.values, 1, 1, operands.data());
+        }
+        cells_.setAll(i, results.data());
+    }
+
+    void runPixelLoop(const Instruction &i, const std::vector<float> &given,
+                      std::vector<float> &results) {
+        std::vector<std::vector<float>> copies;
+        std::vector<const float *> arrays;
+        for (int array : function_.pixelLoops[std::size_t(i.immediate)].arrays) {
+            copies.emplace_back();
+            for (const Cell &cell : arrays_[std::size_t(array)])
+                copies.back().push_back(cell.number);
+        }
+        for (const std::vector<float> &copy : copies)
+            arrays.push_back(copy.data());
+        runtime::runPixelLoop(&args_.all(), i.immediate, int(results.size()), given.data(),
+                              arrays.data(), results.data());
     }
 
     bool runLight(const Instruction &i) {

@@ -21,9 +21,9 @@ Components builtin(Lowering &lowering, const sl::Expr &expr) {
         call.arguments.push_back(evaluate(lowering, *operand));
     if (derivativeBuiltin(call.id()))
         lowering.derivatives.try_emplace(lowering.b.line(), expr.where);
-    for (const auto subject :
-         {mathsBuiltin, geometryBuiltin, spaceBuiltin, colorBuiltin, matrixBuiltin, noiseBuiltin,
-          splineBuiltin, lightBuiltin, derivativeBuiltin, textBuiltin, informationBuiltin})
+    for (const auto subject : {mathsBuiltin, geometryBuiltin, spaceBuiltin, colorBuiltin,
+                               matrixBuiltin, noiseBuiltin, splineBuiltin, lightBuiltin,
+                               derivativeBuiltin, textBuiltin, informationBuiltin, imageBuiltin})
         if (const BuiltinLowering lowered = subject(call.id()))
             return lowered(call);
     lowering.messages.error(

@@ -41,6 +41,7 @@ BuiltinLowering lightBuiltin(sl::BuiltinId);
 BuiltinLowering derivativeBuiltin(sl::BuiltinId);
 BuiltinLowering textBuiltin(sl::BuiltinId);
 BuiltinLowering informationBuiltin(sl::BuiltinId);
+BuiltinLowering imageBuiltin(sl::BuiltinId);
 
 /// A call of any of them.
 Components builtin(Lowering &, const sl::Expr &);

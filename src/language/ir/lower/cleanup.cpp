@@ -36,7 +36,7 @@ private:
 };
 
 struct Tables {
-    Renumbering values, arrays, services, strings, spaces, variables, requests, categories;
+    Renumbering values, arrays, images, services, strings, spaces, variables, requests, categories;
 
     void renumber(std::vector<ValueId> &list) {
         for (ValueId &v : list)
@@ -57,6 +57,7 @@ struct Tables {
     Renumbering *tableOf(Immediate kind) {
         switch (kind) {
         case Immediate::Array: return &arrays;
+        case Immediate::Image: return &images;
         case Immediate::Service: return &services;
         case Immediate::String: return &strings;
         case Immediate::Space: return &spaces;
@@ -115,6 +116,7 @@ void removeUnused(Function &function, std::vector<ShaderParameter> &parameters) 
             text = tables.strings(text);
     function.values = tables.values.apply(function.values);
     function.arrays = tables.arrays.apply(function.arrays);
+    function.images = tables.images.apply(function.images);
     function.strings = tables.strings.apply(function.strings);
     function.spaces = tables.spaces.apply(function.spaces);
     function.variables = tables.variables.apply(function.variables);

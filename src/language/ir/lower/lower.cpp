@@ -60,11 +60,11 @@ struct KindOutput {
     sl::PredefinedId variable;
 };
 
-/// What functions of the kind write; nothing if it is not compiled.
+/// What functions of the kind write.
 std::vector<KindOutput> outputsOf(sl::ShaderKind kind) {
     switch (kind) {
 #define SHADER_OUTPUT(name) {OutputKind::name, sl::PredefinedId::name},
-#define SHADER_KIND(name, letter, text, light, outputs)                                            \
+#define SHADER_KIND(name, letter, text, light, runs, outputs)                                      \
     case sl::ShaderKind::name:                                                                     \
         return {outputs};
 #include "language/syntax/kinds.def"
@@ -77,7 +77,7 @@ std::vector<KindOutput> outputsOf(sl::ShaderKind kind) {
 std::string compiledKinds() {
     std::string names;
     for (int kind = 0; kind < sl::shaderKindCount; ++kind)
-        if (!outputsOf(sl::ShaderKind(kind)).empty())
+        if (sl::runsFor(sl::ShaderKind(kind)) != sl::RunsFor::Never)
             names += (names.empty() ? "" : " and ") + std::string(sl::nameOf(sl::ShaderKind(kind)));
     return names;
 }
@@ -166,7 +166,7 @@ std::optional<LoweredShader> lower(const sl::TypedShader &shader,
                                    const std::vector<StringValue> &strings,
                                    const std::vector<std::string> &variables, DiagnosticSink &sink,
                                    const LoweringOptions &options) {
-    if (outputsOf(shader.kind).empty()) {
+    if (sl::runsFor(shader.kind) == sl::RunsFor::Never) {
         sink.report(sl::diagnosticAt(Severity::Error, shader.where,
                                      std::string(sl::nameOf(shader.kind)) +
                                          " shaders are not compiled yet; " + compiledKinds() +
@@ -180,6 +180,7 @@ std::optional<LoweredShader> lower(const sl::TypedShader &shader,
     lowered.kind = shader.kind;
     lowered.whole.name = shader.name;
     lowered.whole.mostTurns = options.mostTurns;
+    lowered.whole.isEndless = sl::runsFor(shader.kind) == sl::RunsFor::Picture;
     lowered.whole.colors = options.colors;
     auto parameters = parametersOf(shader, strings, options.colors, sink);
     if (!parameters)

@@ -11,16 +11,19 @@ namespace {
 
 /// As predefined.def explains it.
 struct Start {
-    enum class From { Input, Number, OneIn, ColorSamples } from;
+    enum class From { Input, Captured, Number, OneIn, ColorSamples } from;
     ShaderInput input{};
     float number = 0;
     char kind = 0;
+    PictureFact fact{};
 };
 
 Start startOf(sl::PredefinedId id) {
     static const Start table[] = {
 #define Given(name)                                                                                \
     { Start::From::Input, ShaderInput::name }
+#define Picture(name)                                                                              \
+    { Start::From::Captured, {}, 0, 0, PictureFact::name }
 #define Number(value)                                                                              \
     { Start::From::Number, {}, value }
 #define OneIn(letter)                                                                              \
@@ -33,6 +36,7 @@ Start startOf(sl::PredefinedId id) {
 #undef ColorSamples
 #undef OneIn
 #undef Number
+#undef Picture
 #undef Given
     };
     return table[int(id)];
@@ -49,6 +53,7 @@ Components startOf(Builder &b, sl::ShaderKind kind, const sl::PredefinedVariable
         for (int c = 0; c < int(count); ++c)
             result.push_back(input(b, start.input, c));
         return result;
+    case Start::From::Captured: return Components(count, captured(b, int(start.fact)));
     case Start::From::Number: return Components(count, number(b, start.number));
     case Start::From::OneIn:
         return Components(count, number(b, sl::letterOf(kind) == start.kind ? 1.0f : 0.0f));

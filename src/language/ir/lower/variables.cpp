@@ -50,6 +50,7 @@ const Storage &Variables::declare(const sl::Symbol &symbol, const Components &in
         const Type type = storage.base == sl::BaseType::String ? Type::String : Type::Float;
         for (int c = 0; c < storage.width; ++c) {
             const int array = addArray(b_, type, storage.length);
+            b_.function().arrays[size_t(array)].loopDepth = openLoops;
             storage.memory = c == 0 ? array : storage.memory;
         }
         fill(storage, initial);

@@ -26,7 +26,7 @@ TEST(Questions, EachBelongsToOneKindAndHasItsOwnName) {
 TEST(Questions, AreAskedOfEveryKindThatHasOutputs) {
     constexpr int outputs[] = {
 #define SHADER_OUTPUT(name) +1
-#define SHADER_KIND(name, letter, text, light, outputs) 0 outputs,
+#define SHADER_KIND(name, letter, text, light, runs, outputs) 0 outputs,
 #include "language/syntax/kinds.def"
 #undef SHADER_KIND
 #undef SHADER_OUTPUT

@@ -16,6 +16,8 @@ Function emptyLike(const Function &whole) {
     result.requests = whole.requests;
     result.emissions = whole.emissions;
     result.services = whole.services;
+    result.maps = whole.maps;
+    result.images = whole.images;
     result.strings = whole.strings;
     result.files = whole.files;
     result.spaces = whole.spaces;
@@ -23,6 +25,7 @@ Function emptyLike(const Function &whole) {
     result.parameters = whole.parameters;
     result.variables = whole.variables;
     result.mostTurns = whole.mostTurns;
+    result.isEndless = whole.isEndless;
     return result;
 }
 
@@ -110,7 +113,7 @@ void walkPlain(Specialization &s, const Instruction &i, BindingTimes range) {
         return;
     bool shared = time < BindingTime::Response;
     for (int h : s.active) {
-        int immediate = memory ? s.mapping.array(h, i.immediate) : i.immediate;
+        int immediate = memory ? s.mapping.array(h, i.immediate, s.loopDepth) : i.immediate;
         Values results = s.b.emit(i.op, s.mapping.values(h, i.operands), immediate, i.number);
         for (std::size_t k = 0; k < i.results.size(); ++k)
             shared ? s.assignShared(i.results[k], results[k])
@@ -181,6 +184,7 @@ static void walk(Specialization &s, const Instruction &i, BindingTimes range) {
         return;
     }
     case Op::Command:
+    case Op::ImageStore:
     case Op::EmissionCone: return walkStatement(s, i);
     case Op::If: return walkIf(s, i, range);
     case Op::Loop: return walkLoop(s, i, range);

@@ -7,6 +7,8 @@
 #include "language/ir/core/builder_sources.h"
 #include "language/ir/core/op_info.h"
 
+#include <algorithm>
+
 namespace candela::ir {
 
 namespace {
@@ -80,11 +82,15 @@ void ValueMapping::save(ValueId old, ValueId now) {
         b_.emit(Op::FrameStore, {now}, slot->second);
 }
 
-int ValueMapping::array(int assumption, int old) {
+int ValueMapping::array(int assumption, int old, int loopDepth) {
     bool shared = dependence_.arrayBindingTime[old] < BindingTime::Response;
     auto [it, isNew] = arrays_.try_emplace({shared ? -1 : assumption, old});
-    if (isNew)
-        it->second = addArray(b_, text_.arrays[old].type, text_.arrays[old].size);
+    if (isNew) {
+        const Array &known = text_.arrays[old];
+        it->second = addArray(b_, known.type, known.size);
+        // What is declared in a loop is first set there.
+        b_.function().arrays[it->second].loopDepth = std::min(known.loopDepth, loopDepth);
+    }
     return it->second;
 }
 

@@ -31,7 +31,7 @@ public:
     /// Stores the value in the frame if it has a slot there.
     void save(ValueId old, ValueId now);
     /// The new array. Those that respond to light differ by assumption.
-    int array(int assumption, int old);
+    int array(int assumption, int old, int loopDepth);
 
 private:
     ValueId rematerialise(int assumption, ValueId old);

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "image/filter/filter_stack.h"
+
+#include "foundation/base/hot.h"
+#include "foundation/base/parallel.h"
+#include "image/filter/filter_run.h"
+#include "language/ir/core/regions.h"
+
+#include <atomic>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <set>
+
+namespace candela {
+
+FilterStack::FilterStack(const std::vector<ShaderRecord> &records, ShaderLibrary &library,
+                         const Options &options) {
+    for (const ShaderRecord &record : records)
+        if (auto filter = library.filter(record, options))
+            filters_.push_back(std::move(filter));
+}
+
+namespace {
+
+/// Visits each lookup and each setting of a map, those of the pixel loops included.
+template <typename Visit> void forEachImageUse(const ir::Function &function, Visit visit) {
+    ir::forEachInstruction(function.body, [&](const ir::Instruction &i) {
+        if (i.op == ir::Op::ImageLoad || i.op == ir::Op::ImageStore)
+            visit(i, function.maps[std::size_t(function.images[std::size_t(i.immediate)].map)]);
+    });
+    for (const ir::PixelLoop &loop : function.pixelLoops)
+        forEachImageUse(*loop.body, visit);
+}
+
+std::vector<std::string> mapsOf(const std::vector<std::shared_ptr<const FilterCode>> &filters,
+                                ir::Op op) {
+    std::set<std::string> names;
+    for (const auto &filter : filters)
+        forEachImageUse(filter->driver(), [&](const ir::Instruction &i, const std::string &map) {
+            if (i.op == op && map != "Cs" && map != "Ci")
+                names.insert(map);
+        });
+    return {names.begin(), names.end()};
+}
+
+/// How many numbers of the row are not finite; they become 0.
+CANDELA_HOT int makeFinite(float *row, int count) {
+    int bad = 0;
+    for (int x = 0; x < count; ++x) {
+        const bool finite = std::abs(row[x]) <= std::numeric_limits<float>::max();
+        bad += !finite;
+        row[x] = finite ? row[x] : 0;
+    }
+    return bad;
+}
+
+/// One such pixel would spread over its neighbourhood, or the whole picture.
+void makeFinite(OwnedImage &image, DiagnosticSink &diagnostics) {
+    std::atomic<std::int64_t> bad{0};
+    parallelFor(std::size_t(image.height()), [&](std::size_t y) {
+        for (int c = 0; c < image.channels(); ++c)
+            if (const int inRow = makeFinite(image.row(c, int(y)), image.width()))
+                bad += inRow;
+    });
+    if (bad > 0)
+        diagnostics.warning({}, fmt::format("{} values of the picture are not finite (inf or nan); "
+                                            "the filters get 0 for them",
+                                            bad.load()));
+}
+
+} // namespace
+
+std::vector<std::string> FilterStack::mapsRead() const {
+    return mapsOf(filters_, ir::Op::ImageLoad);
+}
+
+std::vector<std::string> FilterStack::mapsSet() const {
+    return mapsOf(filters_, ir::Op::ImageStore);
+}
+
+bool FilterStack::run(ImageMaps &maps, const FilterListeners &listeners) const {
+    if (OwnedImage *picture = maps.find("Ci"); picture && !filters_.empty())
+        makeFinite(*picture, listeners.diagnostics);
+    FilterWatch watch(listeners);
+    int done = 0;
+    for (const auto &filter : filters_) {
+        watch.begin(filter->name(), done++);
+        runFilter(*filter, maps, watch, listeners.diagnostics);
+        if (watch.isInterrupted())
+            return false;
+    }
+    return true;
+}
+
+} // namespace candela

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "image/filter/pixel_loop_run.h"
+
+#include "foundation/base/parallel.h"
+#include "foundation/base/planes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace candela {
+
+namespace {
+
+/// Turns of a loop from `first` on, by steps of 1, as long as it is below (or not above) `end`.
+/// Beyond 2^24 a step of 1 leads nowhere.
+std::int64_t turnsOf(float first, float end, bool isClosed) {
+    const double length = double(end) - double(first);
+    if (!(length >= 0) || (length == 0 && !isClosed))
+        return 0;
+    const double turns = isClosed ? std::floor(length) + 1 : std::ceil(length);
+    return std::int64_t(std::min(turns, 16777216.0));
+}
+
+/// The columns and rows that a loop runs over.
+struct Extent {
+    std::int64_t columns, rows;
+    float firstColumn, firstRow;
+
+    /// Rows that one core takes at a time: the same whatever their number.
+    std::int64_t rowsTogether() const {
+        constexpr std::int64_t pixelsTogether = 1 << 14;
+        return std::max<std::int64_t>(1, pixelsTogether / columns);
+    }
+    std::int64_t portions() const { return (rows + rowsTogether() - 1) / rowsTogether(); }
+};
+
+Extent extentOf(const ir::PixelLoop &loop, const float *given) {
+    return {turnsOf(given[0], given[1], loop.closedColumns),
+            turnsOf(given[2], given[3], loop.closedRows), given[0], given[2]};
+}
+
+std::size_t wholeBlocks(std::int64_t columns) {
+    return std::size_t((columns + laneBlock - 1) / laneBlock * laneBlock);
+}
+
+double beginningOf(ir::Reduction reduction) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    return reduction == ir::Reduction::Sum     ? 0
+           : reduction == ir::Reduction::Least ? infinity
+                                               : -infinity;
+}
+
+double joined(ir::Reduction reduction, double a, double b) {
+    switch (reduction) {
+    case ir::Reduction::Sum: return a + b;
+    case ir::Reduction::Least: return b < a ? b : a;
+    case ir::Reduction::Greatest: return b > a ? b : a;
+    }
+    return a;
+}
+
+/// Of a row: sixteen sums of every sixteenth value, then these one after another.
+double reduced(ir::Reduction reduction, const float *values, std::int64_t count) {
+    std::array<double, laneBlock> parts;
+    parts.fill(beginningOf(reduction));
+    const std::int64_t blocks = count / laneBlock * laneBlock;
+    for (std::int64_t k = 0; k < blocks; k += laneBlock)
+        for (int lane = 0; lane < laneBlock; ++lane)
+            parts[std::size_t(lane)] =
+                joined(reduction, parts[std::size_t(lane)], double(values[k + lane]));
+    for (std::int64_t k = blocks; k < count; ++k)
+        parts[std::size_t(k - blocks)] =
+            joined(reduction, parts[std::size_t(k - blocks)], double(values[k]));
+    double all = beginningOf(reduction);
+    for (double part : parts)
+        all = joined(reduction, all, part);
+    return all;
+}
+
+/// The border's pixels beyond it, so that rows may be read there.
+void fillHalo(const ImageMap &map, int y) {
+    for (int c = 0; c < map.channels; ++c) {
+        float *row = map.row(c, y);
+        std::fill(row - imageHalo, row, row[0]);
+        float *const end = row - imageHalo + map.rowStride;
+        std::fill(row + map.width, end, row[map.width - 1]);
+    }
+}
+
+void fillHalos(const ImageMap &map) {
+    constexpr int rowsTogether = 256;
+    parallelFor(std::size_t((map.height + rowsTogether - 1) / rowsTogether), [&](std::size_t k) {
+        const int first = int(k) * rowsTogether;
+        for (int y = first; y < std::min(first + rowsTogether, map.height); ++y)
+            fillHalo(map, y);
+    });
+}
+
+/// Where lane 0 stands, as a whole number; far outside if it is none.
+std::int32_t wholeColumn(float first) {
+    constexpr float farthest = 1 << 20;
+    const bool isWhole = std::floor(first) == first && std::abs(first) <= farthest;
+    return isWhole ? std::int32_t(first) : std::numeric_limits<std::int32_t>::min() / 2;
+}
+
+} // namespace
+
+const float *const *PixelLoopRun::noInputs() {
+    static const std::array<float, laneBlock> zeros{};
+    static const auto planes = [] {
+        std::array<const float *, std::size_t(ShaderInput::Count)> all;
+        all.fill(zeros.data());
+        return all;
+    }();
+    return planes.data();
+}
+
+PixelLoopRunner PixelLoopRun::runner() {
+    return {this, [](void *context, std::int32_t number, const float *given,
+                     const float *const *arrays, float *results) {
+                auto &self = *static_cast<PixelLoopRun *>(context);
+                self.run(self.filter_.driver().pixelLoops[std::size_t(number)],
+                         self.filter_.loop(number), given, arrays, results);
+            }};
+}
+
+void PixelLoopRun::run(const ir::PixelLoop &loop, ShaderFunction code, const float *given,
+                       const float *const *arrays, float *results) {
+    const Extent extent = extentOf(loop, given);
+    const float *captured = given + ir::PixelLoop::bounds, *begin = captured + loop.captured;
+    const std::size_t sums = loop.sums.size();
+    std::copy_n(begin, sums, results);
+    if (extent.columns == 0 || extent.rows == 0)
+        return;
+    for (int map : loop.mapsRead)
+        fillHalos(args_->maps[map]);
+
+    std::vector<float> columns(wholeBlocks(extent.columns));
+    for (std::size_t k = 0; k < columns.size(); ++k)
+        columns[k] = extent.firstColumn + float(k);
+    std::array<const float *, std::size_t(ShaderInput::Count)> inputs;
+    std::copy_n(args_->inputs, inputs.size(), inputs.begin());
+    inputs[std::size_t(ShaderInput::column)] = columns.data();
+
+    const std::int64_t together = extent.rowsTogether();
+    std::vector<double> portions(std::size_t(extent.portions()) * sums);
+    std::atomic<std::int64_t> rowsDone{0};
+    parallelFor(std::size_t(extent.portions()), [&](std::size_t portion) {
+        std::vector<float> values(sums * columns.size()), own(captured, captured + loop.captured);
+        own.insert(own.begin(), 0);
+        std::vector<float *> outputs;
+        for (std::size_t s = 0; s < sums; ++s) {
+            outputs.push_back(values.data() + s * columns.size());
+            portions[portion * sums + s] = beginningOf(loop.sums[s]);
+        }
+        ShaderArgs args = *args_;
+        args.count = std::int32_t(extent.columns);
+        args.inputs = inputs.data();
+        args.captured = own.data();
+        args.capturedArrays = arrays;
+        args.firstColumn = wholeColumn(extent.firstColumn);
+        args.outputs = outputs.data();
+        const std::int64_t first = std::int64_t(portion) * together;
+        for (std::int64_t y = first; y < std::min(first + together, extent.rows); ++y) {
+            if (watch_.isInterrupted())
+                return;
+            own[0] = extent.firstRow + float(y);
+            code(&args);
+            for (std::size_t s = 0; s < sums; ++s)
+                portions[portion * sums + s] =
+                    joined(loop.sums[s], portions[portion * sums + s],
+                           reduced(loop.sums[s], outputs[s], extent.columns));
+            watch_.progress(double(++rowsDone) / double(extent.rows));
+        }
+    });
+    for (std::size_t s = 0; s < sums; ++s) {
+        double all = double(begin[s]);
+        for (std::int64_t portion = 0; portion < extent.portions(); ++portion)
+            all = joined(loop.sums[s], all, portions[std::size_t(portion) * sums + s]);
+        results[s] = float(all);
+    }
+}
+
+} // namespace candela
