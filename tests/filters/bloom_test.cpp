@@ -70,7 +70,7 @@ TEST(Bloom, APointOfLightHasTheGlareOfTheCie) {
 TEST(Bloom, NoLightIsLostOrMade) {
     for (const auto &[width, height] : {std::pair{64, 48}, {61, 37}, {5, 90}, {1, 1}, {3, 2}}) {
         Picture scene = manifold(width, height, -1, 3);
-        scene.at(width - 1, height / 2) = {1e4, 3e3, 0}; // a lamp at the border
+        scene.at(width - 1, height / 2) = {1e4, 3e3, 1}; // a lamp at the border
         const Rgb before = sumOf(scene);
         const Rgb after = sumOf(filtered(Filter("bloom"), scene));
         for (int c = 0; c < 3; ++c)

@@ -147,7 +147,7 @@ TEST(FalseColor, TheLegendGrowsWithThePictureAndStandsWhereItIsTold) {
 
 TEST(FalseColor, ContoursStandWhereLuminancePassesTheLegendsValues) {
     const auto ramp = makePicture(200, 20, [](int x, int) {
-        const double value = x / 179.; // cd/m^2: x
+        const double value = (x + .5) / 179; // cd/m^2: x + .5
         return Rgb{value, value, value};
     });
     const Filter filter = bare.with("scale", 200).with("contours", 1);

@@ -106,11 +106,13 @@ double expectedValue(const Curve &curve, const std::vector<double> &glances, dou
     return std::max((display - least) / (most - least), 0.);
 }
 
-/// Mostly dark, with a bright part; noise over two decades in each.
-Picture darkAndBright(int width, int height) {
-    const Picture noise = manifold(width, height, -1, 2);
+/// Mostly dark, with a bright part; each of many luminances, in squares with some noise.
+Picture darkAndBright(int width, int height, int square) {
+    const Picture levels = manifold(width / square, height / square, -1, 2);
+    const Picture noise = manifold(width, height, 0, .1);
     return makePicture(width, height, [&](int x, int y) {
-        return (x > width * 2 / 3 ? 900. : 1.) * noise.at(x, y);
+        const double light = luminanceOf(levels.at(x / square, y / square));
+        return asFloats((x > width * 2 / 3 ? 900 : 1) * light * noise.at(x, y));
     });
 }
 
@@ -129,11 +131,10 @@ void expectFormula(const Picture &scene, const char *contrast, int each, double 
 }
 
 TEST(HistogramAdjust, IsTheFormula) {
-    const Picture scene = darkAndBright(48, 32);
     for (const char *contrast : {"none", "linear", "human"}) {
         SCOPED_TRACE(contrast);
-        expectFormula(scene, contrast, 1, 48, false);
-        expectFormula(scene, contrast, 4, 12, false);
+        expectFormula(darkAndBright(48, 32, 1), contrast, 1, 48, false);
+        expectFormula(darkAndBright(128, 96, 4), contrast, 4, 32, false);
     }
 }
 
@@ -149,7 +150,7 @@ TEST(HistogramAdjust, ScenesThatFitAreScaled) {
 /// The ceiling's meaning: luminances that differ by a factor do not differ by more on the display.
 /// What the last round cut, 2.5 %, is left of it.
 TEST(HistogramAdjust, ContrastNeverExceedsTheScenes) {
-    const Picture scene = darkAndBright(60, 40);
+    const Picture scene = darkAndBright(60, 40, 1);
     const Filter filter =
         Filter("histogram_adjust").with("contrast", "linear").with("fieldofview", 60);
     const Picture found = filtered(filter, scene);

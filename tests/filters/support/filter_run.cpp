@@ -31,23 +31,27 @@ std::vector<float> planeOf(const Picture &picture, int channel) {
 } // namespace
 
 Filter Filter::with(const std::string &name, const std::string &value) const {
-    Filter more = *this;
     Parameter parameter;
     parameter.name = name;
     parameter.declaration.type = ValueType::String;
     parameter.strings = {value};
-    more.record_.parameters.all.push_back(parameter);
-    return more;
+    return with(std::move(parameter));
 }
 
 Filter Filter::withAll(const std::string &name, const std::vector<double> &values) const {
-    Filter more = *this;
     Parameter parameter;
     parameter.name = name;
     parameter.declaration.arraySize = int(values.size());
     parameter.floats.assign(values.begin(), values.end());
-    more.record_.parameters.all.push_back(parameter);
-    return more;
+    return with(std::move(parameter));
+}
+
+Filter Filter::with(Parameter parameter) const {
+    Filter changed = *this;
+    auto &all = changed.record_.parameters.all;
+    std::erase_if(all, [&](const Parameter &old) { return old.name == parameter.name; });
+    all.push_back(std::move(parameter));
+    return changed;
 }
 
 ImageMaps mapsOf(const Picture &picture) {

@@ -13,7 +13,7 @@
 
 namespace candela::filters {
 
-/// A filter with its parameters, as PushFilter names them.
+/// A filter with its parameters, as PushFilter names them; what is given again replaces.
 class Filter {
 public:
     explicit Filter(std::string name) { record_.name = std::move(name); }
@@ -26,6 +26,8 @@ public:
     const ShaderRecord &record() const { return record_; }
 
 private:
+    Filter with(Parameter) const;
+
     ShaderRecord record_;
 };
 

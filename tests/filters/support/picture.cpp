@@ -20,6 +20,16 @@ double luminanceOf(const Rgb &c) { return 179 * (.2126 * c[0] + .7152 * c[1] + .
 
 Rgb photometricOf(const Rgb &c) { return 179. * c; }
 
+Rgb asFloats(const Rgb &c) {
+    Rgb rounded;
+    for (int k = 0; k < 3; ++k) {
+        // GCC 12.2 would take two conversions side by side, to float and back, for nothing.
+        const volatile float narrow = float(c[k]);
+        rounded[k] = narrow;
+    }
+    return rounded;
+}
+
 Picture makePicture(int width, int height, const std::function<Rgb(int x, int y)> &value) {
     Picture made(width, height);
     for (int y = 0; y < height; ++y)
@@ -36,14 +46,13 @@ Picture manifold(int width, int height, double lowest, double decades) {
         const double hue = std::fmod(number * golden * golden * 7, 1) * 6.283185307179586;
         Rgb c{1 + .8 * std::cos(hue), 1 + .8 * std::cos(hue - 2.1), 1 + .8 * std::cos(hue + 2.1)};
         c = std::pow(10, lowest + decades * level) / luminanceOf(c) * c;
-        // As the float that the filter is going to see.
-        return Rgb{double(float(c[0])), double(float(c[1])), double(float(c[2]))};
+        return asFloats(c);
     });
 }
 
 Picture grey(int width, int height, double luminance) {
-    const double value = float(luminance / 179);
-    return Picture(width, height, {value, value, value});
+    const double value = luminance / 179;
+    return Picture(width, height, asFloats({value, value, value}));
 }
 
 double meanOf(const Picture &picture, const std::function<double(const Rgb &)> &value) {

@@ -36,6 +36,9 @@ double luminanceOf(const Rgb &);
 /// Photometric: 179 lm/W.
 Rgb photometricOf(const Rgb &);
 
+/// As filters see them.
+Rgb asFloats(const Rgb &);
+
 Picture makePicture(int width, int height, const std::function<Rgb(int x, int y)> &);
 /// Colours of all hues over so many decades of luminance, lowest 10^`lowest` cd/m^2: no two alike,
 /// the same in each run.
