@@ -132,7 +132,9 @@ filter bloom(
         makelevel("bloom.7", "bloom.8", SIZE(8));
     if (levels > 9)
         makelevel("bloom.8", "bloom.9", SIZE(9));
-    addlevel("bloom.9", "bloom.none", SIZE(9), weights[9]);
+    for (y = 0; y < ceil(ysize / pow(2, 9)); y += 1)
+        for (x = 0; x < ceil(xsize / pow(2, 9)); x += 1)
+            setimage("bloom.9", x, y, weights[9] * color image("bloom.9", x, y));
     addlevel("bloom.8", "bloom.9", SIZE(8), weights[8]);
     addlevel("bloom.7", "bloom.8", SIZE(7), weights[7]);
     addlevel("bloom.6", "bloom.7", SIZE(6), weights[6]);

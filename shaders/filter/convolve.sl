@@ -24,26 +24,41 @@ filter convolve(
     float width = 5;            /* all of it, pixels; a gaussian deviates by a quarter */
     float xwidth = 0;           /* the same across; 0: width */
     float ywidth = 0;           /* and down */
-    float weights[] = {0};      /* instead: weights by rows from the top, as they are */
-    float columns = 0;          /* how many of them a row has; 0: no weights */
+    float weights3[9] = {0};    /* instead: weights by rows from the top, as they are */
+    float weights5[25] = {0};   /* the same, of five rows and columns */
+    float weights7[49] = {0};   /* of seven */
     float normalize = 0;        /* 1: weights are divided by their sum */)
 {
     float x, y, i, j;
+    float weights[49];
+    float size = 0, sum = 0;
 
-    if (columns > 0) {
-        float rows = floor(arraylength(weights) / columns);
-        float left = floor((columns - 1) / 2), above = floor((rows - 1) / 2);
-        float sum = 0;
-        for (i = 0; i < rows * columns; i += 1)
+    for (i = 0; i < 49; i += 1) {
+        weights[i] = weights7[i];
+        size = weights7[i] != 0 ? 7 : size;
+    }
+    for (i = 0; i < 25 && size != 7; i += 1) {
+        weights[i] = weights5[i];
+        size = weights5[i] != 0 ? 5 : size;
+    }
+    for (i = 0; i < 9 && size == 0; i += 1)
+        size = weights3[i] != 0 ? 3 : size;
+    if (size == 3)
+        for (i = 0; i < 9; i += 1)
+            weights[i] = weights3[i];
+
+    if (size > 0) {
+        float middle = (size - 1) / 2;
+        for (i = 0; i < size * size; i += 1)
             sum += weights[i];
         float scale = normalize != 0 && sum != 0 ? 1 / sum : 1;
         for (y = 0; y < ysize; y += 1)
             for (x = 0; x < xsize; x += 1) {
                 color c = 0;
-                for (j = 0; j < rows; j += 1)
-                    for (i = 0; i < columns; i += 1)
-                        c += weights[j * columns + i] *
-                             color image("Cs", x + (left - i), y + (above - j));
+                for (j = 0; j < size; j += 1)
+                    for (i = 0; i < size; i += 1)
+                        c += weights[j * size + i] *
+                             color image("Cs", x + (middle - i), y + (middle - j));
                 setimage("Ci", x, y, c * scale);
             }
     } else if (isakernel(kernel) != 0) {

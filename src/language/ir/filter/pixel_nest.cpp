@@ -49,18 +49,20 @@ private:
     enum class Follows { Nothing, Inner, Outer, Unknown };
 
     bool resultsAreKnown();
-    bool innerResultsAreKnown(const std::map<std::size_t, std::size_t> &outerOfInner);
     bool collect();
     bool collect(const Region &, bool isUnconditional);
     bool collect(const Instruction &, bool isUnconditional);
     bool accessesAreApart();
-    bool isApart(int map, const std::vector<Access> &sets);
+    bool isApartAlong(std::size_t axis, const CountedLoop &, int map) const;
+    bool isCovered(int map) const;
+    bool isApart(int map) const;
     bool arraysAreApart();
     bool isVariant(ValueId v) const;
     /// By steps of at least one pixel.
     Follows follows(ValueId v) const;
     bool beginsWhole(const CountedLoop &) const;
     CountedLoop innerLoop() const { return *countedLoop(*nest_.inner, facts_); }
+    CountedLoop outerLoop() const { return *countedLoop(*nest_.outer, facts_); }
 
     const Function &function_;
     const ValueFacts &facts_;
@@ -79,7 +81,7 @@ bool NestProof::resultsAreKnown() {
     const Instruction &outer = *nest_.outer;
     std::map<std::size_t, std::size_t> outerOf; // Of an inner reduction.
     if (nest_.isNested()) {
-        const CountedLoop counted = *countedLoop(outer, facts_);
+        const CountedLoop counted = outerLoop();
         if (!unused(outer, 0) || !unused(outer, counted.counter))
             return false;
         for (std::size_t k = 1; k < outer.results.size(); ++k) {
@@ -88,7 +90,7 @@ bool NestProof::resultsAreKnown() {
             const ValueId carried = outer.regions[0].arguments[k],
                           next = outer.regions[0].yields[k];
             const ValueFacts::Origin &from = facts_.origin[next];
-            const bool isInners = from.instruction == &inner.loop[0] && !from.isArgument &&
+            const bool isInners = from.instruction == inner.loop && !from.isArgument &&
                                   from.index > 0 && inner.loop->operands[from.index] == carried;
             if (!isInners || facts_.uses[carried] != 1 || facts_.uses[next] != 1)
                 return false;
@@ -168,7 +170,7 @@ bool NestProof::isVariant(ValueId v) const {
 NestProof::Follows NestProof::follows(ValueId v) const {
     if (v == innerLoop().variable())
         return Follows::Inner;
-    if (nest_.isNested() && v == countedLoop(*nest_.outer, facts_)->variable())
+    if (nest_.isNested() && v == outerLoop().variable())
         return Follows::Outer;
     if (!isVariant(v))
         return Follows::Nothing;
@@ -196,65 +198,68 @@ bool NestProof::beginsWhole(const CountedLoop &loop) const {
     return first && std::floor(*first) == *first;
 }
 
-/// What one turn sets no other turn sets or reads.
-bool NestProof::isApart(int map, const std::vector<Access> &sets) {
-    const Access &first = sets.front();
-    for (const Access &set : sets)
-        if (set.x() != first.x() || set.y() != first.y())
-            return false;
-    const Follows x = follows(first.x()), y = follows(first.y());
-    if (x == Follows::Unknown || y == Follows::Unknown)
-        return false;
-    const auto either = [&](Follows wanted) { return x == wanted || y == wanted; };
-    if (!either(Follows::Inner) || (nest_.isNested() && !either(Follows::Outer)))
-        return false;
-    const CountedLoop inner = innerLoop();
-    std::vector<ValueId> variables{inner.variable()};
-    bool areWhole = beginsWhole(inner);
-    if (nest_.isNested()) {
-        const CountedLoop outer = *countedLoop(*nest_.outer, facts_);
-        variables.push_back(outer.variable());
-        areWhole &= beginsWhole(outer);
-    }
-    const auto isPlain = [&](ValueId v) { // Exactly at a pixel's centre.
-        return std::ranges::count(variables, v) > 0;
-    };
+/// What is set lies, along the axis (operand 0 or 1), where the loop's variable is, and so does
+/// what is read of the map: no two turns of the loop meet.
+bool NestProof::isApartAlong(std::size_t axis, const CountedLoop &loop, int map) const {
+    std::optional<ValueId> place;
     bool isRead = false;
     for (const Access &access : accesses_) {
-        if (access.instruction->op != Op::ImageLoad || access.use->map != map)
+        if (access.use->map != map)
             continue;
-        isRead = true;
-        const bool isOwn = access.x() == first.x() && access.y() == first.y() &&
-                           access.use->filter <= runtime::ImageFilter::Bilinear &&
-                           (isPlain(first.x()) || x == Follows::Nothing) &&
-                           (isPlain(first.y()) || y == Follows::Nothing) && areWhole;
-        if (!isOwn)
+        const ValueId own = access.instruction->operands[axis];
+        if (own != place.value_or(own))
+            return false;
+        place = own;
+        isRead |= access.instruction->op == Op::ImageLoad;
+        if (access.use->filter > runtime::ImageFilter::Bilinear)
             return false;
     }
-    const bool isWhole = nest_.isNested() && first.isUnconditional && isPlain(first.x()) &&
-                         isPlain(first.y()) && areWhole;
-    if (isWhole && !isRead)
-        nest_.mapsCovered.push_back(map);
-    return true;
+    // Between two pixels both would be read.
+    const bool isPixel = place == loop.variable() && beginsWhole(loop);
+    const Follows wanted = loop.loop == nest_.inner ? Follows::Inner : Follows::Outer;
+    return place && follows(*place) == wanted && (!isRead || isPixel);
+}
+
+/// Every turn sets its pixel, and none reads one.
+bool NestProof::isCovered(int map) const {
+    if (!nest_.isNested())
+        return false;
+    bool isSet = false;
+    for (const Access &access : accesses_) {
+        if (access.use->map != map)
+            continue;
+        if (access.instruction->op == Op::ImageLoad)
+            return false;
+        const std::set<ValueId> place{access.x(), access.y()};
+        const CountedLoop inner = innerLoop(), outer = outerLoop();
+        isSet |= access.isUnconditional && beginsWhole(inner) && beginsWhole(outer) &&
+                 place == std::set<ValueId>{inner.variable(), outer.variable()};
+    }
+    return isSet;
+}
+
+/// What one turn sets no other turn sets or reads.
+bool NestProof::isApart(int map) const {
+    const CountedLoop inner = innerLoop();
+    if (!nest_.isNested())
+        return isApartAlong(0, inner, map) || isApartAlong(1, inner, map);
+    const CountedLoop outer = outerLoop();
+    return (isApartAlong(0, inner, map) && isApartAlong(1, outer, map)) ||
+           (isApartAlong(1, inner, map) && isApartAlong(0, outer, map));
 }
 
 bool NestProof::accessesAreApart() {
-    std::map<int, std::vector<Access>> sets;
-    std::set<int> read;
+    std::set<int> read, set;
     for (const Access &access : accesses_)
-        if (access.instruction->op == Op::ImageStore)
-            sets[access.use->map].push_back(access);
-        else
-            read.insert(access.use->map);
-    if (sets.empty() && read.empty())
+        (access.instruction->op == Op::ImageStore ? set : read).insert(access.use->map);
+    if (set.empty() && read.empty())
         return false; // No loop over pixels.
     nest_.mapsRead.assign(read.begin(), read.end());
-    for (const auto &[map, all] : sets) {
-        if (!isApart(map, all))
-            return false;
-        nest_.mapsSet.push_back(map);
-    }
-    return true;
+    nest_.mapsSet.assign(set.begin(), set.end());
+    for (const int map : set)
+        if (isCovered(map))
+            nest_.mapsCovered.push_back(map);
+    return std::ranges::all_of(set, [&](int map) { return isApart(map); });
 }
 
 /// Whether the access stands in the nest.
