@@ -26,7 +26,7 @@ int main(int argc, char **argv) {
     app.footer(
         "Exit status: 0 all went well; 1 something was wrong and has been reported, the rest "
         "was rendered; 2 the command line cannot be understood.\n"
-        "See also: candela compile --help, candela diff --help");
+        "See also: candela compile --help, candela diff --help, candela filter --help");
     app.get_formatter()->column_width(34);
 
     // Beyond RLIMIT_FSIZE writing just fails, as on a full disk.
@@ -34,6 +34,7 @@ int main(int argc, char **argv) {
     int status = 0;
     candela::addRender(app, status);
     candela::addDiff(app, status);
+    candela::addFilter(app, status);
     candela::addCompile(app, status);
     try {
         app.parse(argc, argv);

@@ -13,6 +13,8 @@ namespace candela {
 void addRender(CLI::App &, int &status);
 /// `candela diff a b`
 void addDiff(CLI::App &, int &status);
+/// `candela filter in.exr out.exr -f name ...`
+void addFilter(CLI::App &, int &status);
 /// `candela compile shader.sl ...`
 void addCompile(CLI::App &, int &status);
 

@@ -31,8 +31,8 @@ struct DisplayPlane {
 /// Reads a mode: "rgb", "rgba", "a", "z", "az", "rgbz", "rgbaz", the name of a channel (also with
 /// its declaration before it, "varying color albedo"), or several of these between commas.
 /// "radiance" is Ci before the imaging pipeline, "variance" the variance of its pixel means.
-/// `available` are the channels that estimators can give beside Ci and Oi. Nothing, and `problem`
-/// with the names that are known, if a part of the mode is not.
+/// `available` are the channels beside Ci and Oi that estimators can give or filters make. Nothing,
+/// and `problem` with the names that are known, if a part of the mode is not.
 std::optional<std::vector<DisplayPlane>> displayPlanes(const std::string &mode,
                                                        std::span<const ChannelInfo> available,
                                                        std::string &problem);

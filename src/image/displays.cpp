@@ -25,7 +25,7 @@ std::string shortNumber(double value) {
 
 /// A display on its way out.
 struct Job {
-    const Film &film;
+    const DisplaySources &sources;
     const Options &options;
     const FrameDescription &frame;
     const DisplayRecord &display;
@@ -47,7 +47,8 @@ void describe(const Job &job, Picture &picture) {
     picture.pixelAspectRatio =
         options.format.pixelAspectRatio > 0 ? options.format.pixelAspectRatio : 1;
     picture.worldToCamera = job.frame.worldToCamera;
-    picture.worldToNdc = job.frame.worldToNdc;
+    if (picture.window == job.sources.film.window()) // Nobody knows what other pixels show.
+        picture.worldToNdc = job.frame.worldToNdc;
     picture.metadata = job.frame.metadata;
     picture.metadata["units"] = "W m^-2 sr^-1";
     picture.metadata["luminousEfficacy"] = shortNumber(luminousEfficacy) + " lm/W";
@@ -70,7 +71,7 @@ std::optional<std::string> exrBytes(Job &job) {
     const QuantizeRecord none;
     settings.color = job.display.quantize.value_or(job.options.colorQuantize.value_or(none));
     settings.depth = depthQuantize(job.display, job.options);
-    Picture picture = developPicture(job.film, job.planes, settings);
+    Picture picture = developPicture(job.sources, job.planes, settings);
     describe(job, picture);
     noteQuantize(picture, settings.color);
     return encodeExr(picture, job.problem);
@@ -83,11 +84,12 @@ std::optional<std::string> pngBytes(Job &job) {
     settings.color =
         job.display.quantize.value_or(job.options.colorQuantize.value_or(eightBitQuantize));
     if (settings.color.one == 0) {
-        job.warning = "a PNG picture holds whole numbers only: quantised by 255 0 255 0.5";
+        job.warning += job.warning.empty() ? "" : "; ";
+        job.warning += "a PNG picture holds whole numbers only: quantised by 255 0 255 0.5";
         settings.color = eightBitQuantize;
     }
     settings.depth = depthQuantize(job.display, job.options);
-    Picture picture = developPicture(job.film, job.planes, settings);
+    Picture picture = developPicture(job.sources, job.planes, settings);
     describe(job, picture);
     noteQuantize(picture, settings.color);
     const bool depth = std::ranges::any_of(
@@ -101,31 +103,15 @@ bool write(Job &job, const PlannedDisplay &display) {
     return bytes && writeWholeFile(display.path, *bytes, job.problem);
 }
 
-std::vector<float> rawPlane(const Film &film, const DisplayPlane &plane, FilmHalf half) {
-    if (plane.source == Source::Variance)
-        return film.varianceOfMean(plane.component);
-    const int channel = film.channelIndex(plane.channel);
-    if (plane.source != Source::Alpha)
-        return film.mean(channel, plane.component, half);
-    std::vector<float> alpha = film.mean(channel, 0, half);
-    for (int c = 1; c < colorSamples; ++c) {
-        const std::vector<float> opacity = film.mean(channel, c, half);
-        for (std::size_t i = 0; i < alpha.size(); ++i)
-            alpha[i] += opacity[i];
-    }
-    for (float &value : alpha)
-        value /= colorSamples;
-    return alpha;
-}
-
-void develop(std::vector<float> &values, const DisplayPlane &plane, int planeNumber,
-             const FrameWindow &w, const PlaneSettings &settings) {
+void develop(SourcePlane &from, const DisplayPlane &plane, int planeNumber, const FrameWindow &w,
+             const PlaneSettings &settings) {
     const bool color = plane.source == Source::Color;
     const bool depth = plane.source == Source::Depth;
     const bool whole = color || depth || plane.source == Source::Alpha || settings.quantizeAll;
     const QuantizeRecord &quantize = depth ? settings.depth : settings.color;
+    std::vector<float> &values = from.values;
     for (std::size_t i = 0; i < values.size(); ++i) {
-        if (color)
+        if (color && !from.exposed)
             values[i] = exposed(values[i], settings.gain, settings.gamma);
         if (whole && quantize.one != 0) {
             const int x = w.x0 + int(i % w.columns()), y = w.y0 + int(i / w.columns());
@@ -134,39 +120,86 @@ void develop(std::vector<float> &values, const DisplayPlane &plane, int planeNum
     }
 }
 
+/// A picture whose size a filter has changed is a frame of its own.
+FrameWindow windowOf(const DisplaySources &sources, const std::vector<DisplayPlane> &planes) {
+    const FrameWindow &film = sources.film.window();
+    const auto size = planes.empty() ? std::nullopt : sizeOfPlane(sources, planes.front());
+    if (!size || (size->width == film.columns() && size->height == film.rows()))
+        return film;
+    return {size->width, size->height, 0, size->width, 0, size->height};
+}
+
+std::string textOf(const PlaneSize &size) {
+    return std::to_string(size.width) + " x " + std::to_string(size.height);
+}
+
+/// A file has one size: that of its first plane. What has another one is left out, with a warning.
+std::vector<DisplayPlane> planesOfOneSize(const DisplaySources &sources,
+                                          const std::vector<DisplayPlane> &planes,
+                                          std::string &warning) {
+    std::vector<DisplayPlane> kept;
+    std::optional<PlaneSize> size;
+    std::string missing, others;
+    for (const DisplayPlane &plane : planes) {
+        const auto own = sizeOfPlane(sources, plane);
+        if (own && !size)
+            size = own;
+        if (own && *own == *size) {
+            kept.push_back(plane);
+            continue;
+        }
+        std::string &list = own ? others : missing;
+        list += (list.empty() ? "" : ", ") + plane.name;
+    }
+    if (!missing.empty())
+        warning += "there is no plane " + missing + ", which no filter has made";
+    if (!others.empty())
+        warning += (warning.empty() ? "" : "; ") +
+                   ("filters have made the picture " + textOf(*size)) +
+                   ", so that planes of another size are left out: " + others;
+    return kept;
+}
+
 } // namespace
 
-Picture developPicture(const Film &film, const std::vector<DisplayPlane> &planes,
+Picture developPicture(const DisplaySources &sources, const std::vector<DisplayPlane> &planes,
                        const PlaneSettings &settings) {
     Picture picture;
-    picture.window = film.window();
+    picture.window = windowOf(sources, planes);
     const auto add = [&](const std::string &layer, FilmHalf half) {
         for (std::size_t k = 0; k < planes.size(); ++k) {
             const DisplayPlane &plane = planes[k];
             const bool single = plane.source == Source::Depth || plane.source == Source::Variance;
             if (half != FilmHalf::Both && single)
                 continue;
-            PictureChannel channel{layer + plane.name, rawPlane(film, plane, half)};
-            develop(channel.values, plane, int(k), film.window(), settings);
-            picture.channels.push_back(std::move(channel));
+            std::optional<SourcePlane> from = sourcePlane(sources, plane, half);
+            if (!from || from->values.size() != picture.window.pixels())
+                continue;
+            develop(*from, plane, int(k), picture.window, settings);
+            picture.channels.push_back({layer + plane.name, std::move(from->values)});
         }
     };
     add("", FilmHalf::Both);
-    if (settings.halves && film.keepsHalves()) {
+    if (settings.halves && sources.film.keepsHalves()) {
         add("half0.", FilmHalf::Even);
         add("half1.", FilmHalf::Odd);
     }
     return picture;
 }
 
-std::vector<std::string> writeDisplays(const Film &film, std::span<const PlannedDisplay> displays,
+std::vector<std::string> writeDisplays(const DisplaySources &sources,
+                                       std::span<const PlannedDisplay> displays,
                                        const Options &options, const FrameDescription &frame,
                                        DiagnosticSink &sink) {
     std::vector<std::string> written;
     for (const PlannedDisplay &display : displays) {
-        Job job{film, options, frame, display.record, display.planes, {}, {}};
+        std::string warning;
+        const std::vector<DisplayPlane> planes = planesOfOneSize(sources, display.planes, warning);
+        Job job{sources, options, frame, display.record, planes, {}, std::move(warning)};
+        if (planes.empty())
+            job.problem = "there is nothing to write";
         const SourceLocation &where = display.record.parameters.where;
-        const bool good = write(job, display);
+        const bool good = !planes.empty() && write(job, display);
         const std::string about = "Display \"" + display.record.name + "\": ";
         if (!job.warning.empty())
             sink.warning(where, about + job.warning);

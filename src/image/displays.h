@@ -3,7 +3,7 @@
 #pragma once
 
 #include "image/display_plan.h"
-#include "image/film.h"
+#include "image/display_sources.h"
 #include "image/picture.h"
 #include "interface/ri/options.h"
 
@@ -23,8 +23,9 @@ struct FrameDescription {
 };
 
 /// Writes the displays, each whole or not at all. One that fails all the same (a full disk) is
-/// reported and the others still come. Returns the paths that were written, in order.
-std::vector<std::string> writeDisplays(const Film &, std::span<const PlannedDisplay>,
+/// reported and the others still come. Planes of another size than a display's first one (filters
+/// change sizes) are left out with a warning. Returns the paths that were written, in order.
+std::vector<std::string> writeDisplays(const DisplaySources &, std::span<const PlannedDisplay>,
                                        const Options &, const FrameDescription &, DiagnosticSink &);
 
 /// How a display wants its planes.
@@ -37,6 +38,7 @@ struct PlaneSettings {
 /// The picture a display shows: Ci through exposure and, if `color.one` is not 0, quantised, as
 /// alpha and depth are; other channels as they are unless `quantizeAll`. Planes of the halves lie
 /// under "half0" and "half1" if wanted and the film has them.
-Picture developPicture(const Film &, const std::vector<DisplayPlane> &, const PlaneSettings &);
+Picture developPicture(const DisplaySources &, const std::vector<DisplayPlane> &,
+                       const PlaneSettings &);
 
 } // namespace candela

@@ -13,6 +13,13 @@ float exposed(float value, float gain, float gamma) {
     return gamma == 1 ? light : std::copysign(std::pow(std::abs(light), 1 / gamma), light);
 }
 
+float srgbCurve(float value) {
+    const float light = std::abs(value);
+    const float curved =
+        light <= 0.0031308f ? 12.92f * light : 1.055f * std::pow(light, 1 / 2.4f) - 0.055f;
+    return std::copysign(curved, value);
+}
+
 float ditherNoise(int x, int y, int component) {
     const std::uint64_t pixel = std::uint64_t(std::uint32_t(y)) << 32 | std::uint32_t(x);
     const std::uint64_t bits = mixBits(mixBits(pixel) + std::uint64_t(component) + 1);

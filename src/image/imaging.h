@@ -10,6 +10,9 @@ namespace candela {
 /// give, keeps its sign, so that gamma 1 is linear throughout.
 float exposed(float value, float gain, float gamma);
 
+/// The curve of sRGB, from linear light; negative light keeps its sign.
+float srgbCurve(float value);
+
 /// Uniform in [-1, 1): a hash of the pixel and the component, so that a picture does not depend on
 /// the order of the work.
 float ditherNoise(int x, int y, int component);

@@ -21,6 +21,14 @@ std::string durationText(double seconds) {
     return text;
 }
 
+std::string barOf(double done) {
+    constexpr int width = 30;
+    const int filled = int(done * width);
+    char percent[16];
+    std::snprintf(percent, sizeof percent, " %3d %%", int(done * 100));
+    return "[" + std::string(filled, '#') + std::string(width - filled, '.') + "]" + percent;
+}
+
 } // namespace
 
 Console::~Console() {
@@ -57,25 +65,37 @@ void Console::progress(double done) {
         return;
     std::lock_guard lock(mutex_);
     done_ = std::max(done_, done);
-    auto now = Clock::now();
-    if (now - lastShown_ < std::chrono::milliseconds(100) || done_ <= 0)
+    if (done_ > 0)
+        show(task_ + " " + barOf(done_) + ", " + durationText(elapsed() * (1 - done_) / done_) +
+             " left");
+}
+
+void Console::step(const std::string &name, double done) {
+    if (!showProgress_)
+        return;
+    std::lock_guard lock(mutex_);
+    const std::string known = done >= 0 ? " " + barOf(std::min(done, 1.0)) : "";
+    show(name + known + ", " + durationText(elapsed()));
+}
+
+double Console::elapsed() const {
+    return std::chrono::duration<double>(Clock::now() - start_).count();
+}
+
+void Console::show(const std::string &line) {
+    const auto now = Clock::now();
+    if (now - lastShown_ < std::chrono::milliseconds(100))
         return;
     lastShown_ = now;
-    double elapsed = std::chrono::duration<double>(now - start_).count();
-    constexpr int width = 30;
-    int filled = int(done_ * width);
-    std::string bar = std::string(filled, '#') + std::string(width - filled, '.');
-    std::fprintf(stderr, "\r\033[K%s [%s] %3d %%, %s left", task_.c_str(), bar.c_str(),
-                 int(done_ * 100), durationText(elapsed * (1 - done_) / done_).c_str());
+    std::fprintf(stderr, "\r\033[K%s", line.c_str());
     lineShown_ = true;
 }
 
 void Console::end(const std::string &summary) {
     std::lock_guard lock(mutex_);
     clearLine();
-    double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
     if (showProgress_)
-        std::fprintf(stderr, "%s (%.2f s)\n", summary.c_str(), elapsed);
+        std::fprintf(stderr, "%s (%.2f s)\n", summary.c_str(), elapsed());
 }
 
 } // namespace candela

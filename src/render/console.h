@@ -28,12 +28,18 @@ public:
     void begin(const std::string &task);
     /// The share of it that is done, in [0,1]; from any thread.
     void progress(double done);
+    /// What a task of several steps is at, and the share of that step that is done; negative where
+    /// nobody knows it. The clock goes on.
+    void step(const std::string &name, double done);
     /// Ends the task and leaves a line of what it was and how long it took.
     void end(const std::string &summary);
 
 private:
     using Clock = std::chrono::steady_clock;
     void clearLine();
+    /// Puts a line into the place of the last one, if that has stood for a while.
+    void show(const std::string &line);
+    double elapsed() const; ///< Seconds of the task.
 
     const bool showProgress_;
     std::atomic<bool> failed_{false};

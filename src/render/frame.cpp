@@ -2,7 +2,9 @@
 #include "render/frame.h"
 
 #include "image/displays.h"
+#include "image/film_maps.h"
 #include "light/path/first_hit.h"
+#include "render/filtering.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,34 +54,54 @@ double gigabytesOfMemory() {
     return double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE)) / 1e9;
 }
 
-/// What keeps a film of these settings from being made is reported.
-bool canHold(const Film::Settings &film, const Options &options, DiagnosticSink &diagnostics) {
+/// What keeps a film of these settings, and `maps` bytes beside it, from being made is reported.
+bool canHold(const Film::Settings &film, double maps, const Options &options,
+             DiagnosticSink &diagnostics) {
     const FrameWindow &window = film.window;
     if (window.x0 >= window.x1 || window.y0 >= window.y1) {
         diagnostics.error(options.places.cropWindow,
                           "the crop window holds no pixel; the frame is not rendered");
         return false;
     }
-    const double needed = Film::bytesNeeded(film) / 1e9, there = gigabytesOfMemory();
+    const double needed = (Film::bytesNeeded(film) + maps) / 1e9, there = gigabytesOfMemory();
     if (needed > there) {
-        diagnostics.error(options.places.format,
-                          fmt::format("a picture of {} x {} pixels takes {:.0f} GB of memory, and "
-                                      "this machine has {:.0f}; the frame is not rendered",
-                                      window.columns(), window.rows(), needed, there));
+        diagnostics.error(
+            options.places.format,
+            fmt::format("a picture of {} x {} pixels takes {:.0f} GB of memory{}, and "
+                        "this machine has {:.0f}; the frame is not rendered",
+                        window.columns(), window.rows(), needed,
+                        maps > 0 ? " with its filters" : "", there));
         return false;
     }
     return true;
 }
 
+/// What modes of displays may name: what a first hit gives, and the maps that filters make.
+std::vector<ChannelInfo> channelsToShow(const FilterStack &filters) {
+    std::vector<ChannelInfo> channels = firstHitChannels();
+    const std::vector<ChannelInfo> others = mapsOfEveryFilm();
+    for (const MapInfo &map : filters.mapsSet())
+        if (std::ranges::find(channels, map.name, &ChannelInfo::name) == channels.end() &&
+            std::ranges::find(others, map.name, &ChannelInfo::name) == others.end())
+            channels.push_back({map.name, map.channels});
+    return channels;
+}
+
 Film::Settings filmSettings(const Options &options, const std::array<int, 4> &crop,
-                            const PixelFilterSampler &filter) {
+                            const PixelFilterSampler &filter, const FilterStack &filters) {
     const std::vector<DisplayRecord> displays = displaysOf(options);
     const auto [width, height] = options.format.effectiveResolution();
     const auto [x0, x1, y0, y1] = crop;
-    return {{width, height, x0, x1, y0, y1},
-            wantedChannels(displays, firstHitChannels()),
-            filter.hasNegativeLobes(),
-            wantsHalves(displays)};
+    const std::vector<ChannelInfo> given = firstHitChannels();
+    Film::Settings settings{{width, height, x0, x1, y0, y1},
+                            wantedChannels(displays, channelsToShow(filters)),
+                            filter.hasNegativeLobes(),
+                            wantsHalves(displays)};
+    std::erase_if(settings.channels, [&](const ChannelInfo &channel) {
+        return std::ranges::find(given, channel.name, &ChannelInfo::name) == given.end();
+    });
+    wantMaps(mapNames(filters), given, settings);
+    return settings;
 }
 
 void report(const std::vector<std::string> &written, Console &console) {
@@ -89,41 +111,90 @@ void report(const std::vector<std::string> &written, Console &console) {
     console.end(summary.empty() ? "nothing written" : summary);
 }
 
-void renderAndWrite(const Scene &scene, const RenderSettings &settings, const std::string &file,
-                    const FrameListeners &listeners) {
+/// Shaders that answer NaN have been named where they did; what else was not finite is said here.
+void reportNonFinite(const Film &film, const TransportStatistics &transport,
+                     DiagnosticSink &diagnostics) {
+    const std::uint64_t found = film.nonFiniteSamples();
+    if (found > 0 && transport.nonFiniteSamples == 0)
+        diagnostics.warning({}, fmt::format("{} values of samples were not finite in this frame; "
+                                            "they count as 0",
+                                            found));
+}
+
+/// A frame on its way from samples to files.
+struct FrameJob {
+    const Scene &scene;
+    const FrameListeners &listeners;
+    IntegratorSettings integrator;
+    FrameDescription description;
+};
+
+/// Renders, filters and writes; false if the user wants no more.
+bool fill(Film &film, const FrameJob &job, const PixelFilterSampler &filter,
+          const FilterStack &filters, std::span<const PlannedDisplay> displays) {
+    ErrorPolicy &diagnostics = job.listeners.diagnostics;
+    Statistics &statistics = job.listeners.statistics;
+    Console &console = job.listeners.console;
+    const Options &options = job.scene.options();
+    console.begin("rendering");
+    TransportStatistics transport;
+    statistics.measure("render", [&] {
+        integrate(job.scene, job.integrator, filter, film, transport, diagnostics);
+    });
+    statistics.add(job.scene, transport);
+    reportNonFinite(film, transport, diagnostics);
+    FrameDescription description = job.description;
+    if (filters.empty()) {
+        report(writeDisplays(film, displays, options, description, diagnostics), console);
+        return true;
+    }
+    FilteredPicture filtered{mapsOf(film, mapNames(filters)), {}};
+    for (const MapInfo &map : filters.mapsSet())
+        filtered.set.push_back(map.name);
+    FilteringOutcome outcome;
+    statistics.measure("filter",
+                       [&] { outcome = runFilters(filters, filtered.maps, console, diagnostics); });
+    description.metadata["filters"] = textOf(filters.records(), outcome.done);
+    if (outcome.interrupted)
+        diagnostics.warning({}, "filtering was interrupted: the picture is as the last whole "
+                                "filter left it, and no other frame is rendered");
+    const DisplaySources sources(film, &filtered);
+    report(writeDisplays(sources, displays, options, description, diagnostics), console);
+    return !outcome.interrupted;
+}
+
+bool renderAndWrite(const Scene &scene, ShaderLibrary &shaders, const RenderSettings &settings,
+                    const std::string &file, const FrameListeners &listeners) {
     const Options &options = scene.options();
     ErrorPolicy &diagnostics = listeners.diagnostics;
+    const FilterStack filters(options.filters, shaders, options);
     const std::vector<PlannedDisplay> displays =
-        planDisplays(options, firstHitChannels(),
+        planDisplays(options, channelsToShow(filters),
                      {settings.outputDirectory, settings.allowPrograms}, diagnostics);
     IntegratorSettings integrator = integratorSettings(scene, settings);
     integrator.progress = [&](double done) { listeners.console.progress(done); };
-    PixelFilterSampler filter(options.filter, diagnostics, options.places.pixelFilter);
-    const Film::Settings wanted = filmSettings(options, integrator.crop, filter);
-    if (displays.empty() || !canHold(wanted, options, diagnostics) || diagnostics.stopped())
-        return;
-
+    const PixelFilterSampler filter(options.filter, diagnostics, options.places.pixelFilter);
+    const Film::Settings wanted = filmSettings(options, integrator.crop, filter, filters);
+    const double maps = filters.empty() ? 0 : bytesOfMaps(mapNames(filters), wanted);
+    if (displays.empty() || !canHold(wanted, maps, options, diagnostics) || diagnostics.stopped())
+        return true;
     Film film(wanted);
-    listeners.console.begin("rendering");
-    TransportStatistics transport;
-    listeners.statistics.measure(
-        "render", [&] { integrate(scene, integrator, filter, film, transport, diagnostics); });
-    listeners.statistics.add(scene, transport);
-    report(writeDisplays(film, displays, options, describe(scene, integrator, file), diagnostics),
-           listeners.console);
+    return fill(film, {scene, listeners, integrator, describe(scene, integrator, file)}, filter,
+                filters, displays);
 }
 
 } // namespace
 
-void renderFrame(const Scene &scene, const RenderSettings &settings, const std::string &file,
-                 const FrameListeners &listeners) {
+bool renderFrame(const Scene &scene, ShaderLibrary &shaders, const RenderSettings &settings,
+                 const std::string &file, const FrameListeners &listeners) {
     if (scene.options().hider == "null") // RI: computes no pixels.
-        return;
+        return true;
     try {
-        renderAndWrite(scene, settings, file, listeners);
+        return renderAndWrite(scene, shaders, settings, file, listeners);
     } catch (const std::bad_alloc &) {
         listeners.diagnostics.error({}, "there is not enough memory for this frame; it is not "
                                         "rendered");
+        return true;
     }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One frame: samples to film, film to displays.
+// One frame: samples to film, film through filters to displays.
 #pragma once
 
 #include "interface/ri/error_policy.h"
@@ -16,9 +16,10 @@ struct FrameListeners {
     Statistics &statistics;
 };
 
-/// Renders and writes the scene, unless what is known before the first sample says that it cannot
-/// be done. `file` is the RIB's name.
-void renderFrame(const Scene &, const RenderSettings &, const std::string &file,
+/// Renders, filters and writes the scene, unless what is known before the first sample says that it
+/// cannot be done. `file` is the RIB's name. False if the user has interrupted it: what there was
+/// has been written.
+bool renderFrame(const Scene &, ShaderLibrary &, const RenderSettings &, const std::string &file,
                  const FrameListeners &);
 
 } // namespace candela

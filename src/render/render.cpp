@@ -7,6 +7,7 @@
 #include "light/frame/shader_warnings.h"
 #include "render/console.h"
 #include "render/frame.h"
+#include "render/interrupt.h"
 #include "render/shader_folders.h"
 #include "render/statistics.h"
 
@@ -59,12 +60,13 @@ int renderFile(const std::string &path, const RenderSettings &settings) {
     ShaderLibrary shaders({std::move(folders.all), std::move(folders.library), settings.jit},
                           diagnostics);
     ShaderWarnings warnings(diagnostics);
-    bool sawWorld = false;
+    bool sawWorld = false, interrupted = false;
     SceneCompiler world(shaders, diagnostics, [&](const Scene &scene) {
         sawWorld = true;
         warnings.look(scene);
-        if (!diagnostics.stopped())
-            renderFrame(scene, settings, path, {diagnostics, console, statistics});
+        if (!diagnostics.stopped() && !interrupted)
+            interrupted =
+                !renderFrame(scene, shaders, settings, path, {diagnostics, console, statistics});
     });
     GraphicsState state(world, shaders, diagnostics, stateSettings(settings));
 
@@ -82,7 +84,7 @@ int renderFile(const std::string &path, const RenderSettings &settings) {
     statistics.add(shaders.statistics());
     if (!settings.statisticsFile.empty())
         statistics.write(settings.statisticsFile, diagnostics);
-    return console.failed() ? 1 : 0;
+    return interrupted ? statusOfInterrupt : console.failed() ? 1 : 0;
 }
 
 } // namespace candela

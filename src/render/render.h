@@ -32,7 +32,8 @@ struct RenderSettings {
 };
 
 /// Renders all frames of a RIB file ("-" = standard input). 0 if all went well, 1 if anything was
-/// wrong (and reported on standard error; everything else has been rendered).
+/// wrong (and reported on standard error; everything else has been rendered), statusOfInterrupt if
+/// the user interrupted a filter.
 int renderFile(const std::string &path, const RenderSettings &);
 
 } // namespace candela

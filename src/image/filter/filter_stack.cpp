@@ -4,6 +4,7 @@
 #include "foundation/base/hot.h"
 #include "foundation/base/parallel.h"
 #include "image/filter/filter_run.h"
+#include "image/filter/filter_watch.h"
 #include "language/ir/core/regions.h"
 
 #include <atomic>

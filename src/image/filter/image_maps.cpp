@@ -1,21 +1,39 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "image/filter/image_maps.h"
 
+#include "foundation/base/parallel.h"
 #include "foundation/base/planes.h"
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdlib>
+#include <new>
+#include <sys/mman.h>
+#include <utility>
 
 namespace candela {
 
 namespace {
 
-/// Rows begin on the lines of a cache, and there is a block behind the last one.
-constexpr int lineFloats = 16;
-
+/// Rows begin on the lines of a cache.
 int strideOf(int width) {
     const int blocks = (width + laneBlock - 1) / laneBlock;
     return blocks * laneBlock + 2 * imageHalo;
+}
+
+/// Large images in large pages: a page of 4 kB at a time, the system would take as long to hand
+/// memory out as a filter to fill it.
+float *newFloats(std::size_t count) {
+    constexpr std::size_t line = 64, largePage = std::size_t(2) << 20;
+    const std::size_t bytes = std::max<std::size_t>(1, count) * sizeof(float);
+    const std::size_t unit = bytes < 2 * largePage ? line : largePage;
+    const std::size_t whole = (bytes + unit - 1) / unit * unit;
+    void *memory = std::aligned_alloc(unit, whole);
+    if (!memory)
+        throw std::bad_alloc();
+    if (unit == largePage)
+        madvise(memory, whole, MADV_HUGEPAGE);
+    return static_cast<float *>(memory);
 }
 
 std::size_t planeFloats(int width, int height) {
@@ -24,27 +42,30 @@ std::size_t planeFloats(int width, int height) {
 
 } // namespace
 
-OwnedImage::OwnedImage(int width, int height, int channels) {
+OwnedImage::OwnedImage(int width, int height, int channels, Contents contents) {
     const std::size_t plane = planeFloats(width, height);
     constexpr int ofColor = 3;
     const int kept = channels == 2 ? ofColor : channels;
-    const std::size_t all = plane * std::size_t(kept) + lineFloats;
-    memory_ = std::make_unique<float[]>(all);
-    void *start = memory_.get();
-    std::size_t space = all * sizeof(float);
-    auto *aligned = static_cast<float *>(
-        std::align(lineFloats * sizeof(float), plane * kept * sizeof(float), start, space));
+    const std::size_t all = plane * std::size_t(kept);
+    memory_.reset(newFloats(all));
+    if (contents == Contents::Black || kept != channels)
+        std::fill_n(memory_.get(), all, 0.0f);
     for (int c = 0; c < std::max(kept, ofColor); ++c)
-        planes_.push_back(aligned + std::size_t(c < kept ? c : 0) * plane + imageHalo);
+        planes_.push_back(memory_.get() + std::size_t(c < kept ? c : 0) * plane + imageHalo);
     view_ = {width, height, channels, strideOf(width), planes_.data()};
 }
 
-OwnedImage OwnedImage::copy() const {
-    OwnedImage result(width(), height(), channels());
-    for (int c = 0; c < channels(); ++c)
-        for (int y = 0; y < height(); ++y)
-            std::copy_n(row(c, y), width(), result.row(c, y));
-    return result;
+void OwnedImage::Free::operator()(float *memory) const { std::free(memory); }
+
+bool OwnedImage::hasShapeOf(const OwnedImage &other) const {
+    return width() == other.width() && height() == other.height() && channels() == other.channels();
+}
+
+void OwnedImage::takeValues(const OwnedImage &from) {
+    parallelFor(std::size_t(height()), [&](std::size_t y) {
+        for (int c = 0; c < channels(); ++c)
+            std::copy_n(from.row(c, int(y)), width(), row(c, int(y)));
+    });
 }
 
 double OwnedImage::bytesNeeded(int width, int height, int channels) {
@@ -73,6 +94,15 @@ std::vector<std::string> ImageMaps::names() const {
         all.push_back(name);
     return all;
 }
+
+OwnedImage ImageMaps::takeSpare(const OwnedImage &shape) {
+    std::optional<OwnedImage> spare = std::exchange(spare_, std::nullopt);
+    if (spare && spare->hasShapeOf(shape))
+        return std::move(*spare);
+    return OwnedImage(shape.width(), shape.height(), shape.channels(), OwnedImage::Contents::Any);
+}
+
+void ImageMaps::keepSpare(OwnedImage image) { spare_ = std::move(image); }
 
 void ImageMaps::setPlane(const std::string &name, int channel, std::span<const float> values) {
     OwnedImage &image = maps_.at(name);

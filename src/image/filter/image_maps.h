@@ -6,6 +6,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,12 +16,15 @@ namespace candela {
 /// An image of some channels in memory: planes of rows with room on either side (imageHalo).
 class OwnedImage {
 public:
-    /// Black. 0 < channels; width and height may be 0.
-    OwnedImage(int width, int height, int channels);
+    enum class Contents { Black, Any };
+    /// 0 < channels; width and height may be 0.
+    OwnedImage(int width, int height, int channels, Contents = Contents::Black);
     /// Bytes that such an image takes.
     static double bytesNeeded(int width, int height, int channels);
 
-    OwnedImage copy() const;
+    bool hasShapeOf(const OwnedImage &) const;
+    /// All pixels of an image of the same shape.
+    void takeValues(const OwnedImage &);
 
     const ImageMap &view() const { return view_; }
     int width() const { return view_.width; }
@@ -30,7 +34,10 @@ public:
     const float *row(int channel, int y) const { return view_.row(channel, y); }
 
 private:
-    std::unique_ptr<float[]> memory_;
+    struct Free {
+        void operator()(float *) const;
+    };
+    std::unique_ptr<float[], Free> memory_;
     std::vector<float *> planes_;
     ImageMap view_;
 };
@@ -47,12 +54,19 @@ public:
     void remove(const std::string &name);
     std::vector<std::string> names() const;
 
+    /// An image of that shape, of any contents: the one that was kept, if it will do. Memory that
+    /// has been used costs nothing; the system takes longer to give new memory than filters to fill
+    /// it.
+    OwnedImage takeSpare(const OwnedImage &shape);
+    void keepSpare(OwnedImage);
+
     /// Rows by columns of a channel from, and to, a plane without gaps.
     void setPlane(const std::string &name, int channel, std::span<const float> values);
     std::vector<float> plane(const std::string &name, int channel) const;
 
 private:
     std::map<std::string, OwnedImage> maps_;
+    std::optional<OwnedImage> spare_;
 };
 
 } // namespace candela

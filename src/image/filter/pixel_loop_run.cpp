@@ -13,6 +13,8 @@ namespace candela {
 
 namespace {
 
+using Inputs = std::array<const float *, std::size_t(ShaderInput::Count)>;
+
 /// Turns of a loop from `first` on, by steps of 1, as long as it is below (or not above) `end`.
 /// Beyond 2^24 a step of 1 leads nowhere.
 std::int64_t turnsOf(float first, float end, bool isClosed) {
@@ -23,17 +25,27 @@ std::int64_t turnsOf(float first, float end, bool isClosed) {
     return std::int64_t(std::min(turns, 16777216.0));
 }
 
+/// Pixels that one core takes at a time: some rows, or a part of the only one.
+struct Portion {
+    std::int64_t column, columns, row, rows;
+};
+
 /// The columns and rows that a loop runs over.
 struct Extent {
     std::int64_t columns, rows;
     float firstColumn, firstRow;
 
-    /// Rows that one core takes at a time: the same whatever their number.
-    std::int64_t rowsTogether() const {
-        constexpr std::int64_t pixelsTogether = 1 << 14;
-        return std::max<std::int64_t>(1, pixelsTogether / columns);
+    /// The same whatever the number of cores.
+    std::vector<Portion> portions() const {
+        constexpr std::int64_t pixelsTogether = 1 << 14, columnsOfOne = 64;
+        const std::int64_t height = std::max<std::int64_t>(1, pixelsTogether / columns);
+        const std::int64_t width = rows == 1 ? columnsOfOne : columns;
+        std::vector<Portion> all;
+        for (std::int64_t y = 0; y < rows; y += height)
+            for (std::int64_t x = 0; x < columns; x += width)
+                all.push_back({x, std::min(width, columns - x), y, std::min(height, rows - y)});
+        return all;
     }
-    std::int64_t portions() const { return (rows + rowsTogether() - 1) / rowsTogether(); }
 };
 
 Extent extentOf(const ir::PixelLoop &loop, const float *given) {
@@ -110,7 +122,7 @@ std::int32_t wholeColumn(float first) {
 const float *const *PixelLoopRun::noInputs() {
     static const std::array<float, laneBlock> zeros{};
     static const auto planes = [] {
-        std::array<const float *, std::size_t(ShaderInput::Count)> all;
+        Inputs all;
         all.fill(zeros.data());
         return all;
     }();
@@ -130,55 +142,58 @@ void PixelLoopRun::run(const ir::PixelLoop &loop, ShaderFunction code, const flo
                        const float *const *arrays, float *results) {
     const Extent extent = extentOf(loop, given);
     const float *captured = given + ir::PixelLoop::bounds, *begin = captured + loop.captured;
-    const std::size_t sums = loop.sums.size();
-    std::copy_n(begin, sums, results);
+    const std::size_t count = loop.sums.size();
+    std::copy_n(begin, count, results);
     if (extent.columns == 0 || extent.rows == 0)
         return;
+    const bool isFromCorner = extent.firstColumn == 0 && extent.firstRow == 0;
+    maps_.prepare(loop, isFromCorner ? extent.columns : 0, isFromCorner ? extent.rows : 0);
     for (int map : loop.mapsRead)
         fillHalos(args_->maps[map]);
 
     std::vector<float> columns(wholeBlocks(extent.columns));
     for (std::size_t k = 0; k < columns.size(); ++k)
         columns[k] = extent.firstColumn + float(k);
-    std::array<const float *, std::size_t(ShaderInput::Count)> inputs;
-    std::copy_n(args_->inputs, inputs.size(), inputs.begin());
-    inputs[std::size_t(ShaderInput::column)] = columns.data();
 
-    const std::int64_t together = extent.rowsTogether();
-    std::vector<double> portions(std::size_t(extent.portions()) * sums);
-    std::atomic<std::int64_t> rowsDone{0};
-    parallelFor(std::size_t(extent.portions()), [&](std::size_t portion) {
-        std::vector<float> values(sums * columns.size()), own(captured, captured + loop.captured);
+    const std::vector<Portion> portions = extent.portions();
+    std::vector<double> sums(portions.size() * count);
+    std::atomic<std::int64_t> done{0};
+    parallelFor(portions.size(), [&](std::size_t number) {
+        const Portion &portion = portions[number];
+        const std::size_t width = wholeBlocks(portion.columns);
+        std::vector<float> values(count * width), own(captured, captured + loop.captured);
         own.insert(own.begin(), 0);
         std::vector<float *> outputs;
-        for (std::size_t s = 0; s < sums; ++s) {
-            outputs.push_back(values.data() + s * columns.size());
-            portions[portion * sums + s] = beginningOf(loop.sums[s]);
+        double *sum = sums.data() + number * count;
+        for (std::size_t s = 0; s < count; ++s) {
+            outputs.push_back(values.data() + s * width);
+            sum[s] = beginningOf(loop.sums[s]);
         }
+        Inputs inputs;
+        std::copy_n(args_->inputs, inputs.size(), inputs.begin());
+        inputs[std::size_t(ShaderInput::column)] = columns.data() + portion.column;
         ShaderArgs args = *args_;
-        args.count = std::int32_t(extent.columns);
+        args.count = std::int32_t(portion.columns);
         args.inputs = inputs.data();
         args.captured = own.data();
         args.capturedArrays = arrays;
-        args.firstColumn = wholeColumn(extent.firstColumn);
+        args.firstColumn = wholeColumn(extent.firstColumn + float(portion.column));
         args.outputs = outputs.data();
-        const std::int64_t first = std::int64_t(portion) * together;
-        for (std::int64_t y = first; y < std::min(first + together, extent.rows); ++y) {
+        for (std::int64_t y = portion.row; y < portion.row + portion.rows; ++y) {
             if (watch_.isInterrupted())
                 return;
             own[0] = extent.firstRow + float(y);
             code(&args);
-            for (std::size_t s = 0; s < sums; ++s)
-                portions[portion * sums + s] =
-                    joined(loop.sums[s], portions[portion * sums + s],
-                           reduced(loop.sums[s], outputs[s], extent.columns));
-            watch_.progress(double(++rowsDone) / double(extent.rows));
+            for (std::size_t s = 0; s < count; ++s)
+                sum[s] = joined(loop.sums[s], sum[s],
+                                reduced(loop.sums[s], outputs[s], portion.columns));
         }
+        watch_.progress(double(++done) / double(portions.size()));
     });
-    for (std::size_t s = 0; s < sums; ++s) {
+    for (std::size_t s = 0; s < count; ++s) {
         double all = double(begin[s]);
-        for (std::int64_t portion = 0; portion < extent.portions(); ++portion)
-            all = joined(loop.sums[s], all, portions[std::size_t(portion) * sums + s]);
+        for (std::size_t portion = 0; portion < portions.size(); ++portion)
+            all = joined(loop.sums[s], all, sums[portion * count + s]);
         results[s] = float(all);
     }
 }

@@ -3,13 +3,16 @@
 // own.
 #pragma once
 
-#include "image/filter/filter_run.h"
+#include "image/filter/bound_maps.h"
+#include "image/filter/filter_watch.h"
+#include "world/shading/filter_code.h"
 
 namespace candela {
 
 class PixelLoopRun {
 public:
-    PixelLoopRun(const FilterCode &filter, FilterWatch &watch) : filter_(filter), watch_(watch) {}
+    PixelLoopRun(const FilterCode &filter, BoundMaps &maps, FilterWatch &watch)
+        : filter_(filter), maps_(maps), watch_(watch) {}
 
     /// What the filter is called with: loops get it, too. Must outlive them.
     void bind(const ShaderArgs &args) { args_ = &args; }
@@ -22,6 +25,7 @@ private:
              float *results);
 
     const FilterCode &filter_;
+    BoundMaps &maps_;
     FilterWatch &watch_;
     const ShaderArgs *args_ = nullptr;
 };

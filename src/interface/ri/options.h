@@ -3,7 +3,7 @@
 #pragma once
 
 #include "foundation/base/matrix4.h"
-#include "interface/ri/parameter_list.h"
+#include "interface/ri/attributes.h"
 
 #include <array>
 #include <map>
@@ -71,7 +71,9 @@ struct Options {
     float xSamples = 2, ySamples = 2;
     std::optional<float> pixelVariance;
     PixelFilterRecord filter;
+    std::vector<ShaderRecord> filters; ///< PushFilter, in the order in which they run.
     float exposureGain = 1, exposureGamma = 1;
+    std::optional<ShaderRecord> imager;          ///< Unset = none.
     std::optional<QuantizeRecord> colorQuantize; ///< RiQuantize "rgba"; unset = display's default.
     std::optional<QuantizeRecord> depthQuantize; ///< RiQuantize "z".
     std::vector<DisplayRecord> displays;         ///< Empty = the default display.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shaders and lights.
+// Shaders and lights, also those of pictures.
 #include "interface/ri/state_handlers.h"
 
 #include <algorithm>
@@ -21,6 +21,34 @@ void StateHandlers::surface(const SourceLocation &where, const std::string &name
                             const TokenList &tokens) {
     state_.edit().surface = std::make_shared<const ShaderRecord>(
         shader(where, "Surface", ShaderKind::Surface, name, tokens));
+}
+
+/// Of a picture, which lies in no space.
+ShaderRecord StateHandlers::pictureShader(const SourceLocation &where, const char *request,
+                                          ShaderKind kind, const std::string &name,
+                                          const TokenList &tokens) {
+    return {name, parameters_.ofShader(where, tokens, request, kind, name, state_.options), {}};
+}
+
+void StateHandlers::pushFilter(const SourceLocation &where, const std::string &name,
+                               const TokenList &tokens) {
+    state_.options.filters.push_back(
+        pictureShader(where, "PushFilter", ShaderKind::Filter, name, tokens));
+}
+
+void StateHandlers::popFilter(const SourceLocation &where) {
+    if (state_.options.filters.empty())
+        return diagnostics_.error(where, "PopFilter", "there is no filter on the stack");
+    state_.options.filters.pop_back();
+}
+
+void StateHandlers::imager(const SourceLocation &where, const std::string &name,
+                           const TokenList &tokens) {
+    // RI 3.2, 4.1.2: the null shader is none at all.
+    if (name.empty() || name == "null")
+        state_.options.imager.reset();
+    else
+        state_.options.imager = pictureShader(where, "Imager", ShaderKind::Imager, name, tokens);
 }
 
 static LightUnits lightUnits(const FrameState &state, RequestDiagnostics &diagnostics,

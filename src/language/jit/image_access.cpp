@@ -149,6 +149,16 @@ Value *ImageAccess::hasChannels(const Instruction &i) {
         builder_.CreateFCmpOLE(end, builder_.CreateSIToFP(count, code_.floatType)));
 }
 
+/// A color goes to a color's channels, a single value to one or to those.
+Value *ImageAccess::takesRows(const Instruction &i) {
+    Value *count = mapField(i, offsetof(ImageMap, channels), code_.integerType);
+    const auto is = [&](int n) {
+        return builder_.CreateICmpEQ(count, builder_.getInt32(std::uint32_t(n)));
+    };
+    const int values = int(i.operands.size()) - 2;
+    return values > 1 ? is(values) : builder_.CreateOr(is(1), is(3));
+}
+
 ImageAccess::Row ImageAccess::row(const Instruction &i) {
     auto *integer = code_.integerType;
     const auto number = [&](int n) { return builder_.getInt32(std::uint32_t(n)); };
@@ -182,8 +192,7 @@ ImageAccess::Row ImageAccess::row(const Instruction &i) {
     plain = builder_.CreateAnd(
         plain, builder_.CreateICmpULE(builder_.CreateAdd(column, number(imageHalo)), most));
 
-    if (i.op == Op::ImageLoad)
-        plain = builder_.CreateAnd(plain, hasChannels(i));
+    plain = builder_.CreateAnd(plain, i.op == Op::ImageLoad ? hasChannels(i) : takesRows(i));
 
     auto *wide = builder_.getInt64Ty();
     Value *stride = mapField(i, offsetof(ImageMap, rowStride), integer);
@@ -213,10 +222,29 @@ Values ImageAccess::loadRow(const Instruction &i, const Row &row) {
     return given;
 }
 
+/// Whether a single value goes to the channels of a color too, not to one alone.
+Value *ImageAccess::isColorMap(const Instruction &i) {
+    return builder_.CreateICmpNE(mapField(i, offsetof(ImageMap, channels), code_.integerType),
+                                 builder_.getInt32(1));
+}
+
 void ImageAccess::storeRow(const Instruction &i, const Row &row) {
-    for (std::size_t c = 0; c + 2 < i.operands.size(); ++c)
-        code_.lanes.maskedStore(values_.get(i.operands[2 + c], Uniformity::Varying),
-                                pixels(i, row, int(c)), code_.masks.current());
+    const auto set = [&](int component, std::size_t operand) {
+        code_.lanes.maskedStore(values_.get(i.operands[operand], Uniformity::Varying),
+                                pixels(i, row, component), code_.masks.current());
+    };
+    constexpr int ofColor = 3;
+    if (i.operands.size() > 3) {
+        for (int c = 0; c < int(i.operands.size()) - 2; ++c)
+            set(c, std::size_t(2 + c));
+        return;
+    }
+    set(0, 2);
+    code_.valuesIf(isColorMap(i), "all_channels", [&] {
+        for (int c = 1; c < ofColor; ++c)
+            set(c, 2);
+        return Values{};
+    });
 }
 
 /// Runs `plain` where the condition holds, else `other`.

@@ -34,6 +34,8 @@ private:
     bool isRow(const ir::Instruction &);
     Row row(const ir::Instruction &);
     Value *hasChannels(const ir::Instruction &);
+    Value *takesRows(const ir::Instruction &);
+    Value *isColorMap(const ir::Instruction &);
     Value *mapField(const ir::Instruction &, std::size_t offset, llvm::Type *);
     /// Where the first lane's pixel of a component stands.
     Value *pixels(const ir::Instruction &, const Row &, int component);

@@ -25,14 +25,25 @@ void seeOpacity(PathWave &wave) {
     }
 }
 
+bool wantsAlbedo(const PathWave &wave) {
+    return wave.results.channels.planes() > 0 &&
+           std::ranges::any_of(wave.frame.firstHit,
+                               [](const FirstHitPlane &plane) { return plane.albedo >= 0; });
+}
+
 void seeFirstSurface(PathWave &wave) {
     VertexChunk &chunk = wave.chunk;
+    std::array<const float *, colorSamples> albedo{};
+    if (wantsAlbedo(wave))
+        albedo = seeAlbedo(wave);
     for (int plane = 0; plane < wave.results.channels.planes(); ++plane) {
         const FirstHitPlane &from = wave.frame.firstHit[plane];
         float *values = wave.results.channels[plane];
         for (int i = 0; i < chunk.count(); ++i) {
             if (from.id)
                 values[chunk.paths.slot[i]] = float(chunk.vertices.points.id[i]);
+            else if (from.albedo >= 0)
+                values[chunk.paths.slot[i]] = albedo[from.albedo][i];
             else if (from.input >= 0)
                 values[chunk.paths.slot[i]] = chunk.vertices.points.input(from.input)[i];
         }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "light/path/first_hit.h"
 
+#include "foundation/units/color.h"
+
 #include <optional>
 
 namespace candela {
@@ -27,6 +29,7 @@ constexpr Source sources[] = {
     {"Cs", 3, {int(ShaderInput::Cs), false, 0}},
     {"Os", 3, {int(ShaderInput::Os), false, 0}},
     {"id", 1, {-1, true, 0}},
+    {"albedo", colorSamples, {-1, false, 0, 0}},
 };
 
 std::optional<Source> sourceOf(const ChannelInfo &channel) {
@@ -53,6 +56,8 @@ std::vector<FirstHitPlane> firstHitPlanes(std::span<const ChannelInfo> channels)
             planes.push_back(plane);
             if (plane.input >= 0)
                 ++plane.input;
+            if (plane.albedo >= 0)
+                ++plane.albedo;
         }
     }
     return planes;

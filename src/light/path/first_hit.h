@@ -10,11 +10,13 @@
 
 namespace candela {
 
-/// One plane of a channel: an input of shaders, or the number of the placed shape (from 1).
+/// One plane of a channel: an input of shaders, the number of the placed shape (from 1), or a
+/// sample of the albedo.
 struct FirstHitPlane {
     int input = -1; ///< ShaderInput, -1 = not an input.
     bool id = false;
     float background = 0; ///< Where nothing is hit.
+    int albedo = -1;      ///< Which of its colour samples (path/albedo.h), -1 = not that.
 };
 
 /// The planes of all channels after Ci and Oi, in their order. Channels of unknown name stay 0.

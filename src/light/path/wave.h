@@ -3,6 +3,7 @@
 // work. One wave a thread.
 #pragma once
 
+#include "light/path/albedo.h"
 #include "light/path/chunk.h"
 #include "light/path/classic_light.h"
 #include "light/path/first_hit.h"
@@ -62,7 +63,8 @@ struct PathWave {
     Planes<float> cameraNumbers; ///< Camera pairs of the wave's samples.
     VertexChunk chunk;
     std::unique_ptr<ClassicLight> classic;   ///< Made when the first vertex needs it,
-    std::unique_ptr<GatheredLight> gathered; ///< and this too.
+    std::unique_ptr<GatheredLight> gathered; ///< this too,
+    std::unique_ptr<AlbedoPlanes> albedo;    ///< and this.
 };
 
 } // namespace candela

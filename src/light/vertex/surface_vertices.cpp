@@ -110,6 +110,8 @@ void SurfaceVertices::rayOrigins(const ConstVec3Planes &along, const MutableVec3
 ShaderArgs SurfaceVertices::arguments() const {
     ShaderArgs args;
     scene_->bind(codeIndex_, points, args);
+    if (!aloud_)
+        code().bind(args, false);
     args.count = points.count;
     return args;
 }

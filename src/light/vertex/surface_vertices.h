@@ -36,6 +36,9 @@ public:
     void shade(int sampleCount, float *const *L, float *const *Cl, const std::int32_t *light,
                const float *const *ambient, float *const *Ci, float *const *Oi);
 
+    /// False: shade() prints nothing, for who asks beside what is seen. At first they speak.
+    void speak(bool aloud) { aloud_ = aloud; }
+
     const Scene &scene() const { return *scene_; }
     const ShaderCode &code() const { return scene_->code(codeIndex_); }
     int count() const { return points.count; }
@@ -67,6 +70,7 @@ private:
 
     const Scene *scene_ = nullptr;
     int codeIndex_ = 0, capacity_;
+    bool aloud_ = true;
     Storage storage_;
     PreparedSurface prepared_;
 };

@@ -74,8 +74,15 @@ private:
             need(std::span(i.operands).first(fixedOperands(i)));
         if (const auto condition = i.regions.empty() ? std::nullopt : conditionOf(i))
             need(*condition);
-        if (i.op == Op::ArrayLoad && !arrayLive_[i.immediate])
-            arrayLive_[i.immediate] = changed_ = true;
+        if (i.op == Op::ArrayLoad)
+            needArray(i.immediate);
+        if (i.op == Op::PixelLoop)
+            for (int array : function_.pixelLoops[std::size_t(i.immediate)].arrays)
+                needArray(array);
+    }
+    void needArray(int array) {
+        if (!arrayLive_[array])
+            arrayLive_[array] = changed_ = true;
     }
 
     /// Of regions' owners: whatever stands in the regions.

@@ -24,8 +24,9 @@ struct Size {
 
 Size sizeOf(const Region &region) {
     Size size;
+    constexpr int codeOfLookup = 16; ///< It may be in a row, or anywhere.
     for (const Instruction &i : region.body) {
-        ++size.instructions;
+        size.instructions += i.op == Op::ImageLoad ? codeOfLookup : 1;
         size.asksForLight |= i.op == Op::LightLoop || i.op == Op::Answer;
         for (const Region &inner : i.regions) {
             Size more = sizeOf(inner);

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// The maps of a filter while it runs, by the numbers that its code has for them.
+#pragma once
+
+#include "foundation/base/diagnostics.h"
+#include "image/filter/image_maps.h"
+#include "language/ir/core/ir.h"
+#include "language/runtime/services.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace candela {
+
+/// What a map's number stands for while a filter runs.
+class BoundMaps {
+public:
+    BoundMaps(const ir::Function &driver, ImageMaps &maps, DiagnosticSink &diagnostics)
+        : driver_(driver), maps_(maps), diagnostics_(diagnostics), black_(1, 1, colorSamples),
+          views_(driver.maps.size(), black_.view()) {}
+
+    /// False if the filter cannot run with the maps that are there.
+    bool bind();
+    const ImageMap *views() const { return views_.data(); }
+    /// setsize(): a black image of that size takes the place of the map.
+    void resize(const std::string &name, float width, float height, const ServiceSite &);
+    /// Before a pixel loop that runs over `columns` x `rows` pixels from (0, 0) on, or (0 x 0) over
+    /// others: what it leaves as it is of "Ci" must be there.
+    void prepare(const ir::PixelLoop &, std::int64_t columns, std::int64_t rows);
+    /// "Ci" is what the filter has made of it.
+    void handOver();
+
+private:
+    struct Uses {
+        bool isRead = false, isSet = false;
+        bool isSerial = false; ///< Outside of pixel loops, too.
+        int channels = 0;      ///< The most that are set at a time.
+        const ir::Instruction *read = nullptr, *set = nullptr;
+    };
+    std::vector<Uses> uses() const;
+    void add(std::vector<Uses> &, const ir::Function &) const;
+    void takePicture(const OwnedImage &given, bool isSerial);
+    void fillPicture();
+    bool bindOwn(std::size_t number, const Uses &);
+    bool fits(const std::string &map, const OwnedImage &, const Uses &);
+    SourceLocation placeOf(const ir::Instruction &) const;
+
+    const ir::Function &driver_;
+    ImageMaps &maps_;
+    DiagnosticSink &diagnostics_;
+    OwnedImage black_;                  ///< What maps show that are not there.
+    std::optional<OwnedImage> picture_; ///< "Ci".
+    int pictureNumber_ = -1;            ///< Among the driver's maps.
+    bool isFilled_ = false;             ///< Pixels that are not set hold what was given.
+    std::vector<ImageMap> views_;
+};
+
+} // namespace candela

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/filter_file.h"
+
+#include "foundation/base/parallel.h"
+#include "foundation/base/whole_file.h"
+#include "image/exr_file.h"
+#include "image/imaging.h"
+#include "image/picture_file.h"
+#include "image/picture_maps.h"
+#include "image/png_file.h"
+#include "render/filter_words.h"
+#include "render/filtering.h"
+#include "render/interrupt.h"
+#include "render/shader_folders.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <new>
+#include <unistd.h>
+
+namespace candela {
+
+namespace {
+
+bool isPng(const std::string &path) {
+    std::string extension = std::filesystem::path(path).extension().string();
+    std::ranges::transform(extension, extension.begin(),
+                           [](unsigned char c) { return char(std::tolower(c)); });
+    return extension == ".png";
+}
+
+bool isColor(const std::string &channel) {
+    return channel == "R" || channel == "G" || channel == "B";
+}
+
+void expose(Picture &picture, const std::array<float, 2> &exposure) {
+    for (PictureChannel &channel : picture.channels)
+        if (isColor(channel.name))
+            for (float &value : channel.values)
+                value = exposed(value, exposure[0], exposure[1]);
+}
+
+/// Whole numbers of R, G, B and alpha, and what else is there left out.
+std::optional<std::string> pngBytes(Picture &picture, const FilterFileSettings &settings,
+                                    std::string &problem) {
+    constexpr float gammaOfSrgb = 2.2f; // What the file says of a curve that is nearly that.
+    Picture shown = picture;
+    shown.channels.clear();
+    for (const char *name : {"R", "G", "B", "A"})
+        if (const PictureChannel *channel = picture.find(name))
+            shown.channels.push_back(*channel);
+    const FrameWindow &w = shown.window;
+    for (int c = 0; c < int(shown.channels.size()); ++c) {
+        PictureChannel &channel = shown.channels[c];
+        for (std::size_t i = 0; i < channel.values.size(); ++i) {
+            float &value = channel.values[i];
+            if (!settings.exposure && isColor(channel.name))
+                value = srgbCurve(value);
+            const int x = w.x0 + int(i % w.columns()), y = w.y0 + int(i / w.columns());
+            value = quantized(value, eightBitQuantize, ditherNoise(x, y, c));
+        }
+    }
+    const float gamma = settings.exposure ? (*settings.exposure)[1] : gammaOfSrgb;
+    return encodePng(shown, 8, gamma, problem);
+}
+
+bool write(Picture &picture, const FilterFileSettings &settings, std::string &problem) {
+    if (settings.exposure)
+        expose(picture, *settings.exposure);
+    const auto bytes =
+        isPng(settings.output) ? pngBytes(picture, settings, problem) : encodeExr(picture, problem);
+    return bytes && writeWholeFile(settings.output, *bytes, problem);
+}
+
+void note(Picture &picture, const FilterStack &stack) {
+    std::string &text = picture.metadata["filters"]; // Of a picture that has been filtered before,
+    text += (text.empty() ? "" : "; ") + textOf(stack.records(), int(stack.records().size()));
+}
+
+std::string listOf(const std::vector<std::string> &names) {
+    std::string list;
+    for (const std::string &name : names)
+        list += (list.empty() ? "" : ", ") + name;
+    return list;
+}
+
+/// Everything behind the command line; what is wrong is reported.
+class FilterRun {
+public:
+    explicit FilterRun(const FilterFileSettings &settings)
+        : settings_(settings), console_(!settings.quiet && isatty(STDERR_FILENO)),
+          folders_(shaderFolders("", settings.shaderPath, console_)),
+          shaders_({folders_.all, folders_.library, settings.jit}, console_) {}
+
+    int status() {
+        const bool written = run();
+        return interrupted_ ? statusOfInterrupt : written && !console_.failed() ? 0 : 1;
+    }
+
+private:
+    bool run() {
+        std::vector<ShaderRecord> records;
+        if (!readFilters(settings_.filters, shaders_, options_, records, console_))
+            return false;
+        const FilterStack stack(records, shaders_, options_);
+        if (stack.records().size() < records.size()) // It has said why.
+            return false;
+        std::string problem;
+        std::optional<Picture> picture;
+        if (canWriteFile(settings_.output, problem))
+            picture = readPicture(settings_.input, problem);
+        if (!picture)
+            return fail(problem);
+        return filter(stack, *picture);
+    }
+
+    bool filter(const FilterStack &stack, Picture &picture) {
+        std::string problem;
+        ImageMaps maps = mapsOf(picture, mapNames(stack), problem);
+        if (!problem.empty())
+            return fail(settings_.input + ": " + problem);
+        console_.begin("filtering");
+        interrupted_ = runFilters(stack, maps, console_, console_).interrupted;
+        if (interrupted_)
+            return fail("interrupted: nothing is written");
+        std::vector<std::string> set;
+        for (const MapInfo &map : stack.mapsSet())
+            set.push_back(map.name);
+        const std::vector<std::string> lost = putMaps(maps, set, picture);
+        if (!lost.empty())
+            console_.warning({}, "filters have changed the size of the picture, so that these "
+                                 "channels are left out: " +
+                                     listOf(lost));
+        note(picture, stack);
+        if (!write(picture, settings_, problem))
+            return fail(problem);
+        console_.end("wrote " + settings_.output);
+        return true;
+    }
+
+    bool fail(const std::string &problem) {
+        console_.error({}, problem);
+        return false;
+    }
+
+    const FilterFileSettings &settings_;
+    Console console_;
+    ShaderFolders folders_;
+    ShaderLibrary shaders_;
+    const Options options_;
+    bool interrupted_ = false;
+};
+
+} // namespace
+
+int filterFile(const FilterFileSettings &settings) {
+    const ThreadLimit threads(settings.threads);
+    FilterRun run(settings);
+    try {
+        return run.status();
+    } catch (const std::bad_alloc &) {
+        std::fprintf(stderr, "error: there is not enough memory for this picture; nothing is "
+                             "written\n");
+        return 1;
+    }
+}
+
+} // namespace candela

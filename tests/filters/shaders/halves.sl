@@ -1,0 +1,12 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+filter halves()
+{
+    float x, y;
+    setsize("Ci", xsize / 2, ysize / 2);
+    setsize("Oi", xsize / 2, ysize / 2);
+    for (y = 0; y < ysize / 2; y += 1)
+        for (x = 0; x < xsize / 2; x += 1) {
+            setimage("Ci", x, y, image("Cs", 2 * x, 2 * y));
+            setimage("Oi", x, y, 1);
+        }
+}

@@ -1,0 +1,8 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+filter show(string what = "N";)
+{
+    float x, y;
+    for (y = 0; y < ysize; y += 1)
+        for (x = 0; x < xsize; x += 1)
+            setimage("Ci", x, y, image(what, x, y));
+}
