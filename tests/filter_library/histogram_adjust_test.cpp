@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Histogram adjustment by Larson, Rushmeier and Piatko, with each of its ceilings.
-#include "tests/filters/support/filter_run.h"
+#include "tests/filter_library/support/filter_run.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/filters/support/kernels.h"
+#include "tests/filter_library/support/kernels.h"
 
 #include <algorithm>
 #include <cmath>

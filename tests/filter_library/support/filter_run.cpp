@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/filters/support/filter_run.h"
+#include "tests/filter_library/support/filter_run.h"
 
 #include "foundation/base/parallel.h"
 #include "image/filter/filter_stack.h"
@@ -13,7 +13,7 @@ namespace {
 ShaderLibrarySettings settingsFor(const Ways &ways) {
     const std::string source = CANDELA_SOURCE_DIR;
     ShaderLibrarySettings settings;
-    settings.folders = {source + "/shaders/filter", source + "/tests/filters/shaders"};
+    settings.folders = {source + "/shaders/filter", source + "/tests/filter_library/shaders"};
     settings.libraryFolders = {source + "/shaders/surface"};
     settings.jit.width = ways.lanes;
     settings.jit.level = ways.level;

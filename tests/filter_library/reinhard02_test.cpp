@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reinhard's operator, for the whole picture and with dodging and burning.
-#include "tests/filters/support/filter_run.h"
+#include "tests/filter_library/support/filter_run.h"
 
 #include <gtest/gtest.h>
 

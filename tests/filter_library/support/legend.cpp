@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/filters/support/legend.h"
+#include "tests/filter_library/support/legend.h"
 
 #include <algorithm>
 #include <map>

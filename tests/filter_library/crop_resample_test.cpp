@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parts of pictures, and pictures in other sizes.
-#include "tests/filters/support/filter_run.h"
-#include "tests/filters/support/kernels.h"
+#include "tests/filter_library/support/filter_run.h"
+#include "tests/filter_library/support/kernels.h"
 
 #include <gtest/gtest.h>
 

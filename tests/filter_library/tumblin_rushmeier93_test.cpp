@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tumblin and Rushmeier's operator: VALIDATION H3, in both variants of the display's adaptation.
-#include "tests/filters/support/filter_run.h"
+#include "tests/filter_library/support/filter_run.h"
 
 #include <gtest/gtest.h>
 

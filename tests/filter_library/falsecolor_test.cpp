@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Measured quantities as colours, and a legend that says what they are.
-#include "tests/filters/support/filter_run.h"
-#include "tests/filters/support/legend.h"
+#include "tests/filter_library/support/filter_run.h"
+#include "tests/filter_library/support/legend.h"
 
 #include <gtest/gtest.h>
 

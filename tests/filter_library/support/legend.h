@@ -2,7 +2,7 @@
 // Reads what falsecolor has written beside its scale.
 #pragma once
 
-#include "tests/filters/support/picture.h"
+#include "tests/filter_library/support/picture.h"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What holds for each filter of the library, whatever it does.
 #include "language/jit/jit.h"
-#include "tests/filters/support/filter_run.h"
+#include "tests/filter_library/support/filter_run.h"
 
 #include <gtest/gtest.h>
 

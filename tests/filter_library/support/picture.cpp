@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/filters/support/picture.h"
+#include "tests/filter_library/support/picture.h"
 
 #include <gtest/gtest.h>
 

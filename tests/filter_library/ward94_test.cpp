@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Ward's scale factor: VALIDATION H2, what it is made of, and the paper's figure 7 by the letter.
-#include "tests/filters/support/filter_run.h"
+#include "tests/filter_library/support/filter_run.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // One factor for all pixels: linear_scale and exposure_ev.
-#include "tests/filters/support/filter_run.h"
+#include "tests/filter_library/support/filter_run.h"
 
 #include <gtest/gtest.h>
 

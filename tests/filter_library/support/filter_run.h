@@ -5,7 +5,7 @@
 #include "image/filter/image_maps.h"
 #include "interface/ri/attributes.h"
 #include "language/runtime/isa_level.h"
-#include "tests/filters/support/picture.h"
+#include "tests/filter_library/support/picture.h"
 
 #include <optional>
 #include <string>

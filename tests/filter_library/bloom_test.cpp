@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Veiling glare: the CIE's function about a point of light, and no light lost or made.
-#include "tests/filters/support/filter_run.h"
+#include "tests/filter_library/support/filter_run.h"
 
 #include <gtest/gtest.h>
 
