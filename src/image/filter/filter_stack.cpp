@@ -7,19 +7,22 @@
 #include "image/filter/filter_watch.h"
 #include "language/ir/core/regions.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
-#include <set>
+#include <map>
 
 namespace candela {
 
 FilterStack::FilterStack(const std::vector<ShaderRecord> &records, ShaderLibrary &library,
                          const Options &options) {
     for (const ShaderRecord &record : records)
-        if (auto filter = library.filter(record, options))
+        if (auto filter = library.filter(record, options)) {
             filters_.push_back(std::move(filter));
+            records_.push_back(record);
+        }
 }
 
 namespace {
@@ -28,21 +31,31 @@ namespace {
 template <typename Visit> void forEachImageUse(const ir::Function &function, Visit visit) {
     ir::forEachInstruction(function.body, [&](const ir::Instruction &i) {
         if (i.op == ir::Op::ImageLoad || i.op == ir::Op::ImageStore)
-            visit(i, function.maps[std::size_t(function.images[std::size_t(i.immediate)].map)]);
+            visit(i.op, function.images[std::size_t(i.immediate)],
+                  function.maps[std::size_t(function.images[std::size_t(i.immediate)].map)]);
     });
     for (const ir::PixelLoop &loop : function.pixelLoops)
         forEachImageUse(*loop.body, visit);
 }
 
-std::vector<std::string> mapsOf(const std::vector<std::shared_ptr<const FilterCode>> &filters,
-                                ir::Op op) {
-    std::set<std::string> names;
+/// By name, with the most channels of a use.
+std::map<std::string, int> mapsOf(const FilterCode &filter, ir::Op op) {
+    std::map<std::string, int> maps;
+    forEachImageUse(filter.driver(),
+                    [&](ir::Op used, const ir::ImageUse &use, const std::string &map) {
+                        if (used == op && map != "Cs" && map != "Ci")
+                            maps[map] = std::max(maps[map], use.values);
+                    });
+    return maps;
+}
+
+/// The first filter that names a map makes it.
+std::map<std::string, int> mapsOf(const std::vector<std::shared_ptr<const FilterCode>> &filters,
+                                  ir::Op op) {
+    std::map<std::string, int> maps;
     for (const auto &filter : filters)
-        forEachImageUse(filter->driver(), [&](const ir::Instruction &i, const std::string &map) {
-            if (i.op == op && map != "Cs" && map != "Ci")
-                names.insert(map);
-        });
-    return {names.begin(), names.end()};
+        maps.merge(mapsOf(*filter, op));
+    return maps;
 }
 
 /// How many numbers of the row are not finite; they become 0.
@@ -73,11 +86,17 @@ void makeFinite(OwnedImage &image, DiagnosticSink &diagnostics) {
 } // namespace
 
 std::vector<std::string> FilterStack::mapsRead() const {
-    return mapsOf(filters_, ir::Op::ImageLoad);
+    std::vector<std::string> names;
+    for (const auto &[name, channels] : mapsOf(filters_, ir::Op::ImageLoad))
+        names.push_back(name);
+    return names;
 }
 
-std::vector<std::string> FilterStack::mapsSet() const {
-    return mapsOf(filters_, ir::Op::ImageStore);
+std::vector<MapInfo> FilterStack::mapsSet() const {
+    std::vector<MapInfo> maps;
+    for (const auto &[name, channels] : mapsOf(filters_, ir::Op::ImageStore))
+        maps.push_back({name, channels});
+    return maps;
 }
 
 bool FilterStack::run(ImageMaps &maps, const FilterListeners &listeners) const {

@@ -33,11 +33,14 @@ public:
     FilterStack(const std::vector<ShaderRecord> &, ShaderLibrary &, const Options &);
 
     bool empty() const { return filters_.empty(); }
+    /// The filters that are there, in the order in which they run.
+    const std::vector<ShaderRecord> &records() const { return records_; }
     /// The maps that some filter reads by name, "Cs" and "Ci" excepted: what the film has to give.
     std::vector<std::string> mapsRead() const;
 
-    /// The maps that some filter sets, "Ci" excepted.
-    std::vector<std::string> mapsSet() const;
+    /// The maps that some filter sets, "Ci" excepted, with the channels that they get if nobody
+    /// else gives them.
+    std::vector<MapInfo> mapsSet() const;
 
     /// Runs the filters in order over the maps, each one's Ci being the next one's Cs. `maps` holds
     /// "Ci". What is not finite in Ci counts as 0, and is counted and told. False if it was
@@ -46,6 +49,7 @@ public:
 
 private:
     std::vector<std::shared_ptr<const FilterCode>> filters_;
+    std::vector<ShaderRecord> records_; ///< Theirs.
 };
 
 } // namespace candela

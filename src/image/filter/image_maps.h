@@ -42,6 +42,12 @@ private:
     ImageMap view_;
 };
 
+/// What is known of a map before it is there.
+struct MapInfo {
+    std::string name;
+    int channels = 0;
+};
+
 /// Maps by name: "Ci" (the picture so far, which a filter reads as "Cs"), "Oi", "Z", "N", "albedo",
 /// "variance", "id", other channels of the film, and what filters make for those after them.
 class ImageMaps {
