@@ -78,13 +78,11 @@ void wantMaps(std::span<const std::string> names, std::span<const ChannelInfo> a
     }
 }
 
-ImageMaps mapsOf(const Film &film, std::span<const std::string> names) {
-    ImageMaps maps;
+void addMaps(const Film &film, std::span<const std::string> names, ImageMaps &maps) {
     setMap(maps, "Ci", film);
     for (const std::string &name : names)
         if (!maps.find(name))
             setMap(maps, name, film);
-    return maps;
 }
 
 double bytesOfMaps(std::span<const std::string> names, const Film::Settings &film) {

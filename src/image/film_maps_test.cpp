@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "image/film_maps.h"
+#include "image/kept_samples.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -17,7 +18,7 @@ Film::Settings settingsFor(std::vector<std::string> names) {
 }
 
 /// Two samples a pixel: component k of the film is k + 1 in the even one, k + 3 in the odd one.
-void fill(Film &film, int samples) {
+void fill(SampleSink &film, int samples) {
     int components = 0;
     for (const ChannelInfo &channel : film.channels())
         components += channel.components;
@@ -55,7 +56,8 @@ TEST(FilmMaps, holdTheFilmsMeans) {
     const std::vector<std::string> names{"Oi", "Z", "N", "variance", "half0", "half1", "radiance"};
     Film film(settingsFor(names));
     fill(film, 2);
-    const ImageMaps maps = mapsOf(film, names);
+    ImageMaps maps;
+    addMaps(film, names, maps);
     ASSERT_TRUE(maps.find("Ci"));
     EXPECT_EQ(maps.find("Ci")->width(), 2);
     for (int c = 0; c < 3; ++c) {
@@ -75,7 +77,8 @@ TEST(FilmMaps, whatNobodyGivesIsNotThere) {
     Film film(settingsFor({"N"}));
     fill(film, 2);
     const std::vector<std::string> names{"N", "albedo", "mine", "half0", "Z"};
-    const ImageMaps maps = mapsOf(film, names);
+    ImageMaps maps;
+    addMaps(film, names, maps);
     EXPECT_EQ(maps.names(), (std::vector<std::string>{"Ci", "N"}));
 }
 
@@ -83,9 +86,22 @@ TEST(FilmMaps, anUnknownVarianceIsZero) {
     const std::vector<std::string> names{"variance", "half1"};
     Film film(settingsFor(names));
     fill(film, 1);
-    const ImageMaps maps = mapsOf(film, names);
+    ImageMaps maps;
+    addMaps(film, names, maps);
     EXPECT_EQ(at(maps, "variance", 0), 0);
     EXPECT_EQ(at(maps, "half1", 0), 0); // No odd sample.
+}
+
+TEST(FilmMaps, keptSamplesAreAMapOfAllOfThem) {
+    Film film(settingsFor({"N"}));
+    KeptSamples kept(film, 2);
+    fill(kept, 3); // More than there is room for: no harm is done.
+    EXPECT_EQ(film.mean(0, 0)[3], 3);
+    const OwnedImage samples = kept.take();
+    ASSERT_EQ(samples.channels(), 6);
+    for (int channel = 0; channel < 6; ++channel)
+        EXPECT_EQ(samples.row(channel, 1)[1], float(channel % 3 + 1 + 2 * (channel / 3)));
+    EXPECT_EQ(KeptSamples::bytesNeeded({4, 4, 1, 3, 0, 2}, 2), OwnedImage::bytesNeeded(2, 2, 6));
 }
 
 TEST(FilmMaps, bytesCountWhatIsMade) {

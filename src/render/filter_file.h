@@ -23,8 +23,8 @@ struct FilterFileSettings {
 };
 
 /// Reads the picture, runs the filters in their order and writes all of its channels, whole or not
-/// at all. 0 if all went well, 1 if anything was wrong (and reported: nothing is written),
-/// statusOfInterrupt after Ctrl-C.
+/// at all. 0 if all went well, 1 if anything was wrong (and reported; where a picture or a filter
+/// is not to be had nothing is written), statusOfInterrupt after Ctrl-C, when nothing is.
 int filterFile(const FilterFileSettings &);
 
 /// Prints the filters of the library and of the shader path: a line each, name, parameters with

@@ -10,12 +10,22 @@
 #include <cstdio>
 #include <filesystem>
 #include <map>
+#include <sstream>
 
 namespace candela {
 
 namespace {
 
-std::string firstLine(const std::string &text) { return text.substr(0, text.find('\n')); }
+/// Of a comment, the licence's line apart.
+std::string firstLine(const std::string &comment) {
+    std::istringstream lines(comment);
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t start = line.find_first_not_of(" \t*/");
+        if (start != line.npos && line.compare(start, 5, "SPDX-") != 0)
+            return line.substr(start, line.find_last_not_of(" \t\r*/") + 1 - start);
+    }
+    return {};
+}
 
 std::string lineOf(const sl::TypedShader &shader) {
     std::string line = shader.name + "(";

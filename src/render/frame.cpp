@@ -3,6 +3,8 @@
 
 #include "image/displays.h"
 #include "image/film_maps.h"
+#include "image/imager.h"
+#include "image/kept_samples.h"
 #include "light/path/first_hit.h"
 #include "render/filtering.h"
 
@@ -121,66 +123,120 @@ void reportNonFinite(const Film &film, const TransportStatistics &transport,
                                             found));
 }
 
+/// The map of all samples of Ci.
+constexpr const char *samplesMap = "samples";
+
+/// What is done to a frame's pixels behind the film.
+struct PictureShaders {
+    FilterStack filters;
+    std::optional<Imager> imager;
+};
+
 /// A frame on its way from samples to files.
 struct FrameJob {
     const Scene &scene;
     const FrameListeners &listeners;
     IntegratorSettings integrator;
     FrameDescription description;
+    std::vector<PlannedDisplay> displays;
+    bool keepsSamples = false; ///< For filters.
 };
 
-/// Renders, filters and writes; false if the user wants no more.
-bool fill(Film &film, const FrameJob &job, const PixelFilterSampler &filter,
-          const FilterStack &filters, std::span<const PlannedDisplay> displays) {
-    ErrorPolicy &diagnostics = job.listeners.diagnostics;
-    Statistics &statistics = job.listeners.statistics;
-    Console &console = job.listeners.console;
-    const Options &options = job.scene.options();
-    console.begin("rendering");
+void integrateFrame(const FrameJob &job, const PixelFilterSampler &filter, Film &film,
+                    SampleSink &sink) {
+    const FrameListeners &listeners = job.listeners;
     TransportStatistics transport;
-    statistics.measure("render", [&] {
-        integrate(job.scene, job.integrator, filter, film, transport, diagnostics);
+    listeners.statistics.measure("render", [&] {
+        integrate(job.scene, job.integrator, filter, sink, transport, listeners.diagnostics);
     });
-    statistics.add(job.scene, transport);
-    reportNonFinite(film, transport, diagnostics);
-    FrameDescription description = job.description;
-    if (filters.empty()) {
-        report(writeDisplays(film, displays, options, description, diagnostics), console);
-        return true;
-    }
-    FilteredPicture filtered{mapsOf(film, mapNames(filters)), {}};
+    listeners.statistics.add(job.scene, transport);
+    reportNonFinite(film, transport, listeners.diagnostics);
+}
+
+/// Runs the filters over the maps that the film gives, beside those that are in `picture` already.
+/// False if the user wants no more.
+bool filterFrame(FrameJob &job, const FilterStack &filters, const Film &film,
+                 FilteredPicture &picture) {
+    const FrameListeners &listeners = job.listeners;
+    addMaps(film, mapNames(filters), picture.maps);
     for (const MapInfo &map : filters.mapsSet())
-        filtered.set.push_back(map.name);
+        picture.set.push_back(map.name);
     FilteringOutcome outcome;
-    statistics.measure("filter",
-                       [&] { outcome = runFilters(filters, filtered.maps, console, diagnostics); });
-    description.metadata["filters"] = textOf(filters.records(), outcome.done);
+    listeners.statistics.measure("filter", [&] {
+        outcome = runFilters(filters, picture.maps, listeners.console, listeners.diagnostics);
+    });
+    job.description.metadata["filters"] = textOf(filters.records(), outcome.done);
     if (outcome.interrupted)
-        diagnostics.warning({}, "filtering was interrupted: the picture is as the last whole "
-                                "filter left it, and no other frame is rendered");
-    const DisplaySources sources(film, &filtered);
-    report(writeDisplays(sources, displays, options, description, diagnostics), console);
+        listeners.diagnostics.warning(
+            {}, "filtering was interrupted: the picture is as the last whole filter left it, and "
+                "no other frame is rendered");
     return !outcome.interrupted;
 }
 
-bool renderAndWrite(const Scene &scene, ShaderLibrary &shaders, const RenderSettings &settings,
+/// Renders, filters and writes; false if the user wants no more.
+bool makePicture(FrameJob &job, const PictureShaders &shaders, const PixelFilterSampler &filter,
+                 Film &film) {
+    Console &console = job.listeners.console;
+    console.begin("rendering");
+    FilteredPicture filtered;
+    if (job.keepsSamples) {
+        KeptSamples samples(film, job.integrator.lastSample);
+        integrateFrame(job, filter, film, samples);
+        filtered.maps.set(samplesMap, samples.take());
+    } else {
+        integrateFrame(job, filter, film, film);
+    }
+    const bool isFiltered = !shaders.filters.empty();
+    const bool goesOn = !isFiltered || filterFrame(job, shaders.filters, film, filtered);
+    DisplaySources sources(film, isFiltered ? &filtered : nullptr);
+    std::optional<ImagedPicture> imaged;
+    if (shaders.imager) {
+        imaged = shaders.imager->run(sources);
+        sources.imaged = &*imaged;
+    }
+    report(writeDisplays(sources, job.displays, job.scene.options(), job.description,
+                         job.listeners.diagnostics),
+           console);
+    return goesOn;
+}
+
+/// Decides whether samples are kept: what that takes.
+double bytesOfSamples(FrameJob &job, const FilterStack &filters, const FrameWindow &window) {
+    const std::vector<std::string> read = filters.mapsRead();
+    if (std::ranges::find(read, samplesMap) == read.end())
+        return 0;
+    const double bytes = KeptSamples::bytesNeeded(window, job.integrator.lastSample);
+    job.keepsSamples = bytes <= mostSampleBytes;
+    if (job.keepsSamples)
+        return bytes;
+    job.listeners.diagnostics.error(
+        filters.records().front().parameters.where,
+        fmt::format("a filter reads the map \"{}\", which would take {:.1f} GB for {} samples a "
+                    "pixel; {:.0f} GB are the most, and it is not there",
+                    samplesMap, bytes / 1e9, job.integrator.lastSample, mostSampleBytes / 1e9));
+    return 0;
+}
+
+bool renderAndWrite(const Scene &scene, ShaderLibrary &library, const RenderSettings &settings,
                     const std::string &file, const FrameListeners &listeners) {
     const Options &options = scene.options();
     ErrorPolicy &diagnostics = listeners.diagnostics;
-    const FilterStack filters(options.filters, shaders, options);
-    const std::vector<PlannedDisplay> displays =
-        planDisplays(options, channelsToShow(filters),
-                     {settings.outputDirectory, settings.allowPrograms}, diagnostics);
+    const PictureShaders shaders{FilterStack(options.filters, library, options),
+                                 Imager::of(options, library, diagnostics)};
     IntegratorSettings integrator = integratorSettings(scene, settings);
     integrator.progress = [&](double done) { listeners.console.progress(done); };
+    FrameJob job{scene, listeners, integrator, describe(scene, integrator, file),
+                 planDisplays(options, channelsToShow(shaders.filters),
+                              {settings.outputDirectory, settings.allowPrograms}, diagnostics)};
     const PixelFilterSampler filter(options.filter, diagnostics, options.places.pixelFilter);
-    const Film::Settings wanted = filmSettings(options, integrator.crop, filter, filters);
-    const double maps = filters.empty() ? 0 : bytesOfMaps(mapNames(filters), wanted);
-    if (displays.empty() || !canHold(wanted, maps, options, diagnostics) || diagnostics.stopped())
+    const Film::Settings wanted = filmSettings(options, integrator.crop, filter, shaders.filters);
+    double maps = shaders.filters.empty() ? 0 : bytesOfMaps(mapNames(shaders.filters), wanted);
+    maps += bytesOfSamples(job, shaders.filters, wanted.window);
+    if (job.displays.empty() || !canHold(wanted, maps, options, diagnostics) ||
+        diagnostics.stopped())
         return true;
     Film film(wanted);
-    return fill(film, {scene, listeners, integrator, describe(scene, integrator, file)}, filter,
-                filters, displays);
+    return makePicture(job, shaders, filter, film);
 }
 
 } // namespace

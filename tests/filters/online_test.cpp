@@ -169,6 +169,29 @@ TEST_F(Filtered, picturesTakeTheSizeThatFiltersGive) {
     EXPECT_EQ(read("a.exr").window.rows(), 6);
 }
 
+/// The mean of what is kept is what the film has.
+TEST_F(Filtered, filtersReadEverySample) {
+    const std::string world = ballWorld("LightSource \"pointlight\" 1 \"point from\" [0 3 2]\n"
+                                        "Surface \"glow\"");
+    render(smallFrame("PushFilter \"spread\" \"samples\" [5]\nCropWindow .25 .75 .25 .75\n"
+                      "Display \"a.exr\" \"openexr\" \"rgb,radiance\"\n") +
+               world,
+           {"--spp", "5"});
+    const Picture picture = read("a.exr");
+    for (const char *name : {"R", "G", "B"})
+        for (std::size_t i = 0; i < picture.window.pixels(); ++i)
+            EXPECT_NEAR(picture.find(name)->values[i],
+                        picture.find(std::string("radiance.") + name)->values[i], 1e-5);
+    // A frame without displays is not rendered, only looked at.
+    const Outcome outcome = run(smallFrame("PushFilter \"spread\"\nFormat 2000 2000 1\n"
+                                           "Display \"b.exr\" \"openexr\" \"nothing\"\n") +
+                                    "WorldBegin\nWorldEnd\n",
+                                {"--spp", "100"});
+    EXPECT_TRUE(outcome.says("which would take 5.0 GB") && outcome.says("4 GB are the most"))
+        << outcome.text();
+    EXPECT_EQ(outcome.status, 1);
+}
+
 /// A 4 K picture fits, one with all its maps in a machine's memory does not.
 TEST_F(Filtered, mapsCountAmongTheMemoryThatAFrameTakes) {
     const auto refused = [&](const std::string &filters) {

@@ -94,6 +94,26 @@ void ImageAccess::storeAnywhere(const Instruction &i, Uniformity uniformity) {
 
 // --- Rows of pixels ------------------------------------------------------------------------------
 
+/// Runs `plain` where the condition holds, else `other`.
+static std::pair<llvm::BasicBlock *, llvm::BasicBlock *>
+branchOn(CodeFunction &code, Value *condition, const std::function<void()> &plain,
+         const std::function<void()> &other) {
+    auto &builder = code.builder;
+    auto *row = code.block("row"), *anywhere = code.block("anywhere"), *join = code.block("looked");
+    builder.CreateCondBr(condition, row, anywhere,
+                         llvm::MDBuilder(code.module.getContext()).createLikelyBranchWeights());
+    builder.SetInsertPoint(row);
+    plain();
+    auto *rowEnd = builder.GetInsertBlock();
+    builder.CreateBr(join);
+    builder.SetInsertPoint(anywhere);
+    other();
+    auto *anywhereEnd = builder.GetInsertBlock();
+    builder.CreateBr(join);
+    builder.SetInsertPoint(join);
+    return {rowEnd, anywhereEnd};
+}
+
 Value *ImageAccess::beyondColumn(ir::ValueId id) {
     const Instruction *made = definitions_[id];
     if (!made)
@@ -229,42 +249,33 @@ Value *ImageAccess::isColorMap(const Instruction &i) {
 }
 
 void ImageAccess::storeRow(const Instruction &i, const Row &row) {
-    const auto set = [&](int component, std::size_t operand) {
-        code_.lanes.maskedStore(values_.get(i.operands[operand], Uniformity::Varying),
-                                pixels(i, row, component), code_.masks.current());
-    };
     constexpr int ofColor = 3;
-    if (i.operands.size() > 3) {
-        for (int c = 0; c < int(i.operands.size()) - 2; ++c)
-            set(c, std::size_t(2 + c));
-        return;
-    }
-    set(0, 2);
-    code_.valuesIf(isColorMap(i), "all_channels", [&] {
-        for (int c = 1; c < ofColor; ++c)
-            set(c, 2);
-        return Values{};
-    });
+    const int values = int(i.operands.size()) - 2;
+    setRow(i, row, 0, values);
+    if (values == 1)
+        code_.valuesIf(isColorMap(i), "all_channels", [&] {
+            setRow(i, row, 1, ofColor);
+            return Values{};
+        });
 }
 
-/// Runs `plain` where the condition holds, else `other`.
-static std::pair<llvm::BasicBlock *, llvm::BasicBlock *>
-branchOn(CodeFunction &code, Value *condition, const std::function<void()> &plain,
-         const std::function<void()> &other) {
-    auto &builder = code.builder;
-    auto *row = code.block("row"), *anywhere = code.block("anywhere"), *join = code.block("looked");
-    builder.CreateCondBr(condition, row, anywhere,
-                         llvm::MDBuilder(code.module.getContext()).createLikelyBranchWeights());
-    builder.SetInsertPoint(row);
-    plain();
-    auto *rowEnd = builder.GetInsertBlock();
-    builder.CreateBr(join);
-    builder.SetInsertPoint(anywhere);
-    other();
-    auto *anywhereEnd = builder.GetInsertBlock();
-    builder.CreateBr(join);
-    builder.SetInsertPoint(join);
-    return {rowEnd, anywhereEnd};
+/// Components [first, end) of a row. Where masking costs, one test finds out whether all lanes run.
+void ImageAccess::setRow(const Instruction &i, const Row &row, int first, int end) {
+    const bool isColor = i.operands.size() > 3;
+    Value *mask = code_.masks.current();
+    const auto each = [&](const auto &store) {
+        for (int c = first; c < end; ++c)
+            store(values_.get(i.operands[std::size_t(2 + (isColor ? c : 0))], Uniformity::Varying),
+                  pixels(i, row, c));
+    };
+    const auto part = [&] {
+        each([&](Value *value, Value *to) { code_.lanes.maskedStore(value, to, mask); });
+    };
+    if (!code_.lanes.maskingCosts())
+        return part();
+    branchOn(
+        code_, code_.lanes.all(mask),
+        [&] { each([&](Value *value, Value *to) { code_.lanes.store(value, to); }); }, part);
 }
 
 // --- Either --------------------------------------------------------------------------------------

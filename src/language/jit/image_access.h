@@ -41,6 +41,7 @@ private:
     Value *pixels(const ir::Instruction &, const Row &, int component);
     Values loadRow(const ir::Instruction &, const Row &);
     void storeRow(const ir::Instruction &, const Row &);
+    void setRow(const ir::Instruction &, const Row &, int first, int end);
     Values loadAnywhere(const ir::Instruction &, ir::Uniformity);
     void storeAnywhere(const ir::Instruction &, ir::Uniformity);
     /// Operands in rows of the runtime's.

@@ -222,9 +222,11 @@ std::optional<ir::LoweredShader> ShaderLibrary::State::standIn(ir::LightRule rul
 
 void ShaderLibrary::State::replace(ShaderCode &code) {
     const bool isSurface = code.shader().kind == sl::ShaderKind::Surface;
-    diagnostics.error(
-        {}, "shader \"" + code.name() + "\" has no code, so " +
-                (isSurface ? "its surfaces get the default surface" : "its lights give no light"));
+    const bool isLight = code.shader().kind == sl::ShaderKind::Light;
+    diagnostics.error({}, "shader \"" + code.name() + "\" has no code, so " +
+                              (isSurface ? "its surfaces get the default surface"
+                               : isLight ? "its lights give no light"
+                                         : "it is left out"));
     auto other = isSurface ? standIn(code.lightRule()) : std::nullopt;
     if (!other)
         return;

@@ -5,6 +5,8 @@
 #include "language/ir/core/builder_sources.h"
 #include "language/ir/lower/scan.h"
 
+#include <optional>
+
 namespace candela::ir {
 
 namespace {
@@ -16,7 +18,13 @@ struct Start {
     float number = 0;
     char kind = 0;
     PictureFact fact{};
+    std::optional<ShaderInput> ofPixel{}; ///< In imagers this input, whatever it is elsewhere.
 };
+
+Start startOfPixel(ShaderInput input, Start elsewhere) {
+    elsewhere.ofPixel = input;
+    return elsewhere;
+}
 
 Start startOf(sl::PredefinedId id) {
     static const Start table[] = {
@@ -24,6 +32,7 @@ Start startOf(sl::PredefinedId id) {
     { Start::From::Input, ShaderInput::name }
 #define Picture(name)                                                                              \
     { Start::From::Captured, {}, 0, 0, PictureFact::name }
+#define OfPixel(name, elsewhere) startOfPixel(ShaderInput::name, elsewhere)
 #define Number(value)                                                                              \
     { Start::From::Number, {}, value }
 #define OneIn(letter)                                                                              \
@@ -36,6 +45,7 @@ Start startOf(sl::PredefinedId id) {
 #undef ColorSamples
 #undef OneIn
 #undef Number
+#undef OfPixel
 #undef Picture
 #undef Given
     };
@@ -46,7 +56,9 @@ Start startOf(sl::PredefinedId id) {
 /// empty shader does not glow.
 Components startOf(Builder &b, sl::ShaderKind kind, const sl::PredefinedVariable &variable) {
     const auto count = size_t(componentCount(b, variable.type.base));
-    const Start start = startOf(variable.id);
+    Start start = startOf(variable.id);
+    if (kind == sl::ShaderKind::Imager && start.ofPixel)
+        start = {Start::From::Input, *start.ofPixel};
     Components result;
     switch (start.from) {
     case Start::From::Input:

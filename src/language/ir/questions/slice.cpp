@@ -79,6 +79,8 @@ Function answerShade(const Function &whole) { return answerWhole(whole); }
 
 Function answerLight(const Function &whole) { return answerWhole(whole); }
 
+Function answerImager(const Function &whole) { return answerWhole(whole); }
+
 Function answerFilter(const Function &whole) { return answerWhole(whole); }
 
 Function answerEmit(const Plan &plan) {
