@@ -68,7 +68,8 @@ CANDELA_HOT int countNotFinite(const float *row, int count) {
     return bad;
 }
 
-/// One such pixel would spread over its neighbourhood, or the whole picture.
+} // namespace
+
 void makeFinite(OwnedImage &image, DiagnosticSink &diagnostics) {
     std::atomic<std::int64_t> bad{0};
     parallelFor(std::size_t(image.height()), [&](std::size_t y) {
@@ -86,8 +87,6 @@ void makeFinite(OwnedImage &image, DiagnosticSink &diagnostics) {
                                             bad.load()));
 }
 
-} // namespace
-
 std::vector<std::string> FilterStack::mapsRead() const {
     std::vector<std::string> names;
     for (const auto &[name, channels] : mapsOf(filters_, ir::Op::ImageLoad))
@@ -103,8 +102,6 @@ std::vector<MapInfo> FilterStack::mapsSet() const {
 }
 
 bool FilterStack::run(ImageMaps &maps, const FilterListeners &listeners) const {
-    if (OwnedImage *picture = maps.find("Ci"); picture && !filters_.empty())
-        makeFinite(*picture, listeners.diagnostics);
     FilterWatch watch(listeners);
     int done = 0;
     for (const auto &filter : filters_) {

@@ -46,9 +46,16 @@ Filter Filter::withAll(const std::string &name, const std::vector<double> &value
     return with(std::move(parameter));
 }
 
+ShaderRecord Filter::record() const {
+    ShaderRecord record;
+    record.name = name_;
+    record.parameters.all = parameters_;
+    return record;
+}
+
 Filter Filter::with(Parameter parameter) const {
     Filter changed = *this;
-    auto &all = changed.record_.parameters.all;
+    auto &all = changed.parameters_;
     std::erase_if(all, [&](const Parameter &old) { return old.name == parameter.name; });
     all.push_back(std::move(parameter));
     return changed;
@@ -89,6 +96,7 @@ void run(const std::vector<Filter> &filters, ImageMaps &maps, const Ways &ways,
         records.push_back(filter.record());
     const FilterStack stack(records, library, Options());
     const ThreadLimit limit(ways.threads);
+    makeFinite(*maps.find("Ci"), diagnostics);
     EXPECT_TRUE(stack.run(maps, {diagnostics, {}, {}}));
     if (messages)
         *messages = diagnostics.text();
