@@ -15,6 +15,11 @@
 #define TURN .3       /* The length of normals' difference that is another side. */
 #define NARROWEST .3  /* Standard deviation of a Gaussian that stays in its pixel, in pixels. */
 
+color rooted(color c)
+{
+    return color (sqrt(comp(c, 0)), sqrt(comp(c, 1)), sqrt(comp(c, 2)));
+}
+
 /* True where light may go to and come from: in the picture, on the same object and as it faces. */
 float receives(float x, y, object; color facing)
 {
@@ -88,11 +93,10 @@ filter energy_preserving(
             if (withinobjects != 0)
                 facing = image("N", x, y);
             setimage("preserving.facing", x, y, facing);
-            color v = image("variance", x, y);
-            color deviation = color (sqrt(comp(v, 0)), sqrt(comp(v, 1)), sqrt(comp(v, 2)));
-            float noisy = 0;
-            if (by != "variance" || 1.96 * totalluminance(deviation) >= steps * visible)
-                noisy = 1;
+            float noisy = 1;
+            if (by == "variance"
+                && 1.96 * totalluminance(rooted(color image("variance", x, y))) < steps * visible)
+                noisy = 0;
             setimage("preserving.noisy", x, y, noisy);
         }
 
@@ -107,8 +111,10 @@ filter energy_preserving(
             color goes = 0;
             float extent = 0;
             if (object >= 0 && noisy > 0 && by == "variance") {
-                /* Neighbours that have converged; if there are not even three, all that are there
-                   within two pixels: those that have would come from the dark side of a shadow. */
+                /* Neighbours that have converged; if there are not even three, all within two
+                   pixels, by how well they are known beside this one: outliers count little. */
+                float own_deviation = totalluminance(rooted(color image("variance", x, y)) / seen);
+                float own_square = own_deviation * own_deviation;
                 color near = 0, all = 0;
                 float near_count = 0, all_count = 0;
                 for (j = -2; j <= 2; j += 1)
@@ -116,8 +122,13 @@ filter energy_preserving(
                         if ((i != 0 || j != 0) && receives(x + i, y + j, object, facing) != 0) {
                             color light = color image("Cs", x + i, y + j)
                                         / color image("preserving.seen", x + i, y + j);
-                            all += light;
-                            all_count += 1;
+                            float deviation = totalluminance(
+                                rooted(color image("variance", x + i, y + j))
+                                / color image("preserving.seen", x + i, y + j));
+                            float known = 1 / (deviation * deviation + own_square
+                                               + visible * visible);
+                            all += known * light;
+                            all_count += known;
                             if (float image("preserving.noisy", x + i, y + j) == 0
                                 && max(abs(i), abs(j)) < 2) {
                                 near += light;
@@ -218,7 +229,8 @@ filter energy_preserving(
                         setimage("Ci", x + i, y + j,
                                  color image("Ci", x + i, y + j)
                                  + goes * (exp((i * i + j * j) * falloff)
-                                           * color image("preserving.seen", x + i, y + j) / shares));
+                                           * color image("preserving.seen", x + i, y + j)
+                                           / shares));
                 }
             }
         }

@@ -25,7 +25,8 @@ float squared(color c)
     return comp(c, 0) * comp(c, 0) + comp(c, 1) * comp(c, 1) + comp(c, 2) * comp(c, 2);
 }
 
-/* Whether a coordinate is one of the picture's. What lies beyond the border differs from nothing. */
+/* Whether a coordinate is one of the picture's. What lies beyond the border differs from
+   nothing. */
 float inside(float at, size)
 {
     return at >= 0 && at < size ? 1 : 0;
@@ -69,7 +70,8 @@ filter feature_regression(
                 for (i = -1; i <= 1; i += 1)
                     sum += color image("regression.light_error", x + i, y + j);
             /* A single pixel may have a variance of its own: one path that others missed. */
-            setimage("regression.light_variance", x, y, max(sum / 9, color image("regression.light_error", x, y)));
+            setimage("regression.light_variance", x, y,
+                     max(sum / 9, color image("regression.light_error", x, y)));
         }
 
     /* Non-local means of the light. Each offset stands for its opposite, too. The pixel itself is
@@ -78,7 +80,8 @@ filter feature_regression(
         for (x = 0; x < xsize; x += 1) {
             setimage("regression.similar_sum", x, y, color image("regression.light", x, y));
             setimage("regression.similar_weights", x, y, 1);
-            setimage("regression.similar_variance", x, y, color image("regression.light_variance", x, y));
+            setimage("regression.similar_variance", x, y,
+                     color image("regression.light_variance", x, y));
         }
     float per = tolerance * tolerance;
     float side = 2 * patch + 1;
@@ -89,9 +92,11 @@ filter feature_regression(
                 for (y = 0; y < ysize; y += 1)
                     for (x = 0; x < xsize; x += 1)
                         setimage("regression.difference", x, y,
-                                 dissimilarity(color image("regression.light", x, y), color image("regression.light", x + i, y + j),
-                                          color image("regression.light_variance", x, y),
-                                          color image("regression.light_variance", x + i, y + j), per));
+                                 dissimilarity(color image("regression.light", x, y),
+                                               color image("regression.light", x + i, y + j),
+                                               color image("regression.light_variance", x, y),
+                                               color image("regression.light_variance", x + i,
+                                                           y + j), per));
                 for (y = 0; y < ysize; y += 1)
                     for (x = 0; x < xsize; x += 1) {
                         float sum = 0;
@@ -120,20 +125,24 @@ filter feature_regression(
                         if (x - i >= 0 && x - i < xsize && y - j >= 0)
                             behind = float image("regression.similar", x - i, y - j);
                         setimage("regression.similar_sum", x, y,
-                                 color image("regression.similar_sum", x, y) + ahead * color image("regression.light", x + i, y + j)
+                                 color image("regression.similar_sum", x, y)
+                                     + ahead * color image("regression.light", x + i, y + j)
                                      + behind * color image("regression.light", x - i, y - j));
                         setimage("regression.similar_weights", x, y,
                                  float image("regression.similar_weights", x, y) + ahead + behind);
-                        setimage("regression.similar_variance", x, y, color image("regression.similar_variance", x, y)
-                                 + ahead * ahead * color image("regression.light_variance", x + i, y + j)
-                                 + behind * behind * color image("regression.light_variance", x - i, y - j));
+                        color other = image("regression.light_variance", x + i, y + j);
+                        color opposite = image("regression.light_variance", x - i, y - j);
+                        setimage("regression.similar_variance", x, y,
+                                 color image("regression.similar_variance", x, y)
+                                     + ahead * ahead * other + behind * behind * opposite);
                     }
             }
     /* The pilot, and what is left of its variance. */
     for (y = 0; y < ysize; y += 1)
         for (x = 0; x < xsize; x += 1) {
             float weights = image("regression.similar_weights", x, y);
-            setimage("regression.pilot", x, y, color image("regression.similar_sum", x, y) / weights);
+            setimage("regression.pilot", x, y,
+                     color image("regression.similar_sum", x, y) / weights);
             setimage("regression.pilot_variance", x, y,
                      color image("regression.similar_variance", x, y) / (weights * weights));
         }
@@ -189,8 +198,8 @@ filter feature_regression(
                     color c = image("Cs", x + i, y + j);
                     color basis = (color image("albedo", x + i, y + j) + ALBEDO_FLOOR) / own_a;
                     color d = color image("regression.pilot", x + i, y + j) - own;
-                    color r = d * d
-                        / (fitper * (own_v + color image("regression.pilot_variance", x + i, y + j)) + slack);
+                    color v = own_v + color image("regression.pilot_variance", x + i, y + j);
+                    color r = d * d / (fitper * v + slack);
                     float far = (i * i + j * j) * nearness;
                     if (plain > 0) {
                         d = c - own_c;

@@ -19,7 +19,8 @@ float dissimilarity(color a, b, va, vb; float per)
     return comp(r, 0) + comp(r, 1) + comp(r, 2);
 }
 
-/* Whether a coordinate is one of the picture's. What lies beyond the border differs from nothing. */
+/* Whether a coordinate is one of the picture's. What lies beyond the border differs from
+   nothing. */
 float inside(float at, size)
 {
     return at >= 0 && at < size ? 1 : 0;
@@ -42,7 +43,8 @@ filter nlmeans(
     setsize("nlmeans.difference_row", xsize, ysize);
     setsize("nlmeans.similar", xsize, ysize);
 
-    /* Variance over three by three pixels; a single one may have more: a path that others missed. */
+    /* Variance over three by three pixels; a single one may have more: a path that others
+       missed. */
     for (y = 0; y < ysize; y += 1)
         for (x = 0; x < xsize; x += 1) {
             color sum = 0;
@@ -111,5 +113,6 @@ filter nlmeans(
             }
     for (y = 0; y < ysize; y += 1)
         for (x = 0; x < xsize; x += 1)
-            setimage("Ci", x, y, color image("nlmeans.sum", x, y) / float image("nlmeans.weights", x, y));
+            setimage("Ci", x, y, color image("nlmeans.sum", x, y)
+                                 / float image("nlmeans.weights", x, y));
 }

@@ -331,10 +331,18 @@ private:
         const auto near = [&](int i, int j) {
             return std::max(std::abs(i), std::abs(j)) < 2 ? calm(i, j) : 0;
         };
-        const auto all = [](int, int) { return 1.; };
+        const auto squareDeviation = [&](int px, int py) {
+            const Rgb &v = scene_.variance.at(px, py), s = seen(px, py);
+            const double deviation = luminanceOf(
+                {std::sqrt(v[0]) / s[0], std::sqrt(v[1]) / s[1], std::sqrt(v[2]) / s[2]});
+            return deviation * deviation;
+        };
+        const auto known = [&](int i, int j) {
+            return 1 / (squareDeviation(x + i, y + j) + squareDeviation(x, y) + visible_ * visible_);
+        };
         const auto ring = [](int i, int j) { return std::exp(-(i * i + j * j) / 2.); };
         const bool found = settings_.byVariance
-                               ? mean(x, y, near, 3, about) || mean(x, y, all, 1, about)
+                               ? mean(x, y, near, 3, about) || mean(x, y, known, 0, about)
                                : mean(x, y, ring, 0, about);
         if (!found || luminanceOf(about) <= 0)
             return;
