@@ -338,7 +338,8 @@ private:
             return deviation * deviation;
         };
         const auto known = [&](int i, int j) {
-            return 1 / (squareDeviation(x + i, y + j) + squareDeviation(x, y) + visible_ * visible_);
+            return 1 /
+                   (squareDeviation(x + i, y + j) + squareDeviation(x, y) + visible_ * visible_);
         };
         const auto ring = [](int i, int j) { return std::exp(-(i * i + j * j) / 2.); };
         const bool found = settings_.byVariance
