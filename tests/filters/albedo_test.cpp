@@ -175,10 +175,10 @@ TEST_F(Filtered, filtersReadWhatDisplaysShow) {
                               "\"\nDisplay \"a.exr\" \"openexr\" \"rgb\"\n") +
                        world,
                    {"--integrator", integrator, "--spp", "4"});
-            render(
-                smallFrame("Display \"b.exr\" \"openexr\" \"" + std::string(test.mode) + "\"\n") +
-                    world,
-                {"--integrator", integrator, "--spp", "4"});
+            render(smallFrame("Display \"b.exr\" \"openexr\" \"" + std::string(test.mode) + "\"" +
+                              test.more + "\n") +
+                       world,
+                   {"--integrator", integrator, "--spp", "4"});
             const Picture a = read("a.exr"), b = read("b.exr");
             for (int c = 0; c < 3; ++c) {
                 ASSERT_TRUE(b.find(test.channels[c])) << test.map;
