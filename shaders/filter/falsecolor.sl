@@ -17,22 +17,24 @@ float measured(string quantity, map; float x, y)
     return value;
 }
 
-/* The value that all but this share of the pixels that show something stay below, to 4 %. */
+/* The value that this share of the pixels that show something exceeds, to 4 %. */
 float exceededby(float part; string quantity, map)
 {
     extern float xsize, ysize;
     float low = -6, high = 10, turn, x, y; /* decimal logarithms */
 
     for (turn = 0; turn < 10; turn += 1) {
-        float middle = (low + high) / 2, threshold = pow(10, middle), above = 0, shown = 0;
+        float middle = (low + high) / 2, threshold = pow(10, middle);
+        float above = 0, aboveshown = 0, shown = 0;
         for (y = 0; y < ysize; y += 1)
             for (x = 0; x < xsize; x += 1) {
                 float opaque = totalradiance(color image("Oi", x, y)) > 0 ? 1 : 0;
+                float exceeds = measured(quantity, map, x, y) > threshold ? 1 : 0;
                 shown += opaque;
-                if (measured(quantity, map, x, y) > threshold)
-                    above += opaque;
+                above += exceeds;
+                aboveshown += exceeds * opaque;
             }
-        if (above > part * shown)
+        if (shown > 0 ? aboveshown > part * shown : above > part * xsize * ysize)
             low = middle;
         else
             high = middle;

@@ -10,12 +10,13 @@
 #define ALBEDO_FLOOR .001 /* What has no albedo is seen by this much. */
 #define PLAIN_SPREAD .3   /* Of outlines: squared difference over the sum of variances. */
 
-/* Squared differences of two colours over their variances, less what noise alone makes of them. */
-float distance(color a, b, va, vb; float per)
+/* Squared difference of two colours over its variance, less what noise alone makes of it; the sum
+   over channels. */
+float dissimilarity(color a, b, va, vb; float per)
 {
     color d = a - b;
     color both = va + vb;
-    color r = (d * d - va - min(va, vb)) / (per * both + 1e-12);
+    color r = (d * d - both) / (per * both + 1e-12);
     return comp(r, 0) + comp(r, 1) + comp(r, 2);
 }
 
@@ -28,12 +29,25 @@ filter feature_regression(
     float search = 5;       /* pixels each way, where light like a pixel's own is sought */
     float patch = 2;        /* pixels each way of the patches that are compared */
     float tolerance = .35;  /* of patches, in standard errors */
-    float radius = 5;       /* pixels each way that a fit reaches */
+    float radius = 7;       /* pixels each way that a fit reaches */
     float fittolerance = .3; /* of the light that a fit takes in, in standard errors */
-    float contrast = .1;    /* and besides, as a share of the light */
+    float contrast = .12;   /* and besides, as a share of the light */
     float bend = .3;        /* of normals: the length of their difference that counts as another */)
 {
     float x, y, i, j, k;
+
+    setsize("light", xsize, ysize);
+    setsize("light_error", xsize, ysize);
+    setsize("light_variance", xsize, ysize);
+    setsize("similar_sum", xsize, ysize);
+    setsize("similar_weights", xsize, ysize);
+    setsize("similar_variance", xsize, ysize);
+    setsize("difference", xsize, ysize);
+    setsize("difference_row", xsize, ysize);
+    setsize("similar", xsize, ysize);
+    setsize("pilot", xsize, ysize);
+    setsize("pilot_variance", xsize, ysize);
+    setsize("outline", xsize, ysize);
 
     /* The light: what a white surface would show. Its variance, over three by three pixels. */
     for (y = 0; y < ysize; y += 1)
@@ -58,7 +72,7 @@ filter feature_regression(
         for (x = 0; x < xsize; x += 1) {
             setimage("similar_sum", x, y, color image("light", x, y));
             setimage("similar_weights", x, y, 1);
-            setimage("similar_squares", x, y, 1);
+            setimage("similar_variance", x, y, color image("light_variance", x, y));
         }
     float per = tolerance * tolerance;
     float side = 2 * patch + 1;
@@ -69,7 +83,7 @@ filter feature_regression(
                 for (y = 0; y < ysize; y += 1)
                     for (x = 0; x < xsize; x += 1)
                         setimage("difference", x, y,
-                                 distance(color image("light", x, y), color image("light", x + i, y + j),
+                                 dissimilarity(color image("light", x, y), color image("light", x + i, y + j),
                                           color image("light_variance", x, y),
                                           color image("light_variance", x + i, y + j), per));
                 for (y = 0; y < ysize; y += 1)
@@ -102,9 +116,9 @@ filter feature_regression(
                                      + behind * color image("light", x - i, y - j));
                         setimage("similar_weights", x, y,
                                  float image("similar_weights", x, y) + ahead + behind);
-                        setimage("similar_squares", x, y,
-                                 float image("similar_squares", x, y) + ahead * ahead
-                                     + behind * behind);
+                        setimage("similar_variance", x, y, color image("similar_variance", x, y)
+                                 + ahead * ahead * color image("light_variance", x + i, y + j)
+                                 + behind * behind * color image("light_variance", x - i, y - j));
                     }
             }
     /* The pilot, and what is left of its variance. */
@@ -112,8 +126,8 @@ filter feature_regression(
         for (x = 0; x < xsize; x += 1) {
             float weights = image("similar_weights", x, y);
             setimage("pilot", x, y, color image("similar_sum", x, y) / weights);
-            setimage("pilot_variance", x, y, color image("light_variance", x, y)
-                     * (float image("similar_squares", x, y) / (weights * weights)));
+            setimage("pilot_variance", x, y,
+                     color image("similar_variance", x, y) / (weights * weights));
         }
 
     /* Where colour falls as albedo rises, clearly and by much. */
@@ -133,14 +147,16 @@ filter feature_regression(
             color together = 9 * sum_ca - sum_c * sum_a;
             color means = sum_c * sum_c;
             color spread_c = 9 * sum_cc - means;
-            color spread_a = 9 * sum_aa - sum_a * sum_a;
+            color means_a = sum_a * sum_a;
+            color spread_a = 9 * sum_aa - means_a;
             float covariance = comp(together, 0) + comp(together, 1) + comp(together, 2);
             float variance_c = comp(spread_c, 0) + comp(spread_c, 1) + comp(spread_c, 2);
             float variance_a = comp(spread_a, 0) + comp(spread_a, 1) + comp(spread_a, 2);
             float level = comp(means, 0) + comp(means, 1) + comp(means, 2);
+            float level_a = comp(means_a, 0) + comp(means_a, 1) + comp(means_a, 2);
             float plain = 0;
             if (covariance < 0 && covariance * covariance > .5 * variance_c * variance_a
-                && variance_c > .1 * level)
+                && variance_c > .1 * level && variance_a > .01 * level_a)
                 plain = 1;
             setimage("outline", x, y, plain);
         }

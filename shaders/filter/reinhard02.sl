@@ -35,11 +35,12 @@ filter reinhard02(
 
     if (local == 0) {
         float white = (L_white > 0 ? L_white : greatestluminance()) * toscaled;
+        float burn = white > 0 ? 1 / (white * white) : 0;
         for (y = 0; y < ysize; y += 1)
             for (x = 0; x < xsize; x += 1) {
                 color c = image("Cs", x, y);
                 float scaled = totalluminance(c) * toscaled;
-                float rolled = (1 + scaled / (white * white)) / (1 + scaled);
+                float rolled = (1 + scaled * burn) / (1 + scaled);
                 setimage("Ci", x, y, photometric(c) * (toscaled * rolled));
             }
     } else {

@@ -120,6 +120,7 @@ private:
         ImageMaps maps = mapsOf(picture, mapNames(stack), problem);
         if (!problem.empty())
             return fail(settings_.input + ": " + problem);
+        makeFinite(*maps.find("Ci"), console_);
         console_.begin("filtering");
         interrupted_ = runFilters(stack, maps, console_, console_).interrupted;
         if (interrupted_)

@@ -50,19 +50,23 @@ const Case cases[] = {
 
 class EveryFilter : public testing::TestWithParam<Case> {};
 
-/// Ones and zeros of every result, for all lanes, threads and instruction sets.
+/// The same bits for all lanes and threads; between instruction sets, mathematics rounds
+/// differently.
 TEST_P(EveryFilter, DoesNotDependOnTheWayItIsRun) {
     const Picture scene = manifold(117, 93, -1, 4);
-    const Picture expected = filtered(GetParam().filter, scene, {16, 1, {}});
-    for (const auto level : {runtime::IsaLevel::V2, runtime::IsaLevel::V3, runtime::IsaLevel::V4})
+    const Picture atBest = filtered(GetParam().filter, scene);
+    for (const auto level : {runtime::IsaLevel::V2, runtime::IsaLevel::V3, runtime::IsaLevel::V4}) {
+        if (!Jit::hostRuns(level))
+            continue;
+        const Picture expected = filtered(GetParam().filter, scene, {16, 1, level});
+        expectNear(expected, atBest, 1e-5, .01);
         for (const int lanes : {1, 16})
             for (const int threads : {1, 3}) {
-                if (!Jit::hostRuns(level))
-                    continue;
                 SCOPED_TRACE(testing::Message() << int(level) << " " << lanes << " " << threads);
                 const Picture found = filtered(GetParam().filter, scene, {lanes, threads, level});
                 expectNear(found, expected, 0, 0);
             }
+    }
 }
 
 /// Of every size, down to a pixel; from black to what no display has.

@@ -58,32 +58,34 @@ std::map<std::string, int> mapsOf(const std::vector<std::shared_ptr<const Filter
     return maps;
 }
 
-/// How many numbers of the row are not finite; they become 0.
-CANDELA_HOT int makeFinite(float *row, int count) {
+bool isFinite(float x) { return std::abs(x) <= std::numeric_limits<float>::max(); }
+
+/// How many numbers of the row are not finite.
+CANDELA_HOT int countNotFinite(const float *row, int count) {
     int bad = 0;
-    for (int x = 0; x < count; ++x) {
-        const bool finite = std::abs(row[x]) <= std::numeric_limits<float>::max();
-        bad += !finite;
-        row[x] = finite ? row[x] : 0;
-    }
+    for (int x = 0; x < count; ++x)
+        bad += !(std::abs(row[x]) <= std::numeric_limits<float>::max());
     return bad;
 }
 
-/// One such pixel would spread over its neighbourhood, or the whole picture.
+} // namespace
+
 void makeFinite(OwnedImage &image, DiagnosticSink &diagnostics) {
     std::atomic<std::int64_t> bad{0};
     parallelFor(std::size_t(image.height()), [&](std::size_t y) {
         for (int c = 0; c < image.channels(); ++c)
-            if (const int inRow = makeFinite(image.row(c, int(y)), image.width()))
+            if (const int inRow = countNotFinite(image.row(c, int(y)), image.width())) {
+                std::replace_if(
+                    image.row(c, int(y)), image.row(c, int(y)) + image.width(),
+                    [](float x) { return !isFinite(x); }, 0.0f);
                 bad += inRow;
+            }
     });
     if (bad > 0)
         diagnostics.warning({}, fmt::format("{} values of the picture are not finite (inf or nan); "
                                             "the filters get 0 for them",
                                             bad.load()));
 }
-
-} // namespace
 
 std::vector<std::string> FilterStack::mapsRead() const {
     std::vector<std::string> names;
@@ -100,8 +102,6 @@ std::vector<MapInfo> FilterStack::mapsSet() const {
 }
 
 bool FilterStack::run(ImageMaps &maps, const FilterListeners &listeners) const {
-    if (OwnedImage *picture = maps.find("Ci"); picture && !filters_.empty())
-        makeFinite(*picture, listeners.diagnostics);
     FilterWatch watch(listeners);
     int done = 0;
     for (const auto &filter : filters_) {

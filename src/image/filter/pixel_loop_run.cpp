@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "image/filter/pixel_loop_run.h"
 
+#include "foundation/base/hot.h"
 #include "foundation/base/parallel.h"
 #include "foundation/base/planes.h"
 
@@ -54,7 +55,8 @@ Extent extentOf(const ir::PixelLoop &loop, const float *given) {
 }
 
 std::size_t wholeBlocks(std::int64_t columns) {
-    return std::size_t((columns + laneBlock - 1) / laneBlock * laneBlock);
+    constexpr std::int64_t block = mostPixelsTogether;
+    return std::size_t((columns + block - 1) / block * block);
 }
 
 double beginningOf(ir::Reduction reduction) {
@@ -64,27 +66,51 @@ double beginningOf(ir::Reduction reduction) {
                                                : -infinity;
 }
 
+struct Sum {
+    static double join(double a, double b) { return a + b; }
+};
+struct Least {
+    static double join(double a, double b) { return b < a ? b : a; }
+};
+struct Greatest {
+    static double join(double a, double b) { return b > a ? b : a; }
+};
+
+/// Joins every sixteenth value of a row to one of sixteen.
+template <typename Kind>
+inline __attribute__((always_inline)) void joinRow(const float *values, std::int64_t count,
+                                                   double *parts) {
+    const std::int64_t blocks = count / laneBlock * laneBlock;
+    for (std::int64_t k = 0; k < blocks; k += laneBlock)
+        for (int lane = 0; lane < laneBlock; ++lane)
+            parts[lane] = Kind::join(parts[lane], double(values[k + lane]));
+    for (std::int64_t k = blocks; k < count; ++k)
+        parts[k - blocks] = Kind::join(parts[k - blocks], double(values[k]));
+}
+
+CANDELA_HOT void joinRow(ir::Reduction reduction, const float *values, std::int64_t count,
+                         double *parts) {
+    switch (reduction) {
+    case ir::Reduction::Sum: return joinRow<Sum>(values, count, parts);
+    case ir::Reduction::Least: return joinRow<Least>(values, count, parts);
+    case ir::Reduction::Greatest: return joinRow<Greatest>(values, count, parts);
+    }
+}
+
 double joined(ir::Reduction reduction, double a, double b) {
     switch (reduction) {
-    case ir::Reduction::Sum: return a + b;
-    case ir::Reduction::Least: return b < a ? b : a;
-    case ir::Reduction::Greatest: return b > a ? b : a;
+    case ir::Reduction::Sum: return Sum::join(a, b);
+    case ir::Reduction::Least: return Least::join(a, b);
+    case ir::Reduction::Greatest: return Greatest::join(a, b);
     }
     return a;
 }
 
 /// Of a row: sixteen sums of every sixteenth value, then these one after another.
 double reduced(ir::Reduction reduction, const float *values, std::int64_t count) {
-    std::array<double, laneBlock> parts;
+    alignas(64) std::array<double, laneBlock> parts;
     parts.fill(beginningOf(reduction));
-    const std::int64_t blocks = count / laneBlock * laneBlock;
-    for (std::int64_t k = 0; k < blocks; k += laneBlock)
-        for (int lane = 0; lane < laneBlock; ++lane)
-            parts[std::size_t(lane)] =
-                joined(reduction, parts[std::size_t(lane)], double(values[k + lane]));
-    for (std::int64_t k = blocks; k < count; ++k)
-        parts[std::size_t(k - blocks)] =
-            joined(reduction, parts[std::size_t(k - blocks)], double(values[k]));
+    joinRow(reduction, values, count, parts.data());
     double all = beginningOf(reduction);
     for (double part : parts)
         all = joined(reduction, all, part);
@@ -108,6 +134,14 @@ void fillHalos(const ImageMap &map) {
         for (int y = first; y < std::min(first + rowsTogether, map.height); ++y)
             fillHalo(map, y);
     });
+}
+
+/// Whether pixels beside the map may be read.
+bool readsBeyond(const ir::PixelLoop &loop, const Extent &extent, int number, const ImageMap &map) {
+    const std::vector<int> &around = loop.mapsReadAround;
+    const bool isWithin =
+        extent.firstColumn >= 0 && double(extent.firstColumn) + double(extent.columns) <= map.width;
+    return !isWithin || std::find(around.begin(), around.end(), number) != around.end();
 }
 
 /// Where lane 0 stands, as a whole number; far outside if it is none.
@@ -149,7 +183,8 @@ void PixelLoopRun::run(const ir::PixelLoop &loop, ShaderFunction code, const flo
     const bool isFromCorner = extent.firstColumn == 0 && extent.firstRow == 0;
     maps_.prepare(loop, isFromCorner ? extent.columns : 0, isFromCorner ? extent.rows : 0);
     for (int map : loop.mapsRead)
-        fillHalos(args_->maps[map]);
+        if (readsBeyond(loop, extent, map, args_->maps[map]))
+            fillHalos(args_->maps[map]);
 
     std::vector<float> columns(wholeBlocks(extent.columns));
     for (std::size_t k = 0; k < columns.size(); ++k)

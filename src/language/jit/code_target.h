@@ -2,8 +2,10 @@
 // What code is generated for.
 #pragma once
 
+#include "language/runtime/image_map.h"
 #include "language/runtime/register_code.h"
 
+#include <algorithm>
 #include <string>
 
 namespace candela {
@@ -18,9 +20,14 @@ struct CodeTarget {
     /// compiled in pieces.
     int longestFunction = 2000;
 
-    /// Points that code takes at a time: at width 16 as many as a register holds. Twice as many
-    /// would be twice the instructions to select and half the registers to hold values in.
-    int lanes() const { return width == 1 ? 1 : runtime::registerLanes(level); }
+    int registersTogether = 1; ///< As ir::Function has it.
+
+    /// Points that code takes at a time: at width 16 mostly as many as a register holds. Twice as
+    /// many would be twice the instructions to select and half the registers to hold values in.
+    int lanes() const {
+        const int together = runtime::registerLanes(level) * registersTogether;
+        return width == 1 ? 1 : std::min(together, mostPixelsTogether);
+    }
     /// Bits of the widest vector register.
     int registerBits() const { return 32 * runtime::registerLanes(level); }
 };

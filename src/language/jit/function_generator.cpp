@@ -141,7 +141,7 @@ FunctionGenerator::FunctionGenerator(const ir::Function &function, const CodeTar
 }
 
 static Value *allLanesIn(CodeFunction &code, Value *bits) {
-    const auto all = (1u << code.lanes.width()) - 1;
+    const auto all = ~0u >> (32 - code.lanes.width());
     return code.builder.CreateICmpEQ(bits, code.builder.getInt32(all), "all_run");
 }
 
@@ -388,7 +388,9 @@ void FunctionGenerator::emitMemory(const Instruction &i) {
 
 void generateFunction(const ir::Function &function, const CodeTarget &target,
                       const std::string &symbol, llvm::Module &module) {
-    codegen::FunctionGenerator(function, target, symbol, module).generate();
+    CodeTarget own = target;
+    own.registersTogether = function.registersTogether;
+    codegen::FunctionGenerator(function, own, symbol, module).generate();
 }
 
 } // namespace candela

@@ -94,6 +94,26 @@ void ImageAccess::storeAnywhere(const Instruction &i, Uniformity uniformity) {
 
 // --- Rows of pixels ------------------------------------------------------------------------------
 
+/// Runs `plain` where the condition holds, else `other`.
+static std::pair<llvm::BasicBlock *, llvm::BasicBlock *>
+branchOn(CodeFunction &code, Value *condition, const std::function<void()> &plain,
+         const std::function<void()> &other) {
+    auto &builder = code.builder;
+    auto *row = code.block("row"), *anywhere = code.block("anywhere"), *join = code.block("looked");
+    builder.CreateCondBr(condition, row, anywhere,
+                         llvm::MDBuilder(code.module.getContext()).createLikelyBranchWeights());
+    builder.SetInsertPoint(row);
+    plain();
+    auto *rowEnd = builder.GetInsertBlock();
+    builder.CreateBr(join);
+    builder.SetInsertPoint(anywhere);
+    other();
+    auto *anywhereEnd = builder.GetInsertBlock();
+    builder.CreateBr(join);
+    builder.SetInsertPoint(join);
+    return {rowEnd, anywhereEnd};
+}
+
 Value *ImageAccess::beyondColumn(ir::ValueId id) {
     const Instruction *made = definitions_[id];
     if (!made)
@@ -128,17 +148,42 @@ bool ImageAccess::isRow(const Instruction &i) {
 
 /// Maps do not change their sizes while a pixel loop runs.
 Value *ImageAccess::mapField(const Instruction &i, std::size_t offset, llvm::Type *type) {
-    auto *maps = arguments_.fieldPointer(offsetof(ShaderArgs, maps));
     const std::size_t at = std::size_t(use(i).map) * sizeof(ImageMap) + offset;
-    return code_.invariantLoad(type, builder_.CreateConstGEP1_64(builder_.getInt8Ty(), maps, at));
+    Value *&known = fields_[{code_.function, at}];
+    if (!known)
+        known = arguments_.atHead([&] {
+            auto *maps = arguments_.fieldPointer(offsetof(ShaderArgs, maps));
+            return code_.invariantLoad(type,
+                                       builder_.CreateConstGEP1_64(builder_.getInt8Ty(), maps, at));
+        });
+    return known;
+}
+
+/// Where pixel (0, 0) of a channel of the map stands.
+Value *ImageAccess::planeOf(const Instruction &i, int channel) {
+    Value *&known = planes_[{code_.function, {use(i).map, channel}}];
+    if (!known) {
+        Value *planes = mapField(i, offsetof(ImageMap, planes), code_.pointerType);
+        known = arguments_.atHead([&] {
+            return code_.invariantLoad(
+                code_.pointerType,
+                builder_.CreateConstGEP1_64(code_.pointerType, planes, std::uint64_t(channel)));
+        });
+    }
+    return known;
+}
+
+bool ImageAccess::isFirstChannel(const Instruction &i) const {
+    const auto *known = llvm::dyn_cast<llvm::ConstantFP>(
+        values_.get(i.operands[std::size_t(LookupOperand::Channel)]));
+    return known && known->isZero();
 }
 
 /// Every map has planes for a color from channel 0 on.
 Value *ImageAccess::hasChannels(const Instruction &i) {
-    Value *channel = values_.get(i.operands[std::size_t(LookupOperand::Channel)]);
-    const auto *known = llvm::dyn_cast<llvm::ConstantFP>(channel);
-    if (known && known->isZero())
+    if (isFirstChannel(i))
         return builder_.getTrue();
+    Value *channel = values_.get(i.operands[std::size_t(LookupOperand::Channel)]);
     const auto number = [&](float x) { return llvm::ConstantFP::get(code_.floatType, x); };
     Value *count = mapField(i, offsetof(ImageMap, channels), code_.integerType);
     Value *end = builder_.CreateFAdd(channel, number(float(use(i).values)));
@@ -203,15 +248,17 @@ ImageAccess::Row ImageAccess::row(const Instruction &i) {
 }
 
 Value *ImageAccess::pixels(const Instruction &i, const Row &row, int component) {
-    Value *planes = mapField(i, offsetof(ImageMap, planes), code_.pointerType);
-    Value *plane = builder_.getInt32(std::uint32_t(component));
-    if (i.op == Op::ImageLoad) {
+    auto *integer = code_.integerType, *pointer = code_.pointerType;
+    Value *start = nullptr;
+    if (i.op == Op::ImageStore || isFirstChannel(i)) {
+        start = planeOf(i, component);
+    } else {
         Value *channel = values_.get(i.operands[std::size_t(LookupOperand::Channel)]);
-        plane = builder_.CreateAdd(plane, builder_.CreateFPToSI(channel, code_.integerType));
+        Value *plane = builder_.CreateAdd(builder_.getInt32(std::uint32_t(component)),
+                                          builder_.CreateFPToSI(channel, integer));
+        Value *planes = mapField(i, offsetof(ImageMap, planes), pointer);
+        start = code_.invariantLoad(pointer, builder_.CreateGEP(pointer, planes, plane));
     }
-    Value *start = code_.invariantLoad(
-        code_.pointerType, builder_.CreateGEP(code_.pointerType, planes,
-                                              builder_.CreateSExt(plane, builder_.getInt64Ty())));
     return builder_.CreateGEP(code_.floatType, start, row.index);
 }
 
@@ -229,42 +276,33 @@ Value *ImageAccess::isColorMap(const Instruction &i) {
 }
 
 void ImageAccess::storeRow(const Instruction &i, const Row &row) {
-    const auto set = [&](int component, std::size_t operand) {
-        code_.lanes.maskedStore(values_.get(i.operands[operand], Uniformity::Varying),
-                                pixels(i, row, component), code_.masks.current());
-    };
     constexpr int ofColor = 3;
-    if (i.operands.size() > 3) {
-        for (int c = 0; c < int(i.operands.size()) - 2; ++c)
-            set(c, std::size_t(2 + c));
-        return;
-    }
-    set(0, 2);
-    code_.valuesIf(isColorMap(i), "all_channels", [&] {
-        for (int c = 1; c < ofColor; ++c)
-            set(c, 2);
-        return Values{};
-    });
+    const int values = int(i.operands.size()) - 2;
+    setRow(i, row, 0, values);
+    if (values == 1)
+        code_.valuesIf(isColorMap(i), "all_channels", [&] {
+            setRow(i, row, 1, ofColor);
+            return Values{};
+        });
 }
 
-/// Runs `plain` where the condition holds, else `other`.
-static std::pair<llvm::BasicBlock *, llvm::BasicBlock *>
-branchOn(CodeFunction &code, Value *condition, const std::function<void()> &plain,
-         const std::function<void()> &other) {
-    auto &builder = code.builder;
-    auto *row = code.block("row"), *anywhere = code.block("anywhere"), *join = code.block("looked");
-    builder.CreateCondBr(condition, row, anywhere,
-                         llvm::MDBuilder(code.module.getContext()).createLikelyBranchWeights());
-    builder.SetInsertPoint(row);
-    plain();
-    auto *rowEnd = builder.GetInsertBlock();
-    builder.CreateBr(join);
-    builder.SetInsertPoint(anywhere);
-    other();
-    auto *anywhereEnd = builder.GetInsertBlock();
-    builder.CreateBr(join);
-    builder.SetInsertPoint(join);
-    return {rowEnd, anywhereEnd};
+/// Components [first, end) of a row. Where masking costs, one test finds out whether all lanes run.
+void ImageAccess::setRow(const Instruction &i, const Row &row, int first, int end) {
+    const bool isColor = i.operands.size() > 3;
+    Value *mask = code_.masks.current();
+    const auto each = [&](const auto &store) {
+        for (int c = first; c < end; ++c)
+            store(values_.get(i.operands[std::size_t(2 + (isColor ? c : 0))], Uniformity::Varying),
+                  pixels(i, row, c));
+    };
+    const auto part = [&] {
+        each([&](Value *value, Value *to) { code_.lanes.maskedStore(value, to, mask); });
+    };
+    if (!code_.lanes.maskingCosts())
+        return part();
+    branchOn(
+        code_, code_.lanes.all(mask),
+        [&] { each([&](Value *value, Value *to) { code_.lanes.store(value, to); }); }, part);
 }
 
 // --- Either --------------------------------------------------------------------------------------

@@ -33,6 +33,8 @@ private:
     Value *beyondColumn(ir::ValueId);
     bool isRow(const ir::Instruction &);
     Row row(const ir::Instruction &);
+    Value *planeOf(const ir::Instruction &, int channel);
+    bool isFirstChannel(const ir::Instruction &) const;
     Value *hasChannels(const ir::Instruction &);
     Value *takesRows(const ir::Instruction &);
     Value *isColorMap(const ir::Instruction &);
@@ -41,6 +43,7 @@ private:
     Value *pixels(const ir::Instruction &, const Row &, int component);
     Values loadRow(const ir::Instruction &, const Row &);
     void storeRow(const ir::Instruction &, const Row &);
+    void setRow(const ir::Instruction &, const Row &, int first, int end);
     Values loadAnywhere(const ir::Instruction &, ir::Uniformity);
     void storeAnywhere(const ir::Instruction &, ir::Uniformity);
     /// Operands in rows of the runtime's.
@@ -56,7 +59,10 @@ private:
     const ArrayMemory &arrays_;
     std::vector<const ir::Instruction *> definitions_; ///< By ValueId; of plain arithmetic.
     std::size_t mostOperands_ = 1, mostResults_ = 1;
-    std::map<llvm::Function *, Memory> memory_; ///< Of machine functions.
+    // Of machine functions.
+    std::map<llvm::Function *, Memory> memory_;
+    std::map<std::pair<llvm::Function *, std::size_t>, Value *> fields_;
+    std::map<std::pair<llvm::Function *, std::pair<int, int>>, Value *> planes_;
 };
 
 } // namespace candela::codegen

@@ -19,7 +19,8 @@ class Lanes {
 public:
     Lanes(llvm::IRBuilder<> &builder, const CodeTarget &target)
         : builder_(builder), width_(target.lanes()),
-          hasMaskRegisters_(target.level == runtime::IsaLevel::V4) {}
+          hasMaskRegisters_(target.level == runtime::IsaLevel::V4),
+          isOneRegister_(width_ <= runtime::registerLanes(target.level)) {}
 
     int width() const { return width_; }
 
@@ -61,7 +62,7 @@ public:
         if (llvm::isa<llvm::Constant>(mask))
             return builder_.CreateSExt(mask, type);
         auto *words = wordsOf(mask);
-        if (isKeptAsMask(mask))
+        if (isKeptAsMask(mask) || !isOneRegister_)
             return words;
         // No code: LLVM just may not know where the words come from, or it would keep bits.
         auto *opaque =
@@ -175,6 +176,7 @@ private:
     llvm::IRBuilder<> &builder_;
     int width_;
     bool hasMaskRegisters_;
+    bool isOneRegister_;
 };
 
 } // namespace candela::codegen

@@ -45,7 +45,7 @@ Value *ShaderArguments::blockBits(Value *count) {
     auto *left = builder_.CreateBinaryIntrinsic(llvm::Intrinsic::umin,
                                                 builder_.CreateSub(count, place_.firstPoint),
                                                 builder_.getInt32(width));
-    auto *inside = builder_.CreateLShr(builder_.getInt32((1u << width) - 1),
+    auto *inside = builder_.CreateLShr(builder_.getInt32(~0u >> (32 - width)),
                                        builder_.CreateSub(builder_.getInt32(width), left));
     return builder_.CreateAnd(bits, inside);
 }

@@ -51,6 +51,13 @@ public:
     /// From here on code stands in another machine function; gives the place until now.
     Place exchangePlace(Place place) { return std::exchange(place_, std::move(place)); }
 
+    /// What `work` writes before the machine function's first block.
+    template <typename Work> Value *atHead(Work work) {
+        llvm::IRBuilder<>::InsertPointGuard guard(builder_);
+        builder_.SetInsertPoint(place_.prepare->getTerminator());
+        return work();
+    }
+
     Value *pointer() const { return place_.pointer; }
     Value *rows() const { return place_.rows; }
     /// A field of ShaderArgs, by its offset; fields and tables never change during a call.

@@ -11,6 +11,10 @@ namespace candela {
 /// loop they hold what the border holds, so that code may read past it.
 inline constexpr int imageHalo = 32;
 
+/// Pixels that code of a pixel loop takes at a time, at most: planes that it reads and writes have
+/// memory for whole such blocks.
+inline constexpr int mostPixelsTogether = 32;
+
 /// What a filter is told of its picture, by Op::Captured: the size of "Cs" as it begins.
 enum class PictureFact : std::int32_t { Width, Height, Count };
 

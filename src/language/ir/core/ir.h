@@ -144,6 +144,7 @@ struct PixelLoop {
     std::vector<int> arrays; ///< Of the function around it, that the body captures.
     std::vector<Reduction> sums;
     std::vector<int> mapsRead, mapsSet; ///< Into Function::maps.
+    std::vector<int> mapsReadAround;    ///< Those of mapsRead that are read at other columns, too.
     /// Sets every pixel of the columns and rows in these of mapsSet, before it reads them.
     std::vector<int> mapsCovered;
 
@@ -189,6 +190,10 @@ struct Function {
     /// Turns of a loop, those of the loops in it included, for a point: then the point's loop ends,
     /// and its outputs are as OutputSlot::whenEnded says.
     int mostTurns = mostLoopTurns;
+    /// Vector registers of lanes that code takes at a time: several, where little is done with each
+    /// lane and much for all of them. Then nobody is called but for what stands in
+    /// runtime/image_access.h, and all lanes are active.
+    int registersTogether = 1;
     /// Loops may run for ever: after every mostTurns turns ShaderCallbacks::goOn is asked.
     bool isEndless = false;
 

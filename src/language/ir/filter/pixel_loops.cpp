@@ -39,6 +39,18 @@ float beginningOf(Reduction reduction) {
     return reduction == Reduction::Sum ? 0 : reduction == Reduction::Least ? infinity : -infinity;
 }
 
+/// Little is done with each pixel: what is done for all of a block is to be shared by many. (What
+/// is called takes a register at a time.)
+bool isLight(const Function &body) {
+    constexpr std::size_t mostInstructions = 64;
+    const auto calls = [](const Instruction &i) {
+        const OpClass kind = info(i.op).kind;
+        return kind == OpClass::Call || kind == OpClass::Transcendental ||
+               kind == OpClass::Service || i.op == Op::Command;
+    };
+    return instructionCount(body.body) <= mostInstructions && !anyInstruction(body.body, calls);
+}
+
 /// Writes the function of a nest. Its values keep their numbers.
 class BodyWriter {
 public:
@@ -197,6 +209,7 @@ bool BodyWriter::write(int number) {
     removeDeadCode(body);
     inferUniformity(body);
     markShortLoops(body);
+    body.registersTogether = isLight(body) ? 2 : 1;
     return true;
 }
 
@@ -257,6 +270,7 @@ bool Extraction::extract(const Instruction &loop, std::vector<Instruction> &to) 
     made.closedRows = nest->rows && nest->rows->isClosed;
     made.arrays = nest->arrays;
     made.mapsRead = nest->mapsRead;
+    made.mapsReadAround = nest->mapsReadAround;
     made.mapsSet = nest->mapsSet;
     made.mapsCovered = nest->mapsCovered;
 

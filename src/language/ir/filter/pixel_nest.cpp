@@ -249,12 +249,19 @@ bool NestProof::isApart(int map) const {
 }
 
 bool NestProof::accessesAreApart() {
-    std::set<int> read, set;
-    for (const Access &access : accesses_)
+    std::set<int> read, readAround, set;
+    for (const Access &access : accesses_) {
+        const ValueId x = access.x();
+        const bool isOwnColumn =
+            x == innerLoop().variable() || (nest_.isNested() && x == outerLoop().variable());
+        if (access.instruction->op == Op::ImageLoad && !isOwnColumn)
+            readAround.insert(access.use->map);
         (access.instruction->op == Op::ImageStore ? set : read).insert(access.use->map);
+    }
     if (set.empty() && read.empty())
         return false; // No loop over pixels.
     nest_.mapsRead.assign(read.begin(), read.end());
+    nest_.mapsReadAround.assign(readAround.begin(), readAround.end());
     nest_.mapsSet.assign(set.begin(), set.end());
     for (const int map : set)
         if (isCovered(map))

@@ -23,7 +23,7 @@ struct PixelNest {
     const Instruction *outer = nullptr; ///< What both stand in, or the one.
     const Instruction *inner = nullptr;
     std::vector<NestReduction> reductions;
-    std::vector<int> mapsRead, mapsSet, mapsCovered; ///< Into Function::maps.
+    std::vector<int> mapsRead, mapsReadAround, mapsSet, mapsCovered; ///< As PixelLoop has them.
     std::vector<int> arrays;                         ///< That it reads and others set.
 
     /// What stands in the outer loop beside the inner one, and must be computed for it.

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
+// Filters by hand, compiled for x86-64-v3.
+#include "by_hand/filter_loops.h"
+
+namespace candela::bench {
+
+const HandFilters &handFiltersV3() { return filters; }
+
+} // namespace candela::bench

@@ -1,0 +1,107 @@
+/* SPDX-License-Identifier: Apache-2.0
+   Denoises a picture by non-local means (Buades, Coll and Morel 2005): each pixel becomes the mean
+   of those about it whose neighbourhoods look like its own. What is alike the variance tells
+   (Rousselle, Knaus and Zwicker 2012), and normals and albedo do.
+   docs/filters/nlmeans.md. */
+
+float squared(color c)
+{
+    return comp(c, 0) * comp(c, 0) + comp(c, 1) * comp(c, 1) + comp(c, 2) * comp(c, 2);
+}
+
+/* Squared difference of two colours over its variance, less what noise alone makes of it; the sum
+   over channels. */
+float dissimilarity(color a, b, va, vb; float per)
+{
+    color d = a - b;
+    color both = va + vb;
+    color r = (d * d - both) / (per * both + 1e-12);
+    return comp(r, 0) + comp(r, 1) + comp(r, 2);
+}
+
+filter nlmeans(
+    float search = 7;      /* pixels each way, where pixels like one are sought */
+    float patch = 2;       /* pixels each way of the neighbourhoods that are compared */
+    float tolerance = .45; /* of their differences, in standard errors */
+    float bend = .3;       /* of normals: the length of their difference that counts as another;
+                              0: they do not count */
+    float shade = .05;     /* of albedos, likewise */)
+{
+    float x, y, i, j, k;
+
+    setsize("spread", xsize, ysize);
+    setsize("sum", xsize, ysize);
+    setsize("weights", xsize, ysize);
+    setsize("difference", xsize, ysize);
+    setsize("difference_row", xsize, ysize);
+    setsize("similar", xsize, ysize);
+
+    /* Variance over three by three pixels; a single one may have more: a path that others missed. */
+    for (y = 0; y < ysize; y += 1)
+        for (x = 0; x < xsize; x += 1) {
+            color sum = 0;
+            for (j = -1; j <= 1; j += 1)
+                for (i = -1; i <= 1; i += 1)
+                    sum += color image("variance", x + i, y + j);
+            setimage("spread", x, y, max(sum / 9, color image("variance", x, y)));
+            setimage("sum", x, y, color image("Cs", x, y));
+            setimage("weights", x, y, 1);
+        }
+
+    float per = tolerance * tolerance;
+    float side = 2 * patch + 1;
+    float scale = 1 / (3 * side * side);
+    float bendscale = bend > 0 ? 1 / (bend * bend) : 0;
+    float shadescale = shade > 0 ? 1 / (shade * shade) : 0;
+    /* Half of the offsets: each stands for its opposite, too. */
+    for (j = 0; j <= search; j += 1)
+        for (i = -search; i <= search; i += 1)
+            if (j > 0 || i > 0) {
+                for (y = 0; y < ysize; y += 1)
+                    for (x = 0; x < xsize; x += 1)
+                        setimage("difference", x, y,
+                                 dissimilarity(color image("Cs", x, y),
+                                               color image("Cs", x + i, y + j),
+                                               color image("spread", x, y),
+                                               color image("spread", x + i, y + j), per));
+                for (y = 0; y < ysize; y += 1)
+                    for (x = 0; x < xsize; x += 1) {
+                        float sum = 0;
+                        for (k = -patch; k <= patch; k += 1)
+                            sum += float image("difference", x + k, y);
+                        setimage("difference_row", x, y, sum);
+                    }
+                for (y = 0; y < ysize; y += 1)
+                    for (x = 0; x < xsize; x += 1) {
+                        float sum = 0;
+                        for (k = -patch; k <= patch; k += 1)
+                            sum += float image("difference_row", x, y + k);
+                        float apart = max(0, sum * scale);
+                        if (bend > 0)
+                            apart += bendscale * squared(color image("N", x, y)
+                                                         - color image("N", x + i, y + j));
+                        if (shade > 0)
+                            apart += shadescale * squared(color image("albedo", x, y)
+                                                          - color image("albedo", x + i, y + j));
+                        float weight = exp(-apart);
+                        /* Nothing is taken from beyond the border. */
+                        if (x + i < 0 || x + i >= xsize || y + j >= ysize)
+                            weight = 0;
+                        setimage("similar", x, y, weight);
+                    }
+                for (y = 0; y < ysize; y += 1)
+                    for (x = 0; x < xsize; x += 1) {
+                        float ahead = image("similar", x, y), behind = 0;
+                        if (x - i >= 0 && x - i < xsize && y - j >= 0)
+                            behind = image("similar", x - i, y - j);
+                        setimage("sum", x, y, color image("sum", x, y)
+                                 + ahead * color image("Cs", x + i, y + j)
+                                 + behind * color image("Cs", x - i, y - j));
+                        setimage("weights", x, y,
+                                 float image("weights", x, y) + ahead + behind);
+                    }
+            }
+    for (y = 0; y < ysize; y += 1)
+        for (x = 0; x < xsize; x += 1)
+            setimage("Ci", x, y, color image("sum", x, y) / float image("weights", x, y));
+}
