@@ -1,7 +1,4 @@
-/* SPDX-License-Identifier: Apache-2.0
-   Veiling glare: what a viewer's eye scatters about bright places, after the CIE's glare function
-   of age and pigmentation. Light goes elsewhere, none is lost or made. Same units as before.
-   J. Vos, T. van den Berg, "Report on disability glare", CIE 135/1, 1999. */
+/* SPDX-License-Identifier: Apache-2.0 */
 
 /* The function, in 1/sr at an angle of t degrees, is a sum of terms a / (1 + (t/b)^2)^m, each of
    which is a sum of Gaussians: a / Gamma(m) times the integral of u^m e^-u e^(-u t^2/b^2) over
@@ -73,6 +70,9 @@ void addlevel(string level, coarser; float width, height, weight)
 #define LEVELS 10
 #define SIZE(k) ceil(xsize / pow(2, k)), ceil(ysize / pow(2, k))
 
+/* Veiling glare: what a viewer's eye scatters about bright places, by the CIE's glare function.
+   Light goes elsewhere, none is lost or made. Same units as before.
+   J. Vos, T. van den Berg, "Report on disability glare", CIE 135/1, 1999. */
 filter bloom(
     float fieldofview = 45; /* degrees that the picture is wide, to its viewer's eye */
     float age = 25;         /* of the viewer, years */

@@ -1,6 +1,4 @@
-/* SPDX-License-Identifier: Apache-2.0
-   Convolves the picture with a kernel: one by name and width, or weights. A pixel alone becomes the
-   kernel's picture; beyond the border, the border holds. */
+/* SPDX-License-Identifier: Apache-2.0 */
 #include "kernels.h"
 
 #define WIDEST 256 /* pixels that a kernel may reach to either side */
@@ -19,6 +17,8 @@ float weightsacross(string kernel; float width; output float weights[])
     return radius;
 }
 
+/* Convolves the picture with a kernel, given by name and width or as weights.
+   A pixel alone becomes the kernel's picture; beyond the border, the border holds. */
 filter convolve(
     string kernel = "gaussian"; /* box, triangle, gaussian, catmull-rom or lanczos */
     float width = 5;            /* all of it, pixels; a gaussian deviates by a quarter */

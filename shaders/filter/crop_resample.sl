@@ -1,5 +1,4 @@
-/* SPDX-License-Identifier: Apache-2.0
-   Cuts a part out of the picture and makes it anew in another size, across and then down. */
+/* SPDX-License-Identifier: Apache-2.0 */
 #include "kernels.h"
 
 /* How many pixels of a line a kernel of that span may touch. */
@@ -32,6 +31,40 @@ float spanof(string kernel; float width, length, newlength)
     return (width > 0 ? width : usualwidth(kernel)) * (kernel == "box" ? ratio : max(ratio, 1));
 }
 
+/* Makes a map anew from a part of another, across and then down. */
+void resample(string from, to, kernel;
+              float left, top, across, down, newacross, newdown, width, negative)
+{
+    extern float ysize;
+    float xspan = spanof(kernel, width, across, newacross);
+    float yspan = spanof(kernel, width, down, newdown);
+    float xcount = touched(xspan), ycount = touched(yspan);
+    float x, y, k;
+
+    makeweights("crop_resample.xweights", kernel, left, across, newacross, xspan);
+    makeweights("crop_resample.yweights", kernel, top, down, newdown, yspan);
+    setsize("crop_resample.across", newacross, ysize);
+    for (y = 0; y < ysize; y += 1)
+        for (x = 0; x < newacross; x += 1) {
+            float first = image("crop_resample.xweights", x, xcount);
+            color c = 0;
+            for (k = 0; k < xcount; k += 1)
+                c += float image("crop_resample.xweights", x, k) *
+                     color image(from, first + k, y, "filter", "nearest");
+            setimage("crop_resample.across", x, y, c);
+        }
+    for (y = 0; y < newdown; y += 1)
+        for (x = 0; x < newacross; x += 1) {
+            float first = image("crop_resample.yweights", y, ycount);
+            color c = 0;
+            for (k = 0; k < ycount; k += 1)
+                c += float image("crop_resample.yweights", y, k) *
+                     color image("crop_resample.across", x, first + k);
+            setimage(to, x, y, negative != 0 ? c : max(c, color 0));
+        }
+}
+
+/* Cuts a part out of the picture and makes it anew in another size, across and then down. */
 filter crop_resample(
     float crop[4] = {0, 1, 0, 1};  /* left, right, top, bottom, as parts of the picture */
     float width = 0;               /* of what comes out, pixels; 0: in proportion to the height */
@@ -40,7 +73,7 @@ filter crop_resample(
     float kernelwidth = 0;         /* its width, pixels, of the coarser picture; 0: the usual */
     float negative = 0;            /* 1: keeps what kernels with negative lobes bring below 0 */)
 {
-    float x, y, k;
+    float x, y;
     float left = clamp(ceil(crop[0] * xsize - 1e-3), 0, xsize - 1);
     float right = clamp(ceil(crop[1] * xsize - 1e-3), left + 1, xsize);
     float top = clamp(ceil(crop[2] * ysize - 1e-3), 0, ysize - 1);
@@ -57,37 +90,22 @@ filter crop_resample(
     if (height > 0 && width <= 0)
         newacross = max(floor(newdown * across / down + .5), 1);
 
+    setsize("crop_resample.opacity", xsize, ysize);
+    for (y = 0; y < ysize; y += 1)
+        for (x = 0; x < xsize; x += 1)
+            setimage("crop_resample.opacity", x, y, color image("Oi", x, y));
     setsize("Ci", newacross, newdown);
+    setsize("Oi", newacross, newdown);
     if (newacross == across && newdown == down) {
         for (y = 0; y < down; y += 1)
-            for (x = 0; x < across; x += 1)
+            for (x = 0; x < across; x += 1) {
                 setimage("Ci", x, y, color image("Cs", x + left, y + top));
+                setimage("Oi", x, y, color image("crop_resample.opacity", x + left, y + top));
+            }
     } else if (isakernel(kernel) != 0) {
-        float xspan = spanof(kernel, kernelwidth, across, newacross);
-        float yspan = spanof(kernel, kernelwidth, down, newdown);
-        float xcount = touched(xspan), ycount = touched(yspan);
-        makeweights("crop_resample.xweights", kernel, left, across, newacross, xspan);
-        makeweights("crop_resample.yweights", kernel, top, down, newdown, yspan);
-
-        setsize("crop_resample.across", newacross, ysize);
-        for (y = 0; y < ysize; y += 1)
-            for (x = 0; x < newacross; x += 1) {
-                float first = image("crop_resample.xweights", x, xcount);
-                color c = 0;
-                for (k = 0; k < xcount; k += 1)
-                    c += float image("crop_resample.xweights", x, k) *
-                         color image("Cs", first + k, y, "filter", "nearest");
-                setimage("crop_resample.across", x, y, c);
-            }
-        for (y = 0; y < newdown; y += 1) {
-            float first = image("crop_resample.yweights", y, ycount);
-            for (x = 0; x < newacross; x += 1) {
-                color c = 0;
-                for (k = 0; k < ycount; k += 1)
-                    c += float image("crop_resample.yweights", y, k) *
-                         color image("crop_resample.across", x, first + k);
-                setimage("Ci", x, y, negative != 0 ? c : max(c, color 0));
-            }
-        }
+        resample("Cs", "Ci", kernel, left, top, across, down, newacross, newdown, kernelwidth,
+                 negative);
+        resample("crop_resample.opacity", "Oi", kernel, left, top, across, down, newacross,
+                 newdown, kernelwidth, 0);
     }
 }

@@ -1,9 +1,9 @@
-/* SPDX-License-Identifier: Apache-2.0
-   Exposes the picture as a camera does: 1 is what saturates the sensor.
-   With aperture N, shutter t and speed S: value = L q S t / (78 N^2), L in cd/m^2, q = .65
-   (ISO 12232); 2^EV = N^2/t. The meter chooses N^2/t = L S/K, K = 12.5 cd/m^2 (ISO 2720). */
+/* SPDX-License-Identifier: Apache-2.0 */
 #include "adaptation.h"
 
+/* Exposes the picture as a camera does, by EV, aperture, shutter and ISO; 1 saturates the sensor.
+   With aperture N, shutter t and speed S: value = L q S t / (78 N^2), L in cd/m^2, q = .65
+   (ISO 12232); 2^EV = N^2/t. The meter chooses N^2/t = L S/K, K = 12.5 cd/m^2 (ISO 2720). */
 filter exposure_ev(
     float EV = -1000;       /* exposure value of aperture and shutter; -1000: from those two */
     float aperture = 0;     /* f-number */

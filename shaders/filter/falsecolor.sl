@@ -1,5 +1,4 @@
-/* SPDX-License-Identifier: Apache-2.0
-   Shows luminance or illuminance as colours, with a legend in cd/m^2 or lx, or as contour lines. */
+/* SPDX-License-Identifier: Apache-2.0 */
 #include "adaptation.h"
 #include "digits.h"
 
@@ -129,6 +128,7 @@ float maketicks(output float mantissas[], exponents[]; float top, decades, dense
     return count;
 }
 
+/* Shows luminance or illuminance as colours, with a legend in cd/m^2 or lx, or as contour lines. */
 filter falsecolor(
     string quantity = "luminance"; /* "luminance", of a radiance, cd/m^2; "illuminance", of an
                                       irradiance, W/m^2, in lx; "matteilluminance", of a radiance

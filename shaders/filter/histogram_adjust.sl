@@ -1,8 +1,4 @@
-/* SPDX-License-Identifier: Apache-2.0
-   Spreads the luminances that the picture is rich in over the display, nowhere with more contrast
-   than a linear scale has, or than a viewer would see (contrast = "human"). Gives display values.
-   G. Larson, H. Rushmeier, C. Piatko, "A visibility matching tone reproduction operator for high
-   dynamic range scenes", IEEE TVCG 3(4), 1997. */
+/* SPDX-License-Identifier: Apache-2.0 */
 
 #define BINS 100
 
@@ -32,6 +28,10 @@ color displayed(color c; float L, L_dmin, L_dmax)
     return luminance > 0 ? photometric(c) * (value / luminance) : color 0;
 }
 
+/* Tone reproduction: room on the display for the luminances that the picture is rich in.
+   Nowhere is there more contrast than a linear scale has (contrast = "linear"), or than a viewer
+   would see ("human"). Gives display values. G. Larson, H. Rushmeier, C. Piatko, "A visibility matching tone reproduction operator for high
+   dynamic range scenes", IEEE TVCG 3(4), 1997. */
 filter histogram_adjust(
     float L_dmax = 100;          /* greatest luminance of the display, cd/m^2 */
     float L_dmin = 1;            /* least luminance of the display, cd/m^2 */

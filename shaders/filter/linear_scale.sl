@@ -1,7 +1,7 @@
-/* SPDX-License-Identifier: Apache-2.0
-   Scales luminance by one factor: to a white that is given, the brightest pixel, or a mean. */
+/* SPDX-License-Identifier: Apache-2.0 */
 #include "adaptation.h"
 
+/* Scales luminance by one factor: to a white that is given, the brightest pixel, or a mean. */
 filter linear_scale(
     float L_white = 0;         /* luminance that becomes 1, cd/m^2; 0: as `reference` says */
     string reference = "maximum"; /* of the picture: "maximum" becomes 1, its "mean" .5, or its

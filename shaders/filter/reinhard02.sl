@@ -1,8 +1,4 @@
-/* SPDX-License-Identifier: Apache-2.0
-   Puts the picture's geometric mean at a key value and rolls highlights off, as photographers do;
-   local = 1 dodges and burns: each pixel adapts to as much of its neighbourhood as is alike.
-   Gives display values. E. Reinhard, M. Stark, P. Shirley, J. Ferwerda, "Photographic tone
-   reproduction for digital images", SIGGRAPH 2002. */
+/* SPDX-License-Identifier: Apache-2.0 */
 #include "adaptation.h"
 
 #define WIDEST 32 /* pixels that weights reach to either side */
@@ -21,6 +17,10 @@ float gaussianweights(float deviation; output float weights[])
     return radius;
 }
 
+/* Tone reproduction: a key value for the picture's middle, highlights rolled off, as in photography.
+   local = 1 dodges and burns: each pixel adapts to as much of its neighbourhood as is alike.
+   Gives display values. E. Reinhard, M. Stark, P. Shirley, J. Ferwerda, "Photographic tone
+   reproduction for digital images", SIGGRAPH 2002. */
 filter reinhard02(
     float key = .18;       /* value of the geometric mean, before highlights are rolled off */
     float L_white = 0;     /* luminance that becomes 1 if local is 0, cd/m^2; 0: the greatest */

@@ -1,13 +1,13 @@
-/* SPDX-License-Identifier: Apache-2.0
-   Shows the scene as bright as its viewer sees it, who adapts to it as to the display. Gives display
-   values: 1 is L_dmax. J. Tumblin and H. Rushmeier, "Tone reproduction for realistic images",
-   IEEE Computer Graphics and Applications 13(6), 1993. */
+/* SPDX-License-Identifier: Apache-2.0 */
 #include "adaptation.h"
 
 /* Brightness in brils is 10^beta L^alpha, L in lamberts, for a viewer adapted to 10^l lamberts. */
 float alphaof(float l) { return .4 * l + 2.92; }
 float betaof(float l) { return (-.4 * l - 2.584) * l + 2.0208; }
 
+/* Tone reproduction: shows the scene as bright as its viewer sees it, who adapts to both.
+   Gives display values: 1 is L_dmax. J. Tumblin and H. Rushmeier, "Tone reproduction for realistic images",
+   IEEE Computer Graphics and Applications 13(6), 1993. */
 filter tumblin_rushmeier93(
     float L_dmax = 86;       /* greatest luminance of the display, cd/m^2 */
     float C_max = 35;        /* greatest contrast of the display */

@@ -1,9 +1,9 @@
-/* SPDX-License-Identifier: Apache-2.0
-   Scales luminance so that what can just be told apart in the scene can on the display, too.
-   Gives display values: 1 is L_dmax. G. Ward, "A contrast-based scalefactor for luminance display",
-   Graphics Gems IV, 1994. */
+/* SPDX-License-Identifier: Apache-2.0 */
 #include "adaptation.h"
 
+/* Tone reproduction: one factor, by which what can just be told apart stays so on the display.
+   Gives display values: 1 is L_dmax. G. Ward, "A contrast-based scalefactor for luminance display",
+   Graphics Gems IV, 1994. */
 filter ward94(float L_dmax = 100;   /* greatest luminance of the display, cd/m^2 */
               float logaverage = 0; /* 0: adapted to the mean; 1: to the mean of logarithms */
               float L_wa = 0;       /* adapted to this luminance, cd/m^2; 0: to the picture's */)

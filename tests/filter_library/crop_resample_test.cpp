@@ -46,6 +46,22 @@ TEST(CropResample, CutsWholePixels) {
     expectNear(filtered(Filter("crop_resample"), scene), scene, 0, 0);
 }
 
+/// What is behind the picture is seen through the same pixels as before.
+TEST(CropResample, OpacityGoesWithThePicture) {
+    const Picture scene = manifold(20, 10, 0, 2);
+    const Picture opacity = makePicture(20, 10, [](int x, int y) {
+        return asFloats({x / 20., y / 10., 1});
+    });
+    for (const Filter &filter :
+         {Filter("crop_resample").withAll("crop", {.25, .7, .2, 1}),
+          Filter("crop_resample").with("width", 50).with("kernel", "triangle")}) {
+        ImageMaps maps = mapsOf(scene);
+        setMap(maps, "Oi", opacity);
+        run({filter}, maps);
+        expectNear(pictureOf(maps, "Oi"), filtered(filter, opacity), 0, 0);
+    }
+}
+
 TEST(CropResample, IsTheFormulaForEveryKernel) {
     const Picture scene = manifold(24, 18, 0, 2);
     for (const char *kernel : kernelNames)

@@ -46,9 +46,16 @@ Filter Filter::withAll(const std::string &name, const std::vector<double> &value
     return with(std::move(parameter));
 }
 
+ShaderRecord Filter::record() const {
+    ShaderRecord record;
+    record.name = name_;
+    record.parameters.all = parameters_;
+    return record;
+}
+
 Filter Filter::with(Parameter parameter) const {
     Filter changed = *this;
-    auto &all = changed.record_.parameters.all;
+    auto &all = changed.parameters_;
     std::erase_if(all, [&](const Parameter &old) { return old.name == parameter.name; });
     all.push_back(std::move(parameter));
     return changed;

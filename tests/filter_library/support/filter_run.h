@@ -16,19 +16,20 @@ namespace candela::filters {
 /// A filter with its parameters, as PushFilter names them; what is given again replaces.
 class Filter {
 public:
-    explicit Filter(std::string name) { record_.name = std::move(name); }
+    explicit Filter(std::string name) : name_(std::move(name)) {}
 
     Filter with(const std::string &name, double value) const { return withAll(name, {value}); }
     Filter with(const std::string &name, const std::string &value) const;
     /// An array.
     Filter withAll(const std::string &name, const std::vector<double> &values) const;
 
-    const ShaderRecord &record() const { return record_; }
+    ShaderRecord record() const;
 
 private:
     Filter with(Parameter) const;
 
-    ShaderRecord record_;
+    std::string name_;
+    std::vector<Parameter> parameters_;
 };
 
 /// How code is made and run. No result may depend on it.
