@@ -8,7 +8,7 @@
    than a fraction to any pixel.
    docs/filters/energy_preserving.md. */
 
-#define ALBEDO_FLOOR .001
+#define ALBEDO_FLOOR .0002
 #define REACH 32      /* Pixels that a disc goes out, at most. */
 #define PLACES 3400   /* More than there are within REACH. */
 #define NARROWEST .3  /* Standard deviation of a Gaussian that stays in its pixel, in pixels. */

@@ -7,7 +7,7 @@
    colour itself is a linear function of the place.
    docs/filters/feature_regression.md. */
 
-#define ALBEDO_FLOOR .001 /* What has no albedo is seen by this much. */
+#define ALBEDO_FLOOR .0002 /* What has no albedo is seen by this much. */
 #define PLAIN_SPREAD .3   /* Of outlines: squared difference over the sum of variances. */
 
 /* Squared difference of two colours over its variance, less what noise alone makes of it; the sum
@@ -23,6 +23,12 @@ float dissimilarity(color a, b, va, vb; float per)
 float squared(color c)
 {
     return comp(c, 0) * comp(c, 0) + comp(c, 1) * comp(c, 1) + comp(c, 2) * comp(c, 2);
+}
+
+/* Whether a coordinate is one of the picture's. What lies beyond the border differs from nothing. */
+float inside(float at, size)
+{
+    return at >= 0 && at < size ? 1 : 0;
 }
 
 filter feature_regression(
@@ -90,14 +96,16 @@ filter feature_regression(
                     for (x = 0; x < xsize; x += 1) {
                         float sum = 0;
                         for (k = -patch; k <= patch; k += 1)
-                            sum += float image("difference", x + k, y);
+                            if (inside(x + k, xsize) + inside(x + k + i, xsize) == 2)
+                                sum += float image("difference", x + k, y);
                         setimage("difference_row", x, y, sum);
                     }
                 for (y = 0; y < ysize; y += 1)
                     for (x = 0; x < xsize; x += 1) {
                         float sum = 0;
                         for (k = -patch; k <= patch; k += 1)
-                            sum += float image("difference_row", x, y + k);
+                            if (inside(y + k, ysize) + inside(y + k + j, ysize) == 2)
+                                sum += float image("difference_row", x, y + k);
                         color turn = color image("N", x, y) - color image("N", x + i, y + j);
                         float weight = exp(-max(0, sum * scale) - squared(turn) / (bend * bend));
                         /* Nothing is taken from beyond the border. */
@@ -187,7 +195,7 @@ filter feature_regression(
                     if (plain > 0) {
                         d = c - own_c;
                         r = d * d / (PLAIN_SPREAD * (own_cv + color image("variance", x + i, y + j))
-                                     + 1e-6);
+                                     + 1e-12);
                         basis = 1;
                         far = 0;
                     }

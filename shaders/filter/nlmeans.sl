@@ -19,6 +19,12 @@ float dissimilarity(color a, b, va, vb; float per)
     return comp(r, 0) + comp(r, 1) + comp(r, 2);
 }
 
+/* Whether a coordinate is one of the picture's. What lies beyond the border differs from nothing. */
+float inside(float at, size)
+{
+    return at >= 0 && at < size ? 1 : 0;
+}
+
 filter nlmeans(
     float search = 7;      /* pixels each way, where pixels like one are sought */
     float patch = 2;       /* pixels each way of the neighbourhoods that are compared */
@@ -68,14 +74,16 @@ filter nlmeans(
                     for (x = 0; x < xsize; x += 1) {
                         float sum = 0;
                         for (k = -patch; k <= patch; k += 1)
-                            sum += float image("difference", x + k, y);
+                            if (inside(x + k, xsize) + inside(x + k + i, xsize) == 2)
+                                sum += float image("difference", x + k, y);
                         setimage("difference_row", x, y, sum);
                     }
                 for (y = 0; y < ysize; y += 1)
                     for (x = 0; x < xsize; x += 1) {
                         float sum = 0;
                         for (k = -patch; k <= patch; k += 1)
-                            sum += float image("difference_row", x, y + k);
+                            if (inside(y + k, ysize) + inside(y + k + j, ysize) == 2)
+                                sum += float image("difference_row", x, y + k);
                         float apart = max(0, sum * scale);
                         if (bend > 0)
                             apart += bendscale * squared(color image("N", x, y)
