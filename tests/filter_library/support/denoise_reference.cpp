@@ -303,8 +303,9 @@ private:
         const Rgb deviation{std::sqrt(v[0]), std::sqrt(v[1]), std::sqrt(v[2])};
         return 1.96 * luminanceOf(deviation) >= settings_.steps * visible_;
     }
-    bool receives(int x, int y, double id) const {
-        return inside(result_, x, y) && object(x, y) == id;
+    bool receives(int fromX, int fromY, int x, int y) const {
+        return inside(result_, x, y) && object(x, y) == object(fromX, fromY) &&
+               squaredDistance(scene_.normal.at(x, y), scene_.normal.at(fromX, fromY)) < .09;
     }
 
     /// The mean light of neighbours, weighed by their distance; false if there are none.
@@ -313,7 +314,7 @@ private:
         double weights = 0;
         for (int j = -2; j <= 2; ++j)
             for (int i = -2; i <= 2; ++i)
-                if ((i != 0 || j != 0) && receives(x + i, y + j, object(x, y))) {
+                if ((i != 0 || j != 0) && receives(x, y, x + i, y + j)) {
                     const double w = weight(i, j);
                     sum = sum + w * light(x + i, y + j);
                     weights += w;
@@ -333,8 +334,7 @@ private:
         const auto all = [](int, int) { return 1.; };
         const auto ring = [](int i, int j) { return std::exp(-(i * i + j * j) / 2.); };
         const bool found = settings_.byVariance
-                               ? mean(x, y, near, 3, about) || mean(x, y, calm, 3, about) ||
-                                     mean(x, y, all, 1, about)
+                               ? mean(x, y, near, 3, about) || mean(x, y, all, 1, about)
                                : mean(x, y, ring, 0, about);
         if (!found || luminanceOf(about) <= 0)
             return;
@@ -361,7 +361,7 @@ private:
                 if (i != 0 && j != 0)
                     turns.insert(turns.end(), {{-i, j}, {i, -j}});
                 for (const auto &[u, v] : turns)
-                    if (left > 0 && receives(x + u, y + v, object(x, y)))
+                    if (left > 0 && receives(x, y, x + u, y + v))
                         places.push_back({x + u, y + v, 1}), --left;
             }
         return places;
@@ -373,8 +373,7 @@ private:
         std::vector<Place> places;
         for (int j = -out; j <= out; ++j)
             for (int i = -out; i <= out; ++i)
-                if (i * i + j * j <= 9 * deviation * deviation &&
-                    receives(x + i, y + j, object(x, y)))
+                if (i * i + j * j <= 9 * deviation * deviation && receives(x, y, x + i, y + j))
                     places.push_back(
                         {x + i, y + j, std::exp(-.5 * (i * i + j * j) / (deviation * deviation))});
         return places;
