@@ -8,17 +8,22 @@
    than a fraction to any pixel.
    docs/filters/energy_preserving.md. */
 
-#define ALBEDO_FLOOR .001
+#define ALBEDO_FLOOR .0002
 #define REACH 32      /* Pixels that a disc goes out, at most. */
 #define PLACES 3400   /* More than there are within REACH. */
+#define FEWEST 3      /* Converged neighbours that are enough. */
+#define TURN .3       /* The length of normals' difference that is another side. */
 #define NARROWEST .3  /* Standard deviation of a Gaussian that stays in its pixel, in pixels. */
 
-/* True where light may go to and come from: in the picture, on the same object, not at outlines. */
-float receives(float x, y, object)
+/* True where light may go to and come from: in the picture, on the same object and as it faces. */
+float receives(float x, y, object; color facing)
 {
     if (x < 0 || x >= xsize || y < 0 || y >= ysize)
         return 0;
-    return float image("object", x, y) == object ? 1 : 0;
+    color turn = color image("preserving.facing", x, y) - facing;
+    color square = turn * turn;
+    return float image("preserving.object", x, y) == object
+           && comp(square, 0) + comp(square, 1) + comp(square, 2) < TURN * TURN ? 1 : 0;
 }
 
 filter energy_preserving(
@@ -29,21 +34,22 @@ filter energy_preserving(
     float fraction = .01;    /* by fraction: of its neighbourhood that a pixel may add to others */
     float radius = 8;        /* by fraction: pixels that a Gaussian goes out, at most */
     float textured = 1;      /* 1: what the albedo explains is no noise; 0: as the paper has it */
-    float withinobjects = 1; /* 1: across the outlines of objects nothing goes; 0: it does */)
+    float withinobjects = 1; /* 1: nothing goes across outlines and edges of objects; 0: it does */)
 {
     float x, y, i, j, k;
 
-    setsize("seen", xsize, ysize);
-    setsize("object", xsize, ysize);
-    setsize("noisy", xsize, ysize);
-    setsize("goes", xsize, ysize);
-    setsize("extent", xsize, ysize);
+    setsize("preserving.seen", xsize, ysize);
+    setsize("preserving.object", xsize, ysize);
+    setsize("preserving.facing", xsize, ysize);
+    setsize("preserving.noisy", xsize, ysize);
+    setsize("preserving.goes", xsize, ysize);
+    setsize("preserving.extent", xsize, ysize);
     for (y = 0; y < ysize; y += 1)
         for (x = 0; x < xsize; x += 1) {
             color seen = 1;
             if (textured != 0)
                 seen = color image("albedo", x, y) + ALBEDO_FLOOR;
-            setimage("seen", x, y, seen);
+            setimage("preserving.seen", x, y, seen);
         }
 
     /* The average of the picture, then of what is no more than four times as bright: no lamps. */
@@ -77,52 +83,50 @@ filter energy_preserving(
                 for (i = -1; i <= 1; i += 1)
                     if (withinobjects != 0 && float image("id", x + i, y + j) != own)
                         object = -1;
-            setimage("object", x, y, object);
+            setimage("preserving.object", x, y, object);
+            color facing = 0;
+            if (withinobjects != 0)
+                facing = image("N", x, y);
+            setimage("preserving.facing", x, y, facing);
             color v = image("variance", x, y);
             color deviation = color (sqrt(comp(v, 0)), sqrt(comp(v, 1)), sqrt(comp(v, 2)));
             float noisy = 0;
             if (by != "variance" || 1.96 * totalluminance(deviation) >= steps * visible)
                 noisy = 1;
-            setimage("noisy", x, y, noisy);
+            setimage("preserving.noisy", x, y, noisy);
         }
 
     /* What goes out from each pixel, and over how many places or how far. */
     for (y = 0; y < ysize; y += 1)
         for (x = 0; x < xsize; x += 1) {
-            float object = image("object", x, y);
-            float noisy = image("noisy", x, y);
+            float object = image("preserving.object", x, y);
+            float noisy = image("preserving.noisy", x, y);
+            color facing = image("preserving.facing", x, y);
             color own = image("Cs", x, y);
-            color seen = image("seen", x, y);
+            color seen = image("preserving.seen", x, y);
             color goes = 0;
             float extent = 0;
             if (object >= 0 && noisy > 0 && by == "variance") {
-                /* Neighbours that have converged; if there are not even three within two pixels,
-                   all that are there. */
-                color near = 0, wide = 0, all = 0;
-                float near_count = 0, wide_count = 0, all_count = 0;
+                /* Neighbours that have converged; if there are not even three, all that are there
+                   within two pixels: those that have would come from the dark side of a shadow. */
+                color near = 0, all = 0;
+                float near_count = 0, all_count = 0;
                 for (j = -2; j <= 2; j += 1)
                     for (i = -2; i <= 2; i += 1)
-                        if ((i != 0 || j != 0) && receives(x + i, y + j, object) != 0) {
+                        if ((i != 0 || j != 0) && receives(x + i, y + j, object, facing) != 0) {
                             color light = color image("Cs", x + i, y + j)
-                                        / color image("seen", x + i, y + j);
+                                        / color image("preserving.seen", x + i, y + j);
                             all += light;
                             all_count += 1;
-                            if (float image("noisy", x + i, y + j) == 0) {
-                                wide += light;
-                                wide_count += 1;
-                                if (max(abs(i), abs(j)) < 2) {
-                                    near += light;
-                                    near_count += 1;
-                                }
+                            if (float image("preserving.noisy", x + i, y + j) == 0
+                                && max(abs(i), abs(j)) < 2) {
+                                near += light;
+                                near_count += 1;
                             }
                         }
-                if (wide_count < 3) {
-                    wide = all;
-                    wide_count = all_count;
-                }
-                if (near_count < 3) {
-                    near = wide;
-                    near_count = wide_count;
+                if (near_count < FEWEST) {
+                    near = all;
+                    near_count = all_count;
                 }
                 if (near_count > 0 && visible > 0) {
                     goes = own - near / near_count * seen;
@@ -135,10 +139,10 @@ filter energy_preserving(
                 float weights = 0;
                 for (j = -2; j <= 2; j += 1)
                     for (i = -2; i <= 2; i += 1)
-                        if ((i != 0 || j != 0) && receives(x + i, y + j, object) != 0) {
+                        if ((i != 0 || j != 0) && receives(x + i, y + j, object, facing) != 0) {
                             float weight = exp(-(i * i + j * j) / 2);
                             ring += weight * color image("Cs", x + i, y + j)
-                                  / color image("seen", x + i, y + j);
+                                  / color image("preserving.seen", x + i, y + j);
                             weights += weight;
                         }
                 float about = totalluminance(ring);
@@ -150,8 +154,8 @@ filter energy_preserving(
                     extent = clamp(NARROWEST * widen, NARROWEST, radius / 3);
                 }
             }
-            setimage("goes", x, y, goes);
-            setimage("extent", x, y, extent);
+            setimage("preserving.goes", x, y, goes);
+            setimage("preserving.extent", x, y, extent);
         }
 
     /* Places about a pixel, the nearest first and each with its opposite. */
@@ -182,10 +186,11 @@ filter energy_preserving(
     /* Each spreads what it gives: the shares are as much as they sum to, borders or not. */
     for (y = 0; y < ysize; y += 1)
         for (x = 0; x < xsize; x += 1) {
-            float extent = image("extent", x, y);
+            float extent = image("preserving.extent", x, y);
             if (extent > 0) {
-                float object = image("object", x, y);
-                color goes = image("goes", x, y);
+                float object = image("preserving.object", x, y);
+                color goes = image("preserving.goes", x, y);
+                color facing = image("preserving.facing", x, y);
                 float wanted = extent, beyond = REACH * REACH, falloff = 0;
                 if (by != "variance") {
                     falloff = -.5 / (extent * extent);
@@ -199,9 +204,9 @@ filter energy_preserving(
                     i = placex[last];
                     j = placey[last];
                     square = i * i + j * j;
-                    if (square <= beyond && receives(x + i, y + j, object) != 0) {
+                    if (square <= beyond && receives(x + i, y + j, object, facing) != 0) {
                         shares += exp(square * falloff)
-                                * color image("seen", x + i, y + j);
+                                * color image("preserving.seen", x + i, y + j);
                         taken += 1;
                     }
                 }
@@ -209,11 +214,11 @@ filter energy_preserving(
                 for (k = 0; k < last; k += 1) {
                     i = placex[k];
                     j = placey[k];
-                    if (i * i + j * j <= beyond && receives(x + i, y + j, object) != 0)
+                    if (i * i + j * j <= beyond && receives(x + i, y + j, object, facing) != 0)
                         setimage("Ci", x + i, y + j,
                                  color image("Ci", x + i, y + j)
                                  + goes * (exp((i * i + j * j) * falloff)
-                                           * color image("seen", x + i, y + j) / shares));
+                                           * color image("preserving.seen", x + i, y + j) / shares));
                 }
             }
         }

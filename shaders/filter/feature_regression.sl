@@ -7,7 +7,7 @@
    colour itself is a linear function of the place.
    docs/filters/feature_regression.md. */
 
-#define ALBEDO_FLOOR .001 /* What has no albedo is seen by this much. */
+#define ALBEDO_FLOOR .0002 /* What has no albedo is seen by this much. */
 #define PLAIN_SPREAD .3   /* Of outlines: squared difference over the sum of variances. */
 
 /* Squared difference of two colours over its variance, less what noise alone makes of it; the sum
@@ -25,6 +25,12 @@ float squared(color c)
     return comp(c, 0) * comp(c, 0) + comp(c, 1) * comp(c, 1) + comp(c, 2) * comp(c, 2);
 }
 
+/* Whether a coordinate is one of the picture's. What lies beyond the border differs from nothing. */
+float inside(float at, size)
+{
+    return at >= 0 && at < size ? 1 : 0;
+}
+
 filter feature_regression(
     float search = 5;       /* pixels each way, where light like a pixel's own is sought */
     float patch = 2;        /* pixels each way of the patches that are compared */
@@ -36,43 +42,43 @@ filter feature_regression(
 {
     float x, y, i, j, k;
 
-    setsize("light", xsize, ysize);
-    setsize("light_error", xsize, ysize);
-    setsize("light_variance", xsize, ysize);
-    setsize("similar_sum", xsize, ysize);
-    setsize("similar_weights", xsize, ysize);
-    setsize("similar_variance", xsize, ysize);
-    setsize("difference", xsize, ysize);
-    setsize("difference_row", xsize, ysize);
-    setsize("similar", xsize, ysize);
-    setsize("pilot", xsize, ysize);
-    setsize("pilot_variance", xsize, ysize);
-    setsize("outline", xsize, ysize);
+    setsize("regression.light", xsize, ysize);
+    setsize("regression.light_error", xsize, ysize);
+    setsize("regression.light_variance", xsize, ysize);
+    setsize("regression.similar_sum", xsize, ysize);
+    setsize("regression.similar_weights", xsize, ysize);
+    setsize("regression.similar_variance", xsize, ysize);
+    setsize("regression.difference", xsize, ysize);
+    setsize("regression.difference_row", xsize, ysize);
+    setsize("regression.similar", xsize, ysize);
+    setsize("regression.pilot", xsize, ysize);
+    setsize("regression.pilot_variance", xsize, ysize);
+    setsize("regression.outline", xsize, ysize);
 
     /* The light: what a white surface would show. Its variance, over three by three pixels. */
     for (y = 0; y < ysize; y += 1)
         for (x = 0; x < xsize; x += 1) {
             color seen = color image("albedo", x, y) + ALBEDO_FLOOR;
-            setimage("light", x, y, color image("Cs", x, y) / seen);
-            setimage("light_error", x, y, color image("variance", x, y) / (seen * seen));
+            setimage("regression.light", x, y, color image("Cs", x, y) / seen);
+            setimage("regression.light_error", x, y, color image("variance", x, y) / (seen * seen));
         }
     for (y = 0; y < ysize; y += 1)
         for (x = 0; x < xsize; x += 1) {
             color sum = 0;
             for (j = -1; j <= 1; j += 1)
                 for (i = -1; i <= 1; i += 1)
-                    sum += color image("light_error", x + i, y + j);
+                    sum += color image("regression.light_error", x + i, y + j);
             /* A single pixel may have a variance of its own: one path that others missed. */
-            setimage("light_variance", x, y, max(sum / 9, color image("light_error", x, y)));
+            setimage("regression.light_variance", x, y, max(sum / 9, color image("regression.light_error", x, y)));
         }
 
     /* Non-local means of the light. Each offset stands for its opposite, too. The pixel itself is
        the first to take part. */
     for (y = 0; y < ysize; y += 1)
         for (x = 0; x < xsize; x += 1) {
-            setimage("similar_sum", x, y, color image("light", x, y));
-            setimage("similar_weights", x, y, 1);
-            setimage("similar_variance", x, y, color image("light_variance", x, y));
+            setimage("regression.similar_sum", x, y, color image("regression.light", x, y));
+            setimage("regression.similar_weights", x, y, 1);
+            setimage("regression.similar_variance", x, y, color image("regression.light_variance", x, y));
         }
     float per = tolerance * tolerance;
     float side = 2 * patch + 1;
@@ -82,52 +88,54 @@ filter feature_regression(
             if (j > 0 || i > 0) {
                 for (y = 0; y < ysize; y += 1)
                     for (x = 0; x < xsize; x += 1)
-                        setimage("difference", x, y,
-                                 dissimilarity(color image("light", x, y), color image("light", x + i, y + j),
-                                          color image("light_variance", x, y),
-                                          color image("light_variance", x + i, y + j), per));
+                        setimage("regression.difference", x, y,
+                                 dissimilarity(color image("regression.light", x, y), color image("regression.light", x + i, y + j),
+                                          color image("regression.light_variance", x, y),
+                                          color image("regression.light_variance", x + i, y + j), per));
                 for (y = 0; y < ysize; y += 1)
                     for (x = 0; x < xsize; x += 1) {
                         float sum = 0;
                         for (k = -patch; k <= patch; k += 1)
-                            sum += float image("difference", x + k, y);
-                        setimage("difference_row", x, y, sum);
+                            if (inside(x + k, xsize) + inside(x + k + i, xsize) == 2)
+                                sum += float image("regression.difference", x + k, y);
+                        setimage("regression.difference_row", x, y, sum);
                     }
                 for (y = 0; y < ysize; y += 1)
                     for (x = 0; x < xsize; x += 1) {
                         float sum = 0;
                         for (k = -patch; k <= patch; k += 1)
-                            sum += float image("difference_row", x, y + k);
+                            if (inside(y + k, ysize) + inside(y + k + j, ysize) == 2)
+                                sum += float image("regression.difference_row", x, y + k);
                         color turn = color image("N", x, y) - color image("N", x + i, y + j);
                         float weight = exp(-max(0, sum * scale) - squared(turn) / (bend * bend));
                         /* Nothing is taken from beyond the border. */
                         if (x + i < 0 || x + i >= xsize || y + j >= ysize)
                             weight = 0;
-                        setimage("similar", x, y, weight);
+                        setimage("regression.similar", x, y, weight);
                     }
                 for (y = 0; y < ysize; y += 1)
                     for (x = 0; x < xsize; x += 1) {
-                        float ahead = float image("similar", x, y);
+                        float ahead = float image("regression.similar", x, y);
                         float behind = 0;
                         if (x - i >= 0 && x - i < xsize && y - j >= 0)
-                            behind = float image("similar", x - i, y - j);
-                        setimage("similar_sum", x, y,
-                                 color image("similar_sum", x, y) + ahead * color image("light", x + i, y + j)
-                                     + behind * color image("light", x - i, y - j));
-                        setimage("similar_weights", x, y,
-                                 float image("similar_weights", x, y) + ahead + behind);
-                        setimage("similar_variance", x, y, color image("similar_variance", x, y)
-                                 + ahead * ahead * color image("light_variance", x + i, y + j)
-                                 + behind * behind * color image("light_variance", x - i, y - j));
+                            behind = float image("regression.similar", x - i, y - j);
+                        setimage("regression.similar_sum", x, y,
+                                 color image("regression.similar_sum", x, y) + ahead * color image("regression.light", x + i, y + j)
+                                     + behind * color image("regression.light", x - i, y - j));
+                        setimage("regression.similar_weights", x, y,
+                                 float image("regression.similar_weights", x, y) + ahead + behind);
+                        setimage("regression.similar_variance", x, y, color image("regression.similar_variance", x, y)
+                                 + ahead * ahead * color image("regression.light_variance", x + i, y + j)
+                                 + behind * behind * color image("regression.light_variance", x - i, y - j));
                     }
             }
     /* The pilot, and what is left of its variance. */
     for (y = 0; y < ysize; y += 1)
         for (x = 0; x < xsize; x += 1) {
-            float weights = image("similar_weights", x, y);
-            setimage("pilot", x, y, color image("similar_sum", x, y) / weights);
-            setimage("pilot_variance", x, y,
-                     color image("similar_variance", x, y) / (weights * weights));
+            float weights = image("regression.similar_weights", x, y);
+            setimage("regression.pilot", x, y, color image("regression.similar_sum", x, y) / weights);
+            setimage("regression.pilot_variance", x, y,
+                     color image("regression.similar_variance", x, y) / (weights * weights));
         }
 
     /* Where colour falls as albedo rises, clearly and by much. */
@@ -158,7 +166,7 @@ filter feature_regression(
             if (covariance < 0 && covariance * covariance > .5 * variance_c * variance_a
                 && variance_c > .1 * level && variance_a > .01 * level_a)
                 plain = 1;
-            setimage("outline", x, y, plain);
+            setimage("regression.outline", x, y, plain);
         }
 
     /* The fit: about (x, y), colour = basis * (b0 + b1 i + b2 j); what is wanted is b0. */
@@ -167,12 +175,12 @@ filter feature_regression(
     float nearness = 1 / (radius * radius);
     for (y = 0; y < ysize; y += 1)
         for (x = 0; x < xsize; x += 1) {
-            float plain = float image("outline", x, y);
-            color own = image("pilot", x, y);
+            float plain = float image("regression.outline", x, y);
+            color own = image("regression.pilot", x, y);
             color own_c = image("Cs", x, y);
             color own_a = color image("albedo", x, y) + ALBEDO_FLOOR;
             color own_n = image("N", x, y);
-            color own_v = image("pilot_variance", x, y);
+            color own_v = image("regression.pilot_variance", x, y);
             color own_cv = image("variance", x, y);
             color slack = contrast * contrast * own * own + 1e-12;
             color s00 = 0, s10 = 0, s11 = 0, s20 = 0, s21 = 0, s22 = 0, t0 = 0, t1 = 0, t2 = 0;
@@ -180,14 +188,14 @@ filter feature_regression(
                 for (i = -radius; i <= radius; i += 1) {
                     color c = image("Cs", x + i, y + j);
                     color basis = (color image("albedo", x + i, y + j) + ALBEDO_FLOOR) / own_a;
-                    color d = color image("pilot", x + i, y + j) - own;
+                    color d = color image("regression.pilot", x + i, y + j) - own;
                     color r = d * d
-                        / (fitper * (own_v + color image("pilot_variance", x + i, y + j)) + slack);
+                        / (fitper * (own_v + color image("regression.pilot_variance", x + i, y + j)) + slack);
                     float far = (i * i + j * j) * nearness;
                     if (plain > 0) {
                         d = c - own_c;
                         r = d * d / (PLAIN_SPREAD * (own_cv + color image("variance", x + i, y + j))
-                                     + 1e-6);
+                                     + 1e-12);
                         basis = 1;
                         far = 0;
                     }

@@ -19,6 +19,12 @@ float dissimilarity(color a, b, va, vb; float per)
     return comp(r, 0) + comp(r, 1) + comp(r, 2);
 }
 
+/* Whether a coordinate is one of the picture's. What lies beyond the border differs from nothing. */
+float inside(float at, size)
+{
+    return at >= 0 && at < size ? 1 : 0;
+}
+
 filter nlmeans(
     float search = 7;      /* pixels each way, where pixels like one are sought */
     float patch = 2;       /* pixels each way of the neighbourhoods that are compared */
@@ -29,12 +35,12 @@ filter nlmeans(
 {
     float x, y, i, j, k;
 
-    setsize("spread", xsize, ysize);
-    setsize("sum", xsize, ysize);
-    setsize("weights", xsize, ysize);
-    setsize("difference", xsize, ysize);
-    setsize("difference_row", xsize, ysize);
-    setsize("similar", xsize, ysize);
+    setsize("nlmeans.spread", xsize, ysize);
+    setsize("nlmeans.sum", xsize, ysize);
+    setsize("nlmeans.weights", xsize, ysize);
+    setsize("nlmeans.difference", xsize, ysize);
+    setsize("nlmeans.difference_row", xsize, ysize);
+    setsize("nlmeans.similar", xsize, ysize);
 
     /* Variance over three by three pixels; a single one may have more: a path that others missed. */
     for (y = 0; y < ysize; y += 1)
@@ -43,9 +49,9 @@ filter nlmeans(
             for (j = -1; j <= 1; j += 1)
                 for (i = -1; i <= 1; i += 1)
                     sum += color image("variance", x + i, y + j);
-            setimage("spread", x, y, max(sum / 9, color image("variance", x, y)));
-            setimage("sum", x, y, color image("Cs", x, y));
-            setimage("weights", x, y, 1);
+            setimage("nlmeans.spread", x, y, max(sum / 9, color image("variance", x, y)));
+            setimage("nlmeans.sum", x, y, color image("Cs", x, y));
+            setimage("nlmeans.weights", x, y, 1);
         }
 
     float per = tolerance * tolerance;
@@ -59,23 +65,25 @@ filter nlmeans(
             if (j > 0 || i > 0) {
                 for (y = 0; y < ysize; y += 1)
                     for (x = 0; x < xsize; x += 1)
-                        setimage("difference", x, y,
+                        setimage("nlmeans.difference", x, y,
                                  dissimilarity(color image("Cs", x, y),
                                                color image("Cs", x + i, y + j),
-                                               color image("spread", x, y),
-                                               color image("spread", x + i, y + j), per));
+                                               color image("nlmeans.spread", x, y),
+                                               color image("nlmeans.spread", x + i, y + j), per));
                 for (y = 0; y < ysize; y += 1)
                     for (x = 0; x < xsize; x += 1) {
                         float sum = 0;
                         for (k = -patch; k <= patch; k += 1)
-                            sum += float image("difference", x + k, y);
-                        setimage("difference_row", x, y, sum);
+                            if (inside(x + k, xsize) + inside(x + k + i, xsize) == 2)
+                                sum += float image("nlmeans.difference", x + k, y);
+                        setimage("nlmeans.difference_row", x, y, sum);
                     }
                 for (y = 0; y < ysize; y += 1)
                     for (x = 0; x < xsize; x += 1) {
                         float sum = 0;
                         for (k = -patch; k <= patch; k += 1)
-                            sum += float image("difference_row", x, y + k);
+                            if (inside(y + k, ysize) + inside(y + k + j, ysize) == 2)
+                                sum += float image("nlmeans.difference_row", x, y + k);
                         float apart = max(0, sum * scale);
                         if (bend > 0)
                             apart += bendscale * squared(color image("N", x, y)
@@ -87,21 +95,21 @@ filter nlmeans(
                         /* Nothing is taken from beyond the border. */
                         if (x + i < 0 || x + i >= xsize || y + j >= ysize)
                             weight = 0;
-                        setimage("similar", x, y, weight);
+                        setimage("nlmeans.similar", x, y, weight);
                     }
                 for (y = 0; y < ysize; y += 1)
                     for (x = 0; x < xsize; x += 1) {
-                        float ahead = image("similar", x, y), behind = 0;
+                        float ahead = image("nlmeans.similar", x, y), behind = 0;
                         if (x - i >= 0 && x - i < xsize && y - j >= 0)
-                            behind = image("similar", x - i, y - j);
-                        setimage("sum", x, y, color image("sum", x, y)
+                            behind = image("nlmeans.similar", x - i, y - j);
+                        setimage("nlmeans.sum", x, y, color image("nlmeans.sum", x, y)
                                  + ahead * color image("Cs", x + i, y + j)
                                  + behind * color image("Cs", x - i, y - j));
-                        setimage("weights", x, y,
-                                 float image("weights", x, y) + ahead + behind);
+                        setimage("nlmeans.weights", x, y,
+                                 float image("nlmeans.weights", x, y) + ahead + behind);
                     }
             }
     for (y = 0; y < ysize; y += 1)
         for (x = 0; x < xsize; x += 1)
-            setimage("Ci", x, y, color image("sum", x, y) / float image("weights", x, y));
+            setimage("Ci", x, y, color image("nlmeans.sum", x, y) / float image("nlmeans.weights", x, y));
 }
