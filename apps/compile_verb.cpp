@@ -55,8 +55,11 @@ std::string countOf(size_t count, const std::string &what) {
 std::string summaryOf(const sl::TypedShader &shader, const CompiledShader &compiled,
                       double seconds) {
     size_t instructions = 0;
-    for (const CompiledShader::Answer &answer : compiled.answers)
+    size_t pixelLoops = 0;
+    for (const CompiledShader::Answer &answer : compiled.answers) {
         instructions += ir::instructionCount(answer.function.body);
+        pixelLoops += answer.function.pixelLoops.size();
+    }
     std::string line = std::string(sl::nameOf(shader.kind)) + " " + shader.name + ": ";
     if (shader.kind == sl::ShaderKind::Surface) {
         const ir::SurfaceFacts &facts = compiled.facts;
@@ -69,6 +72,8 @@ std::string summaryOf(const sl::TypedShader &shader, const CompiledShader &compi
     } else if (shader.kind == sl::ShaderKind::Light) {
         line += countOf(compiled.lightFacts.cones.size(), "cone") + " of emission, ";
         line += compiled.lightFacts.conesAreTheLights ? "" : "which differ by what is lit, ";
+    } else if (shader.kind == sl::ShaderKind::Filter) {
+        line += countOf(pixelLoops, "pixel loop") + ", ";
     }
     char figures[64];
     std::snprintf(figures, sizeof figures, ", %zu instructions, %.0f ms", instructions,
@@ -149,6 +154,8 @@ private:
             show(function.name, jit_.emit(function, arguments_.emit == "asm"));
         else if (arguments_.emit.empty() && !jit_.compile(function))
             console_.error({}, "no code could be made of " + function.name);
+        for (const ir::PixelLoop &loop : function.pixelLoops)
+            generate(*loop.body);
     }
 
     void show(const std::string &title, std::string text) {

@@ -2,21 +2,29 @@
 #include "apps/compiler_passes.h"
 
 #include "language/ir/analyse/control_relevance.h"
+#include "language/ir/filter/pixel_loops.h"
 #include "language/ir/lower/lower.h"
 #include "language/ir/questions/plan.h"
 #include "language/ir/transform/fold.h"
 #include "world/shading/instance_values.h"
 
+#include <numeric>
+
 namespace candela {
 
 namespace {
 
-/// What decides control flow folded in, as an instance with all defaults has it.
+/// What decides control flow folded in, as an instance with all defaults has it; of filters all.
 ir::Function withDefaults(const ir::LoweredShader &lowered, DiagnosticSink &diagnostics) {
     const std::vector<float> block =
         parameterBlock(lowered, ShaderRecord(), Options(), diagnostics);
     std::vector<ir::FoldedValue> folded;
-    for (const int slot : ir::controlRelevantParameters(lowered.whole))
+    std::vector<int> slots = ir::controlRelevantParameters(lowered.whole);
+    if (sl::runsFor(lowered.kind) == sl::RunsFor::Picture) {
+        slots.resize(block.size());
+        std::iota(slots.begin(), slots.end(), 0);
+    }
+    for (const int slot : slots)
         folded.push_back({slot, block[size_t(slot)]});
     return ir::fold(lowered.whole, folded);
 }
@@ -46,8 +54,10 @@ std::optional<CompiledShader> compileShader(const sl::TypedShader &shader, ir::L
         compiled.lightFacts = ir::lightFacts(whole);
     }
     for (const ir::Question question : ir::questionsOf(lowered->kind)) {
-        compiled.answers.push_back(
-            {question, plan ? ir::slice(*plan, question) : ir::slice(whole, question)});
+        ir::Function answer = plan ? ir::slice(*plan, question) : ir::slice(whole, question);
+        if (question == ir::Question::Filter)
+            answer = ir::extractPixelLoops(std::move(answer));
+        compiled.answers.push_back({question, std::move(answer)});
         listener(ir::nameOf(question), compiled.answers.back().function);
     }
     return compiled;

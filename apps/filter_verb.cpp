@@ -67,12 +67,12 @@ void addFilter(CLI::App &app, int &status) {
         ->add_option("-f,--filter", s.filters,
                      "A filter, and its parameters: -f ward94 L_dmax=80 tint=1,0.9,0.8; several "
                      "run in their order")
-        ->type_name("NAME [PARAMETER=VALUE]...");
+        ->type_name("NAME [PARAMETER=VALUE]");
     filter
         ->add_option("--exposure", a.exposure,
                      "GAIN GAMMA, applied to R, G, B at the end; default 1 1, and for PNG the "
                      "curve of sRGB")
-        ->type_name("GAIN GAMMA")
+        ->type_name("NUMBER")
         ->expected(2);
     filter->add_flag("--list", a.list,
                      "List filters, those of the library and of --shader-path: name, parameters, "

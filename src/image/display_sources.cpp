@@ -83,6 +83,10 @@ std::optional<SourcePlane> sourcePlane(const DisplaySources &sources, const Disp
     return values.empty() ? std::nullopt : std::optional(SourcePlane{std::move(values), false});
 }
 
+bool isFiltered(const DisplaySources &sources, const DisplayPlane &plane) {
+    return filteredMap(sources, plane) != nullptr;
+}
+
 std::optional<PlaneSize> sizeOfPlane(const DisplaySources &sources, const DisplayPlane &plane) {
     if (isImaged(sources, plane))
         return sources.imaged->size;

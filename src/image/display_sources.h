@@ -23,6 +23,7 @@ struct PlaneSize {
 struct FilteredPicture {
     ImageMaps maps;
     std::vector<std::string> set; ///< Which of them filters have set, beside "Ci".
+    std::string filters;          ///< Which filters ran, as files name them.
 };
 
 /// Ci after exposure and imager, and the alpha that goes with it; rows without gaps.
@@ -54,5 +55,7 @@ std::optional<SourcePlane> sourcePlane(const DisplaySources &, const DisplayPlan
                                        FilmHalf = FilmHalf::Both);
 /// Likewise, of the whole picture.
 std::optional<PlaneSize> sizeOfPlane(const DisplaySources &, const DisplayPlane &);
+/// True if it comes from the filters.
+bool isFiltered(const DisplaySources &, const DisplayPlane &);
 
 } // namespace candela

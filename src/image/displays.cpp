@@ -50,6 +50,9 @@ void describe(const Job &job, Picture &picture) {
     if (picture.window == job.sources.film.window()) // Nobody knows what other pixels show.
         picture.worldToNdc = job.frame.worldToNdc;
     picture.metadata = job.frame.metadata;
+    if (std::ranges::any_of(
+            job.planes, [&](const DisplayPlane &plane) { return isFiltered(job.sources, plane); }))
+        picture.metadata["filters"] = job.sources.filtered->filters;
     picture.metadata["units"] = "W m^-2 sr^-1";
     picture.metadata["luminousEfficacy"] = shortNumber(luminousEfficacy) + " lm/W";
     picture.metadata["exposure"] =

@@ -346,6 +346,15 @@ TEST(Imaging, Exposure) {
     EXPECT_FLOAT_EQ(exposed(-0.25f, 1, 2), -0.5f);
 }
 
+/// IEC 61966-2-1: a line below 0.0031308, 1.055 l^(1/2.4) - 0.055 above.
+TEST(Imaging, SrgbCurve) {
+    const float table[][2] = {{0, 0},           {.001f, .01292f}, {.0031308f, .04045f},
+                              {.18f, .46136f},  {.5f, .735357f},  {1, 1},
+                              {-.5f, -.735357f}};
+    for (const auto &[light, value] : table)
+        EXPECT_NEAR(srgbCurve(light), value, 1e-5f) << light;
+}
+
 TEST(Imaging, QuantiseTable) {
     const QuantizeRecord plain{255, 0, 255, 0};
     EXPECT_EQ(quantized(0, plain, 0), 0);

@@ -51,7 +51,7 @@ void setMap(ImageMaps &maps, const std::string &name, const Film &film) {
     for (int c = 0; c < components; ++c) {
         std::vector<float> plane = planeOf(film, source, c);
         for (float &value : plane)
-            if (name != "Ci" && !std::isfinite(value))
+            if (!std::isfinite(value))
                 value = 0;
         maps.setPlane(name, c, plane);
     }

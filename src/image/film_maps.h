@@ -21,8 +21,8 @@ std::vector<ChannelInfo> mapsOfEveryFilm();
 
 /// Makes "Ci", and those of `names` that the film has and that are not there yet: "Oi", "Z",
 /// "variance" (of the pixel mean of Ci), "half0" and "half1" (Ci of the even and of the odd
-/// samples), "radiance" (Ci), and its channels by their names. But for Ci, what is not finite (the
-/// variance of a single sample) is 0.
+/// samples), "radiance" (Ci), and its channels by their names. What is not finite (the variance of
+/// a single sample) is 0.
 void addMaps(const Film &, std::span<const std::string> names, ImageMaps &);
 
 /// What maps of these names take, with Ci twice: what a filter reads and what it writes.

@@ -155,7 +155,7 @@ void integrateFrame(const FrameJob &job, const PixelFilterSampler &filter, Film 
 
 /// Runs the filters over the maps that the film gives, beside those that are in `picture` already.
 /// False if the user wants no more.
-bool filterFrame(FrameJob &job, const FilterStack &filters, const Film &film,
+bool filterFrame(const FrameJob &job, const FilterStack &filters, const Film &film,
                  FilteredPicture &picture) {
     const FrameListeners &listeners = job.listeners;
     addMaps(film, mapNames(filters), picture.maps);
@@ -165,7 +165,7 @@ bool filterFrame(FrameJob &job, const FilterStack &filters, const Film &film,
     listeners.statistics.measure("filter", [&] {
         outcome = runFilters(filters, picture.maps, listeners.console, listeners.diagnostics);
     });
-    job.description.metadata["filters"] = textOf(filters.records(), outcome.done);
+    picture.filters = textOf(filters.records(), outcome.done);
     if (outcome.interrupted)
         listeners.diagnostics.warning(
             {}, "filtering was interrupted: the picture is as the last whole filter left it, and "
@@ -174,8 +174,8 @@ bool filterFrame(FrameJob &job, const FilterStack &filters, const Film &film,
 }
 
 /// Renders, filters and writes; false if the user wants no more.
-bool makePicture(FrameJob &job, const PictureShaders &shaders, const PixelFilterSampler &filter,
-                 Film &film) {
+bool makePicture(const FrameJob &job, const PictureShaders &shaders,
+                 const PixelFilterSampler &filter, Film &film) {
     Console &console = job.listeners.console;
     console.begin("rendering");
     FilteredPicture filtered;

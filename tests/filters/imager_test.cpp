@@ -45,12 +45,12 @@ TEST_F(Filtered, imagersKnowPlaceOpacityAndTime) {
 /// Filters, exposure, imager, quantisation, in this order.
 TEST_F(Filtered, imagersRunBetweenExposureAndQuantisation) {
     render(smallFrame("PushFilter \"plusone\"\nExposure 2 1\n"
-                      "Imager \"place\" \"string what\" \"Ci\" \"scale\" [.03]\n"
+                      "Imager \"place\" \"string what\" \"Ci\" \"scale\" [.04]\n"
                       "Quantize \"rgba\" 100 0 255 0\n" +
                       colorFile + "Display \"+b.png\" \"png\" \"rgb\"\n") +
            plainWorld());
-    EXPECT_EQ(everywhere("a.exr", "R"), 8); // 100 * .03 * 2 * (1 + .25) = 7.5
-    EXPECT_EQ(at("b.png", "R", 4, 4), 8 / 255.f);
+    EXPECT_EQ(everywhere("a.exr", "R"), 10); // 100 * .04 * 2 * (1 + .25)
+    EXPECT_EQ(at("b.png", "R", 4, 4), 10 / 255.f);
 }
 
 TEST_F(Filtered, imagersChangeNoRawChannel) {

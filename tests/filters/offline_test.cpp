@@ -185,8 +185,8 @@ TEST_F(Filtered, listNamesFiltersAndTheirParameters) {
 
 namespace {
 
-/// Starts the program, and Ctrl-C comes after a while: the exit status, or minus a signal.
-int interrupted(const Names &arguments) {
+/// Starts the program, and Ctrl-C comes after so many seconds: the exit status, or minus a signal.
+int interruptedAfter(double seconds, const Names &arguments) {
     const pid_t child = ::fork();
     if (child == 0) {
         const int null = ::open("/dev/null", O_RDWR);
@@ -200,11 +200,19 @@ int interrupted(const Names &arguments) {
         ::execv(candelaProgram().c_str(), words.data());
         ::_exit(126);
     }
-    ::usleep(useconds_t(1.5e6 * timeScale()));
+    ::usleep(useconds_t(seconds * 1e6));
     ::kill(child, SIGINT);
     int status = 0;
     ::waitpid(child, &status, 0);
     return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+}
+
+/// The same once the filter is at work: before, the signal ends the program.
+int interrupted(const Names &arguments) {
+    int status = -SIGINT;
+    for (double seconds = 0.5; status == -SIGINT && seconds < 40 * timeScale(); seconds *= 2)
+        status = interruptedAfter(seconds, arguments);
+    return status;
 }
 
 } // namespace

@@ -65,6 +65,7 @@ TEST_F(Filtered, onlyColoursAreFilteredAndRadianceStays) {
     }
     EXPECT_EQ(filtered.metadata.at("filters"), "plusone");
     EXPECT_FALSE(plain.metadata.contains("filters"));
+    EXPECT_FALSE(read("raw.exr").metadata.contains("filters")); // Nothing in it is filtered.
     const Picture rawFiltered = read("raw.exr");
     folder_.write("before.exr", raw);
     EXPECT_EQ(read("before.exr").find("radiance.R")->values,
@@ -211,7 +212,8 @@ TEST_F(Filtered, framesThatAreNotFiniteReachFiltersAsZero) {
             "Patch \"bilinear\" \"P\" [-2 -2 1 2 -2 1 -2 2 1 2 2 1]\nWorldEnd\n");
     EXPECT_TRUE(outcome.says("not finite")) << outcome.text();
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.text();
-    for (float value : read("a.exr").find("R")->values)
+    const Picture picture = read("a.exr");
+    for (float value : picture.find("R")->values)
         EXPECT_TRUE(value == 0 || value == .5f) << value;
 }
 

@@ -38,7 +38,7 @@ struct Extent {
 
     /// The same whatever the number of cores.
     std::vector<Portion> portions() const {
-        constexpr std::int64_t pixelsTogether = 1 << 14, columnsOfOne = 64;
+        constexpr std::int64_t pixelsTogether = 1 << 15, columnsOfOne = 64;
         const std::int64_t height = std::max<std::int64_t>(1, pixelsTogether / columns);
         const std::int64_t width = rows == 1 ? columnsOfOne : columns;
         std::vector<Portion> all;

@@ -226,6 +226,29 @@ TEST_P(PixelLoops, AreThoseThatMayBeAndGiveWhatTheTextSays) {
 INSTANTIATE_TEST_SUITE_P(Table, PixelLoops, testing::ValuesIn(rows),
                          [](const auto &info) { return std::string(info.param.name); });
 
+/// Texts that would keep the proofs busy for ever, or end their stack.
+TEST(PixelLoops, LongTextsAreReadInTime) {
+    std::string squares = "filter f() { float x, y, t = .5; ",
+                sums = "filter f() { float x, y, s; ";
+    squares += ALL_PIXELS "{ float u = t * y;";
+    for (int k = 0; k < 60; ++k)
+        squares += " u = u * u + t;";
+    squares += " setimage(\"Ci\", x + u, y, 1); }}";
+    sums += ALL_PIXELS "{ float v = image(\"Cs\", x, y);";
+    for (int k = 0; k < 9000; ++k)
+        sums += " s += v;";
+    sums += "} setimage(\"Ci\", 0, 0, s); }";
+    for (const std::string &text : {squares, sums}) {
+        DiagnosticList diagnostics;
+        const auto whole = filterText(text, diagnostics);
+        ASSERT_TRUE(whole) << diagnostics.text();
+        ImageMaps expected = testMaps(5, 3), got = testMaps(5, 3);
+        interpretFilter(*whole, expected, diagnostics);
+        CompiledFilter(*whole).run(got);
+        EXPECT_EQ(got.plane("Ci", 1), expected.plane("Ci", 1));
+    }
+}
+
 /// Many rows, of which cores take portions: a sum is what it is, and exact where a float would have
 /// stopped counting.
 TEST(PixelLoops, SumsDoNotStopGrowing) {

@@ -209,7 +209,7 @@ bool BodyWriter::write(int number) {
     removeDeadCode(body);
     inferUniformity(body);
     markShortLoops(body);
-    body.registersTogether = isLight(body) ? 2 : 1;
+    body.registersTogether = isLight(body) ? 4 : 1;
     return true;
 }
 

@@ -9,7 +9,7 @@ namespace candela::ir {
 
 /// Puts a PixelLoop in the place of each loop over columns within one over rows (or the other way
 /// round, or of a single one) whose turns may run in any order, or at once: see
-/// docs/filters/README.md for the rules. All others stay as they are. `filter` is a whole text in
+/// docs/filters/language.md for the rules. All others stay as they are. `filter` is a whole text in
 /// which all values are uniform.
 Function extractPixelLoops(Function filter);
 

@@ -57,7 +57,7 @@ private:
     bool isCovered(int map) const;
     bool isApart(int map) const;
     bool arraysAreApart();
-    bool isVariant(ValueId v) const;
+    bool isVariant(ValueId v, int depth = 0) const;
     /// By steps of at least one pixel.
     Follows follows(ValueId v) const;
     bool beginsWhole(const CountedLoop &) const;
@@ -69,6 +69,7 @@ private:
     PixelNest &nest_;
     std::vector<Access> accesses_;
     std::map<int, bool> arrays_; ///< Those that are accessed; true: set.
+    mutable std::map<ValueId, bool> variant_;
 };
 
 /// Carried values are the counters, and what is reduced; what they are behind the loops nobody
@@ -155,16 +156,21 @@ bool NestProof::collect(const Instruction &i, bool isUnconditional) {
     }
 }
 
-bool NestProof::isVariant(ValueId v) const {
+bool NestProof::isVariant(ValueId v, int depth) const {
+    constexpr int deepest = 2000; // Beyond it nothing is known, before the stack ends.
+    const auto [known, isNew] = variant_.try_emplace(v, true);
+    if (!isNew)
+        return known->second;
     const ValueFacts::Origin &origin = facts_.origin[v];
-    const int depth = facts_.origin[nest_.outer->regions[0].arguments[0]].depth;
-    if (origin.depth < depth || !origin.instruction || isConstant(origin.instruction->op))
-        return false;
-    if (origin.isArgument || !isPure(origin.instruction->op) ||
-        !origin.instruction->regions.empty())
-        return true;
-    return std::ranges::any_of(origin.instruction->operands,
-                               [&](ValueId operand) { return isVariant(operand); });
+    const int body = facts_.origin[nest_.outer->regions[0].arguments[0]].depth;
+    bool is = true;
+    if (origin.depth < body || !origin.instruction || isConstant(origin.instruction->op))
+        is = false;
+    else if (!origin.isArgument && isPure(origin.instruction->op) &&
+             origin.instruction->regions.empty() && depth < deepest)
+        is = std::ranges::any_of(origin.instruction->operands,
+                                 [&](ValueId operand) { return isVariant(operand, depth + 1); });
+    return variant_[v] = is;
 }
 
 NestProof::Follows NestProof::follows(ValueId v) const {

@@ -15,7 +15,7 @@ public:
 
     std::optional<Reduction> from(ValueId next) {
         used_[next] = 1;
-        if (!reaches(next) || !kind_)
+        if (!reaches(next) || !kind_ || isTooDeep_)
             return {};
         for (const auto &[value, count] : used_)
             if (facts_.uses[value] != count)
@@ -24,6 +24,16 @@ public:
     }
 
 private:
+    /// Long texts make long ways; beyond some length nothing is known, before the stack ends.
+    struct Depth {
+        explicit Depth(Ways &ways) : ways(ways) {
+            constexpr int most = 2000;
+            ways.isTooDeep_ |= ++ways.depth_ > most;
+        }
+        ~Depth() { --ways.depth_; }
+        Ways &ways;
+    };
+
     bool is(Reduction kind) {
         if (!kind_)
             kind_ = kind;
@@ -41,8 +51,9 @@ private:
         const auto [known, isNew] = reaches_.try_emplace(v, false);
         if (!isNew)
             return known->second;
+        const Depth depth(*this);
         const ValueFacts::Origin &origin = facts_.origin[v];
-        const bool does = !origin.isArgument && origin.instruction &&
+        const bool does = !isTooDeep_ && !origin.isArgument && origin.instruction &&
                           throughInstruction(*origin.instruction, origin.index);
         return reaches_[v] = does;
     }
@@ -67,8 +78,9 @@ private:
         const auto [known, isNew] = leads_.try_emplace(v, false);
         if (!isNew)
             return known->second;
+        const Depth depth(*this);
         const ValueFacts::Origin &origin = facts_.origin[v];
-        if (!origin.instruction)
+        if (!origin.instruction || isTooDeep_)
             return false;
         const Instruction &i = *origin.instruction;
         bool does = false;
@@ -129,6 +141,8 @@ private:
     std::map<ValueId, int> used_;
     std::map<ValueId, bool> reaches_, leads_;
     std::set<ValueId> ends_;
+    int depth_ = 0;
+    bool isTooDeep_ = false;
 };
 
 } // namespace
