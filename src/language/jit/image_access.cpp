@@ -62,7 +62,7 @@ Value *ImageAccess::putOperands(const Instruction &i, Uniformity uniformity) {
 
 // --- Anywhere ------------------------------------------------------------------------------------
 
-Values ImageAccess::loadAnywhere(const Instruction &i, Uniformity uniformity) {
+Values ImageAccess::lookUpAnywhere(const Instruction &i, Uniformity uniformity) {
     Value *operands = putOperands(i, uniformity), *results = memory().results;
     auto *integer = code_.integerType, *pointer = code_.pointerType;
     auto *signature = llvm::FunctionType::get(
@@ -74,11 +74,10 @@ Values ImageAccess::loadAnywhere(const Instruction &i, Uniformity uniformity) {
                         {arguments_.pointer(), number(use(i).map), number(use(i).filter),
                          number(use(i).values), lanes(uniformity), bits, operands, results});
     auto *row = code_.lanes.type(ir::Type::Float, uniformity);
-    Values given;
+    Values places;
     for (std::size_t k = 0; k < i.results.size(); ++k)
-        given.push_back(builder_.CreateAlignedLoad(
-            row, builder_.CreateConstGEP1_64(row, results, k), llvm::Align(4)));
-    return given;
+        places.push_back(builder_.CreateConstGEP1_64(row, results, k));
+    return places;
 }
 
 void ImageAccess::storeAnywhere(const Instruction &i, Uniformity uniformity) {
@@ -262,11 +261,11 @@ Value *ImageAccess::pixels(const Instruction &i, const Row &row, int component) 
     return builder_.CreateGEP(code_.floatType, start, row.index);
 }
 
-Values ImageAccess::loadRow(const Instruction &i, const Row &row) {
-    Values given;
+Values ImageAccess::placesInRow(const Instruction &i, const Row &row) {
+    Values places;
     for (int c = 0; c < int(i.results.size()); ++c)
-        given.push_back(code_.lanes.load(code_.floatType, pixels(i, row, c)));
-    return given;
+        places.push_back(pixels(i, row, c));
+    return places;
 }
 
 /// Whether a single value goes to the channels of a color too, not to one alone.
@@ -307,28 +306,30 @@ void ImageAccess::setRow(const Instruction &i, const Row &row, int first, int en
 
 // --- Either --------------------------------------------------------------------------------------
 
+/// Where the values are is chosen, not the values: registers are few.
 void ImageAccess::load(const Instruction &i) {
     if (i.results.empty())
         return;
     const Uniformity uniformity = values_.uniformity(i.results[0]);
-    Values given;
+    Values places;
     if (uniformity == Uniformity::Uniform || !isRow(i)) {
-        given = loadAnywhere(i, uniformity);
+        places = lookUpAnywhere(i, uniformity);
     } else {
         const Row at = row(i);
         Values near, anywhere;
         const auto ends = branchOn(
-            code_, at.isPlain, [&] { near = loadRow(i, at); },
-            [&] { anywhere = loadAnywhere(i, uniformity); });
+            code_, at.isPlain, [&] { near = placesInRow(i, at); },
+            [&] { anywhere = lookUpAnywhere(i, uniformity); });
         for (std::size_t k = 0; k < near.size(); ++k) {
-            auto *phi = builder_.CreatePHI(near[k]->getType(), 2);
+            auto *phi = builder_.CreatePHI(code_.pointerType, 2);
             phi->addIncoming(near[k], ends.first);
             phi->addIncoming(anywhere[k], ends.second);
-            given.push_back(phi);
+            places.push_back(phi);
         }
     }
+    auto *type = code_.lanes.type(ir::Type::Float, uniformity);
     for (std::size_t k = 0; k < i.results.size(); ++k)
-        values_.set(i.results[k], given[k]);
+        values_.set(i.results[k], builder_.CreateAlignedLoad(type, places[k], llvm::Align(4)));
 }
 
 void ImageAccess::store(const Instruction &i) {

@@ -41,10 +41,11 @@ private:
     Value *mapField(const ir::Instruction &, std::size_t offset, llvm::Type *);
     /// Where the first lane's pixel of a component stands.
     Value *pixels(const ir::Instruction &, const Row &, int component);
-    Values loadRow(const ir::Instruction &, const Row &);
+    Values placesInRow(const ir::Instruction &, const Row &);
     void storeRow(const ir::Instruction &, const Row &);
     void setRow(const ir::Instruction &, const Row &, int first, int end);
-    Values loadAnywhere(const ir::Instruction &, ir::Uniformity);
+    /// Where the values are then.
+    Values lookUpAnywhere(const ir::Instruction &, ir::Uniformity);
     void storeAnywhere(const ir::Instruction &, ir::Uniformity);
     /// Operands in rows of the runtime's.
     Value *putOperands(const ir::Instruction &, ir::Uniformity);
