@@ -57,8 +57,8 @@ void addFilter(CLI::App &app, int &status) {
                   "denoising, bloom");
     filter->footer(
         "R, G, B (or else the layer radiance) are what filters read as \"Cs\", A is \"Oi\", other "
-        "channels and layers are maps of their names. All channels are written, R, G, B as "
-        "filtered; a PNG picture gets R, G, B, A alone.\n"
+        "channels and layers are maps of their names. All channels of the picture are written, "
+        "R, G, B as filtered; a PNG picture gets R, G, B, A alone.\n"
         "Exit status: 0 all went well, 1 something was wrong and has been reported, 2 the command "
         "line cannot be understood, 130 interrupted: nothing is written.");
     filter->add_option("in", s.input, "A picture (EXR or PNG)");
@@ -74,6 +74,14 @@ void addFilter(CLI::App &app, int &status) {
                      "curve of sRGB")
         ->type_name("NUMBER")
         ->expected(2);
+    filter
+        ->add_option(
+            "--keep", s.kept,
+            "Also writes these maps, which the filters make: a,b (their other maps are for "
+            "their own use)")
+        ->delimiter(',')
+        ->type_name("MAP")
+        ->allow_extra_args(false);
     filter->add_flag("--list", a.list,
                      "List filters, those of the library and of --shader-path: name, parameters, "
                      "what they do");

@@ -120,15 +120,13 @@ private:
         ImageMaps maps = mapsOf(picture, mapNames(stack), problem);
         if (!problem.empty())
             return fail(settings_.input + ": " + problem);
+        const std::vector<std::string> given = maps.names();
         makeFinite(*maps.find("Ci"), console_);
         console_.begin("filtering");
         interrupted_ = runFilters(stack, maps, console_, console_).interrupted;
         if (interrupted_)
             return fail("interrupted: nothing is written");
-        std::vector<std::string> set;
-        for (const MapInfo &map : stack.mapsSet())
-            set.push_back(map.name);
-        const std::vector<std::string> lost = putMaps(maps, set, picture);
+        const std::vector<std::string> lost = putMaps(maps, toWrite(stack, given), picture);
         if (!lost.empty())
             console_.warning({}, "filters have changed the size of the picture, so that these "
                                  "channels are left out: " +
@@ -138,6 +136,20 @@ private:
             return fail(problem);
         console_.end("wrote " + settings_.output);
         return true;
+    }
+
+    /// Of the maps that filters set those that the picture has, and those that are asked for:
+    /// others are for the filters' own use.
+    std::vector<std::string> toWrite(const FilterStack &stack,
+                                     const std::vector<std::string> &given) const {
+        const auto isIn = [](const std::vector<std::string> &names, const std::string &name) {
+            return std::ranges::find(names, name) != names.end();
+        };
+        std::vector<std::string> names;
+        for (const MapInfo &map : stack.mapsSet())
+            if (isIn(given, map.name) || isIn(settings_.kept, map.name))
+                names.push_back(map.name);
+        return names;
     }
 
     bool fail(const std::string &problem) {

@@ -14,6 +14,7 @@ namespace candela {
 struct FilterFileSettings {
     std::string input, output;
     std::vector<std::string> filters; ///< As readFilters() takes them.
+    std::vector<std::string> kept;    ///< Maps that filters make and that are written, too.
     /// Gain and gamma of what is written; unset = 1 1, and for PNG the curve of sRGB.
     std::optional<std::array<float, 2>> exposure;
     std::vector<std::string> shaderPath;
@@ -22,7 +23,7 @@ struct FilterFileSettings {
     JitOptions jit; ///< --lanes
 };
 
-/// Reads the picture, runs the filters in their order and writes all of its channels, whole or not
+/// Reads the picture, runs the filters in their order and writes its channels, whole or not
 /// at all. 0 if all went well, 1 if anything was wrong (and reported; where a picture or a filter
 /// is not to be had nothing is written), statusOfInterrupt after Ctrl-C, when nothing is.
 int filterFile(const FilterFileSettings &);

@@ -65,7 +65,7 @@ TEST_F(Filtered, allChannelsAndMetadataGoThrough) {
         ASSERT_TRUE(after.find(channel.name)) << channel.name;
         EXPECT_EQ(after.find(channel.name)->values, channel.values) << channel.name;
     }
-    EXPECT_EQ(after.channels.size(), before.channels.size() + 4); // R, G, B and "mine".
+    EXPECT_EQ(after.channels.size(), before.channels.size() + 3); // R, G, B.
     for (const auto &[name, value] : before.metadata)
         EXPECT_EQ(after.metadata.at(name), value);
     EXPECT_EQ(after.metadata.at("filters"), "double; makes");
@@ -74,6 +74,14 @@ TEST_F(Filtered, allChannelsAndMetadataGoThrough) {
     filter("out.exr", "out.exr", {"-f", "plusone"});
     EXPECT_EQ(read("out.exr").metadata.at("filters"), "double; makes; plusone");
     EXPECT_EQ(at("out.exr", "R", 0, 0), 1);
+}
+
+TEST_F(Filtered, mapsOfFiltersAreWrittenWhereTheyAreAskedFor) {
+    run(frameWith(""));
+    EXPECT_EQ(filter("raw.exr", "out.exr", {"-f", "makes"}).status, 0);
+    EXPECT_FALSE(read("out.exr").find("mine"));
+    EXPECT_EQ(filter("raw.exr", "out.exr", {"-f", "makes", "--keep", "mine"}).status, 0);
+    EXPECT_TRUE(read("out.exr").find("mine"));
 }
 
 TEST_F(Filtered, valuesAreCheckedAgainstTheShader) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "image/filter/bound_maps.h"
 
+#include "language/ir/core/op_info.h"
 #include "language/ir/core/regions.h"
 
 #include <algorithm>
@@ -25,8 +26,16 @@ SourceLocation BoundMaps::placeOf(const ir::Instruction &i) const {
     return where;
 }
 
+/// The map that setsize() is about.
+static std::size_t mapOfSize(const ir::Function &function, const ir::Instruction &i) {
+    const std::string &name = function.strings[std::size_t(serviceOf(function, i).texts[0])];
+    return std::size_t(std::ranges::find(function.maps, name) - function.maps.begin());
+}
+
 void BoundMaps::add(std::vector<Uses> &uses, const ir::Function &function) const {
     ir::forEachInstruction(function.body, [&](const ir::Instruction &i) {
+        if (i.op == ir::Op::Command && serviceOf(function, i).info->service == Service::setsize)
+            uses[mapOfSize(function, i)].isSized = true;
         if (i.op != ir::Op::ImageLoad && i.op != ir::Op::ImageStore)
             return;
         const ir::ImageUse &use = function.images[std::size_t(i.immediate)];
@@ -37,6 +46,7 @@ void BoundMaps::add(std::vector<Uses> &uses, const ir::Function &function) const
             map.read = map.read ? map.read : &i;
         } else {
             map.isSet = true;
+            map.isSetSerial |= &function == &driver_;
             map.channels = std::max(map.channels, use.values);
             map.set = map.set && map.channels > use.values ? map.set : &i;
         }
@@ -72,7 +82,7 @@ bool BoundMaps::bindOwn(std::size_t number, const Uses &use) {
         views_[number] = image->view();
         return fits(name, *image, use);
     }
-    if (use.isRead) {
+    if (use.isRead && !use.isSized) {
         std::string known = "Cs, Ci";
         for (const std::string &each : maps_.names())
             known += each == "Ci" ? "" : ", " + each;
@@ -124,6 +134,8 @@ bool BoundMaps::bind() {
         else
             good &= bindOwn(k, all[k]);
     }
+    for (std::size_t k = 0; k < all.size(); ++k)
+        halos_[k] = all[k].isSetSerial ? Halos::Changing : Halos::Wanted;
     for (ImageMap &view : views_)
         if (view.width == 0 || view.height == 0)
             view = black_.view();
@@ -147,7 +159,20 @@ void BoundMaps::resize(const std::string &name, float width, float height,
     OwnedImage &kept =
         name == "Ci" ? picture_.emplace(std::move(made)) : maps_.set(name, std::move(made));
     isFilled_ |= name == "Ci";
-    views_[std::size_t(at - driver_.maps.begin())] = kept.view();
+    const std::size_t number = std::size_t(at - driver_.maps.begin());
+    views_[number] = kept.view();
+    halos_[number] = halos_[number] == Halos::Changing ? Halos::Changing : Halos::Wanted;
+}
+
+void BoundMaps::noteHalosFilled(int map) {
+    Halos &halos = halos_[std::size_t(map)];
+    halos = halos == Halos::Changing ? halos : Halos::Filled;
+}
+
+void BoundMaps::noteSet(const ir::PixelLoop &loop) {
+    for (const int map : loop.mapsSet)
+        if (Halos &halos = halos_[std::size_t(map)]; halos == Halos::Filled)
+            halos = Halos::Wanted;
 }
 
 void BoundMaps::handOver() {

@@ -18,7 +18,7 @@ class BoundMaps {
 public:
     BoundMaps(const ir::Function &driver, ImageMaps &maps, DiagnosticSink &diagnostics)
         : driver_(driver), maps_(maps), diagnostics_(diagnostics), black_(1, 1, colorSamples),
-          views_(driver.maps.size(), black_.view()) {}
+          views_(driver.maps.size(), black_.view()), halos_(driver.maps.size(), Halos::Wanted) {}
 
     /// False if the filter cannot run with the maps that are there.
     bool bind();
@@ -28,14 +28,22 @@ public:
     /// Before a pixel loop that runs over `columns` x `rows` pixels from (0, 0) on, or (0 x 0) over
     /// others: what it leaves as it is of "Ci" must be there.
     void prepare(const ir::PixelLoop &, std::int64_t columns, std::int64_t rows);
+    /// Whether what lies beyond a map's border (imageHalo) is not what the border holds.
+    bool wantsHalos(int map) const { return halos_[std::size_t(map)] != Halos::Filled; }
+    void noteHalosFilled(int map);
+    /// A pixel loop has set maps.
+    void noteSet(const ir::PixelLoop &);
     /// "Ci" is what the filter has made of it.
     void handOver();
 
 private:
+    /// What is set outside of pixel loops changes without a word.
+    enum class Halos { Changing, Wanted, Filled };
     struct Uses {
-        bool isRead = false, isSet = false;
-        bool isSerial = false; ///< Outside of pixel loops, too.
-        int channels = 0;      ///< The most that are set at a time.
+        bool isRead = false, isSet = false, isSized = false;
+        bool isSerial = false;    ///< Outside of pixel loops, too.
+        bool isSetSerial = false; ///< Likewise.
+        int channels = 0;         ///< The most that are set at a time.
         const ir::Instruction *read = nullptr, *set = nullptr;
     };
     std::vector<Uses> uses() const;
@@ -54,6 +62,7 @@ private:
     int pictureNumber_ = -1;            ///< Among the driver's maps.
     bool isFilled_ = false;             ///< Pixels that are not set hold what was given.
     std::vector<ImageMap> views_;
+    std::vector<Halos> halos_; ///< Of each map.
 };
 
 } // namespace candela

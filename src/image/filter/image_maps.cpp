@@ -37,7 +37,8 @@ float *newFloats(std::size_t count) {
 }
 
 std::size_t planeFloats(int width, int height) {
-    // Not all planes at the same place of a page: they would fight for the same lines of the caches.
+    // Not all planes at the same place of a page: they would fight for the same lines of the
+    // caches.
     constexpr std::size_t apart = 5 * 64 / sizeof(float);
     return std::size_t(strideOf(width)) * std::size_t(height) + apart;
 }

@@ -14,6 +14,8 @@ namespace candela {
 
 namespace {
 
+using Extent = PixelLoopExtent;
+using Portion = PixelLoopPortion;
 using Inputs = std::array<const float *, std::size_t(ShaderInput::Count)>;
 
 /// Turns of a loop from `first` on, by steps of 1, as long as it is below (or not above) `end`.
@@ -26,29 +28,6 @@ std::int64_t turnsOf(float first, float end, bool isClosed) {
     return std::int64_t(std::min(turns, 16777216.0));
 }
 
-/// Pixels that one core takes at a time: some rows, or a part of the only one.
-struct Portion {
-    std::int64_t column, columns, row, rows;
-};
-
-/// The columns and rows that a loop runs over.
-struct Extent {
-    std::int64_t columns, rows;
-    float firstColumn, firstRow;
-
-    /// The same whatever the number of cores.
-    std::vector<Portion> portions() const {
-        constexpr std::int64_t pixelsTogether = 1 << 15, columnsOfOne = 64;
-        const std::int64_t height = std::max<std::int64_t>(1, pixelsTogether / columns);
-        const std::int64_t width = rows == 1 ? columnsOfOne : columns;
-        std::vector<Portion> all;
-        for (std::int64_t y = 0; y < rows; y += height)
-            for (std::int64_t x = 0; x < columns; x += width)
-                all.push_back({x, std::min(width, columns - x), y, std::min(height, rows - y)});
-        return all;
-    }
-};
-
 Extent extentOf(const ir::PixelLoop &loop, const float *given) {
     return {turnsOf(given[0], given[1], loop.closedColumns),
             turnsOf(given[2], given[3], loop.closedRows), given[0], given[2]};
@@ -57,6 +36,14 @@ Extent extentOf(const ir::PixelLoop &loop, const float *given) {
 std::size_t wholeBlocks(std::int64_t columns) {
     constexpr std::int64_t block = mostPixelsTogether;
     return std::size_t((columns + block - 1) / block * block);
+}
+
+/// The columns' numbers, for all rows.
+std::vector<float> columnsOf(const Extent &extent) {
+    std::vector<float> columns(wholeBlocks(extent.columns));
+    for (std::size_t k = 0; k < columns.size(); ++k)
+        columns[k] = extent.firstColumn + float(k);
+    return columns;
 }
 
 double beginningOf(ir::Reduction reduction) {
@@ -153,6 +140,17 @@ std::int32_t wholeColumn(float first) {
 
 } // namespace
 
+std::vector<PixelLoopPortion> PixelLoopExtent::portions() const {
+    constexpr std::int64_t pixelsTogether = 1 << 15, columnsOfOne = 64;
+    const std::int64_t height = std::max<std::int64_t>(1, pixelsTogether / columns);
+    const std::int64_t width = rows == 1 ? columnsOfOne : columns;
+    std::vector<PixelLoopPortion> all;
+    for (std::int64_t y = 0; y < rows; y += height)
+        for (std::int64_t x = 0; x < columns; x += width)
+            all.push_back({x, std::min(width, columns - x), y, std::min(height, rows - y)});
+    return all;
+}
+
 const float *const *PixelLoopRun::noInputs() {
     static const std::array<float, laneBlock> zeros{};
     static const auto planes = [] {
@@ -174,62 +172,73 @@ PixelLoopRunner PixelLoopRun::runner() {
 
 void PixelLoopRun::run(const ir::PixelLoop &loop, ShaderFunction code, const float *given,
                        const float *const *arrays, float *results) {
-    const Extent extent = extentOf(loop, given);
     const float *captured = given + ir::PixelLoop::bounds, *begin = captured + loop.captured;
     const std::size_t count = loop.sums.size();
     std::copy_n(begin, count, results);
+    const Extent extent = extentOf(loop, given);
     if (extent.columns == 0 || extent.rows == 0)
         return;
-    const bool isFromCorner = extent.firstColumn == 0 && extent.firstRow == 0;
-    maps_.prepare(loop, isFromCorner ? extent.columns : 0, isFromCorner ? extent.rows : 0);
-    for (int map : loop.mapsRead)
-        if (readsBeyond(loop, extent, map, args_->maps[map]))
-            fillHalos(args_->maps[map]);
-
-    std::vector<float> columns(wholeBlocks(extent.columns));
-    for (std::size_t k = 0; k < columns.size(); ++k)
-        columns[k] = extent.firstColumn + float(k);
-
+    prepareMaps(loop, extent);
+    const Job job{loop, code, extent, columnsOf(extent), captured, arrays};
     const std::vector<Portion> portions = extent.portions();
     std::vector<double> sums(portions.size() * count);
     std::atomic<std::int64_t> done{0};
-    parallelFor(portions.size(), [&](std::size_t number) {
-        const Portion &portion = portions[number];
-        const std::size_t width = wholeBlocks(portion.columns);
-        std::vector<float> values(count * width), own(captured, captured + loop.captured);
-        own.insert(own.begin(), 0);
-        std::vector<float *> outputs;
-        double *sum = sums.data() + number * count;
-        for (std::size_t s = 0; s < count; ++s) {
-            outputs.push_back(values.data() + s * width);
-            sum[s] = beginningOf(loop.sums[s]);
-        }
-        Inputs inputs;
-        std::copy_n(args_->inputs, inputs.size(), inputs.begin());
-        inputs[std::size_t(ShaderInput::column)] = columns.data() + portion.column;
-        ShaderArgs args = *args_;
-        args.count = std::int32_t(portion.columns);
-        args.inputs = inputs.data();
-        args.captured = own.data();
-        args.capturedArrays = arrays;
-        args.firstColumn = wholeColumn(extent.firstColumn + float(portion.column));
-        args.outputs = outputs.data();
-        for (std::int64_t y = portion.row; y < portion.row + portion.rows; ++y) {
-            if (watch_.isInterrupted())
-                return;
-            own[0] = extent.firstRow + float(y);
-            code(&args);
-            for (std::size_t s = 0; s < count; ++s)
-                sum[s] = joined(loop.sums[s], sum[s],
-                                reduced(loop.sums[s], outputs[s], portion.columns));
-        }
+    const auto runOne = [&](std::size_t number) {
+        runPortion(job, portions[number], sums.data() + number * count);
         watch_.progress(double(++done) / double(portions.size()));
-    });
+    };
+    if (portions.size() == 1)
+        runOne(0);
+    else
+        parallelFor(portions.size(), runOne);
+    maps_.noteSet(loop);
     for (std::size_t s = 0; s < count; ++s) {
         double all = double(begin[s]);
         for (std::size_t portion = 0; portion < portions.size(); ++portion)
             all = joined(loop.sums[s], all, sums[portion * count + s]);
         results[s] = float(all);
+    }
+}
+
+void PixelLoopRun::prepareMaps(const ir::PixelLoop &loop, const Extent &extent) {
+    const bool isFromCorner = extent.firstColumn == 0 && extent.firstRow == 0;
+    maps_.prepare(loop, isFromCorner ? extent.columns : 0, isFromCorner ? extent.rows : 0);
+    for (int map : loop.mapsRead)
+        if (maps_.wantsHalos(map) && readsBeyond(loop, extent, map, args_->maps[map])) {
+            fillHalos(args_->maps[map]);
+            maps_.noteHalosFilled(map);
+        }
+}
+
+void PixelLoopRun::runPortion(const Job &job, const Portion &portion, double *sums) {
+    const std::vector<ir::Reduction> &kinds = job.loop.sums;
+    const std::size_t width = wholeBlocks(portion.columns);
+    std::vector<float> values(kinds.size() * width);
+    std::vector<float *> outputs;
+    for (std::size_t s = 0; s < kinds.size(); ++s) {
+        outputs.push_back(values.data() + s * width);
+        sums[s] = beginningOf(kinds[s]);
+    }
+    std::vector<float> captured(job.captured, job.captured + job.loop.captured);
+    captured.insert(captured.begin(), 0); // The row.
+    Inputs inputs;
+    std::copy_n(args_->inputs, inputs.size(), inputs.begin());
+    inputs[std::size_t(ShaderInput::column)] = job.columns.data() + portion.column;
+
+    ShaderArgs args = *args_;
+    args.count = std::int32_t(portion.columns);
+    args.inputs = inputs.data();
+    args.captured = captured.data();
+    args.capturedArrays = job.arrays;
+    args.firstColumn = wholeColumn(job.extent.firstColumn + float(portion.column));
+    args.outputs = outputs.data();
+    for (std::int64_t y = portion.row; y < portion.row + portion.rows; ++y) {
+        if (watch_.isInterrupted())
+            return;
+        captured[0] = job.extent.firstRow + float(y);
+        job.code(&args);
+        for (std::size_t s = 0; s < kinds.size(); ++s)
+            sums[s] = joined(kinds[s], sums[s], reduced(kinds[s], outputs[s], portion.columns));
     }
 }
 

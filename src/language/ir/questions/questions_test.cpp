@@ -23,7 +23,7 @@ TEST(Questions, EachBelongsToOneKindAndHasItsOwnName) {
               (std::vector{Question::Light, Question::Emission}));
 }
 
-TEST(Questions, AreAskedOfEveryKindThatHasOutputs) {
+TEST(Questions, AreAskedOfEveryKindThatRuns) {
     constexpr int outputs[] = {
 #define SHADER_OUTPUT(name) +1
 #define SHADER_KIND(name, letter, text, light, runs, outputs) 0 outputs,
@@ -32,7 +32,11 @@ TEST(Questions, AreAskedOfEveryKindThatHasOutputs) {
 #undef SHADER_OUTPUT
     };
     for (int kind = 0; kind < sl::shaderKindCount; ++kind)
-        EXPECT_EQ(questionsOf(sl::ShaderKind(kind)).empty(), outputs[kind] == 0) << kind;
+        EXPECT_EQ(questionsOf(sl::ShaderKind(kind)).empty(),
+                  sl::runsFor(sl::ShaderKind(kind)) == sl::RunsFor::Never)
+            << kind;
+    for (int kind = 0; kind < sl::shaderKindCount; ++kind)
+        EXPECT_EQ(sl::runsFor(sl::ShaderKind(kind)) == sl::RunsFor::Points, outputs[kind] > 0);
     EXPECT_TRUE(isPlanned(sl::ShaderKind::Surface));
     EXPECT_FALSE(isPlanned(sl::ShaderKind::Light));
 }
