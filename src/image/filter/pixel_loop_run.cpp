@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <immintrin.h>
 #include <limits>
 
 namespace candela {
@@ -240,6 +241,7 @@ void PixelLoopRun::runPortion(const Job &job, const Portion &portion, double *su
         for (std::size_t s = 0; s < kinds.size(); ++s)
             sums[s] = joined(kinds[s], sums[s], reduced(kinds[s], outputs[s], portion.columns));
     }
+    _mm_sfence(); // Rows may have gone past the caches.
 }
 
 } // namespace candela

@@ -226,6 +226,36 @@ TEST_P(PixelLoops, AreThoseThatMayBeAndGiveWhatTheTextSays) {
 INSTANTIATE_TEST_SUITE_P(Table, PixelLoops, testing::ValuesIn(rows),
                          [](const auto &info) { return std::string(info.param.name); });
 
+/// Pictures that no cache holds are set past the caches; the next loop sees what was set, also
+/// where rows do not begin on a line of the cache.
+TEST(PixelLoops, LargePicturesAreSetWhole) {
+    DiagnosticList diagnostics;
+    const auto whole = filterText("filter f() { float x, y; " ALL_PIXELS
+                                  "setimage(\"t\", x, y, 2 * color image(\"Cs\", x, y));"
+                                  "for (y = 1; y < ysize; y += 1) for (x = 3; x < xsize; x += 1)"
+                                  " setimage(\"Ci\", x - 3, y, color image(\"t\", x, y - 1)); }",
+                                  diagnostics);
+    ASSERT_TRUE(whole) << diagnostics.text();
+    const int width = 2060, height = 2100;
+    for (const int lanes : {1, laneBlock}) {
+        ImageMaps maps;
+        maps.set("Ci", testPicture(width, height));
+        const OwnedImage given = testPicture(width, height);
+        CompiledFilter filter(*whole, lanes);
+        EXPECT_EQ(filter.code->driver().pixelLoops.size(), 2u);
+        filter.run(maps);
+        const OwnedImage &made = *maps.find("Ci");
+        for (int c = 0; c < 3; ++c)
+            for (int y = 0; y < height; ++y)
+                for (int x = 0; x < width; ++x)
+                    if (y == 0 || x >= width - 3)
+                        ASSERT_EQ(made.row(c, y)[x], given.row(c, y)[x]) << x << " " << y;
+                    else
+                        ASSERT_EQ(made.row(c, y)[x], 2 * given.row(c, y - 1)[x + 3])
+                            << x << " " << y;
+    }
+}
+
 /// Texts that would keep the proofs busy for ever, or end their stack.
 TEST(PixelLoops, LongTextsAreReadInTime) {
     std::string squares = "filter f() { float x, y, t = .5; ",

@@ -285,7 +285,24 @@ void ImageAccess::storeRow(const Instruction &i, const Row &row) {
         });
 }
 
-/// Components [first, end) of a row. Where masking costs, one test finds out whether all lanes run.
+/// A row of a map that no cache would keep goes past the caches, where all lanes run: what is to be
+/// set need not be read first. (Whoever runs pixel loops makes it visible to others.)
+Value *ImageAccess::goesPastCaches(const Instruction &i, const Row &row, Value *mask) {
+    constexpr int floatsOfLargePlane = 1 << 22;
+    auto *integer = code_.integerType;
+    Value *height = mapField(i, offsetof(ImageMap, height), integer);
+    Value *stride = mapField(i, offsetof(ImageMap, rowStride), integer);
+    Value *isLarge = arguments_.atHead([&] {
+        return builder_.CreateICmpUGE(builder_.CreateMul(height, stride),
+                                      builder_.getInt32(floatsOfLargePlane));
+    });
+    const auto line = std::uint64_t(16); // Floats.
+    Value *isAligned =
+        builder_.CreateIsNull(builder_.CreateAnd(row.index, builder_.getInt64(line - 1)));
+    return builder_.CreateAnd(builder_.CreateAnd(isLarge, isAligned), code_.lanes.all(mask));
+}
+
+/// Components [first, end) of a row.
 void ImageAccess::setRow(const Instruction &i, const Row &row, int first, int end) {
     const bool isColor = i.operands.size() > 3;
     Value *mask = code_.masks.current();
@@ -294,14 +311,24 @@ void ImageAccess::setRow(const Instruction &i, const Row &row, int first, int en
             store(values_.get(i.operands[std::size_t(2 + (isColor ? c : 0))], Uniformity::Varying),
                   pixels(i, row, c));
     };
-    const auto part = [&] {
+    const auto pastCaches = [&](Value *value, Value *to) {
+        llvm::LLVMContext &context = code_.module.getContext();
+        auto *one = llvm::ConstantAsMetadata::get(builder_.getInt32(1));
+        auto *store = builder_.CreateAlignedStore(value, to, llvm::Align(64));
+        store->setMetadata(llvm::LLVMContext::MD_nontemporal, llvm::MDNode::get(context, one));
+    };
+    const auto masked = [&] {
         each([&](Value *value, Value *to) { code_.lanes.maskedStore(value, to, mask); });
     };
-    if (!code_.lanes.maskingCosts())
-        return part();
+    const auto whole = [&] {
+        each([&](Value *value, Value *to) { code_.lanes.store(value, to); });
+    };
+    const auto throughCaches = [&] {
+        code_.lanes.maskingCosts() ? void(branchOn(code_, code_.lanes.all(mask), whole, masked))
+                                   : masked();
+    };
     branchOn(
-        code_, code_.lanes.all(mask),
-        [&] { each([&](Value *value, Value *to) { code_.lanes.store(value, to); }); }, part);
+        code_, goesPastCaches(i, row, mask), [&] { each(pastCaches); }, throughCaches);
 }
 
 // --- Either --------------------------------------------------------------------------------------

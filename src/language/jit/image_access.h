@@ -43,6 +43,7 @@ private:
     Value *pixels(const ir::Instruction &, const Row &, int component);
     Values placesInRow(const ir::Instruction &, const Row &);
     void storeRow(const ir::Instruction &, const Row &);
+    Value *goesPastCaches(const ir::Instruction &, const Row &, Value *mask);
     void setRow(const ir::Instruction &, const Row &, int first, int end);
     /// Where the values are then.
     Values lookUpAnywhere(const ir::Instruction &, ir::Uniformity);
