@@ -127,9 +127,8 @@ int main(int argc, char **argv) {
     std::printf("{\"level\": \"%s\", \"threads\": %d, \"filters\": {\n", nameOf(instructionSet()),
                 threadCount());
     report("ward94", 3840, 2160, rounds, byHand.ward94, false);
-    if (argc < 3)
     report("box21", 1920, 1080, rounds, byHand.box21, false);
-    report("reinhard02", 960, 540, std::max(1, rounds / 5), nullptr, true);
+    report("nlmeans", 960, 540, std::max(1, rounds / 5), nullptr, true);
     std::printf("}}\n");
     return 0;
 }

@@ -2,6 +2,7 @@
 #include "shader_trial.h"
 
 #include "code_trial.h"
+#include "filter_trial.h"
 #include "runs.h"
 
 #include "language/ir/analyse/control_relevance.h"
@@ -22,17 +23,16 @@ using ir::Question;
 /// A whole text after folding and the light rule, its slices and a batch of points.
 class ShaderTrial {
 public:
-    ShaderTrial(ir::Function whole, Batch batch, bool isSurface, Monitor &monitor)
-        : whole_(std::move(whole)), batch_(std::move(batch)), isSurface_(isSurface),
-          monitor_(monitor) {}
+    ShaderTrial(ir::Function whole, Batch batch, sl::ShaderKind kind, Monitor &monitor)
+        : whole_(std::move(whole)), batch_(std::move(batch)), kind_(kind),
+          isSurface_(kind == sl::ShaderKind::Surface), monitor_(monitor) {}
 
     std::string slice() {
         if (isSurface_) {
             monitor_.enter(Stage::Facts, "surfaceFacts");
             ir::surfaceFacts(whole_);
         }
-        const auto kind = isSurface_ ? sl::ShaderKind::Surface : sl::ShaderKind::Light;
-        for (const Question question : ir::questionsOf(kind)) {
+        for (const Question question : ir::questionsOf(kind_)) {
             monitor_.enter(Stage::Slice, nameOf(question));
             const ir::Function &function =
                 slices_.emplace(question, ir::slice(whole_, question)).first->second;
@@ -49,7 +49,7 @@ public:
         countNumbers(lit);
         ++monitor_.tally().interpreted;
         if (!isSurface_)
-            return expectOutputs(Question::Light, Light::Given, lit, {{"L", "L"}, {"Cl", "Cl"}});
+            return expectOutputs(ir::questionsOf(kind_).front(), Light::Given, lit, ownOutputs());
         std::string problem =
             expectOutputs(Question::Shade, Light::Given, lit, {{"Ci", "Ci"}, {"Oi", "Oi"}});
         if (!problem.empty())
@@ -82,6 +82,13 @@ private:
         const char *slice, *whole;
     };
 
+    /// Those of the kind that the text has.
+    std::vector<Names> ownOutputs() const {
+        if (kind_ == sl::ShaderKind::Light)
+            return {{"L", "L"}, {"Cl", "Cl"}};
+        return {{"Ci", "Ci"}, {"Oi", "Oi"}, {"alpha", "alpha"}};
+    }
+
     std::string expectOutputs(Question question, Light light, const RunResult &whole,
                               const std::vector<Names> &names) {
         monitor_.enter(Stage::Interpret, nameOf(question));
@@ -107,6 +114,7 @@ private:
 
     ir::Function whole_;
     Batch batch_;
+    sl::ShaderKind kind_;
     bool isSurface_;
     Monitor &monitor_;
     std::map<Question, ir::Function> slices_;
@@ -149,7 +157,7 @@ std::string tryUnder(ir::LightRule rule, const ir::LoweredShader &shader, Chance
         whole = ir::applyLightRule(whole, rule);
     }
     batch.fit(whole);
-    ShaderTrial trial(std::move(whole), std::move(batch), isSurface, monitor);
+    ShaderTrial trial(std::move(whole), std::move(batch), shader.kind, monitor);
     std::string problem = trial.slice();
     if (problem.empty())
         problem = trial.interpret();
@@ -170,6 +178,8 @@ std::string tryLowered(const ir::LoweredShader &shader, Chance &chance,
     if (const std::string problem = ir::verify(shader.whole); !problem.empty())
         return "lowers to an invalid function\n" + problem;
     ir::print(shader.whole);
+    if (shader.kind == sl::ShaderKind::Filter)
+        return tryFilter(shader, monitor);
     if (settings.thoroughness == Thoroughness::Share)
         return tryUnder(chance.pick(std::array{ir::LightRule::Classic, ir::LightRule::Path}),
                         shader, chance, settings, monitor);
