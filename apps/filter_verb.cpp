@@ -61,7 +61,8 @@ void addFilter(CLI::App &app, int &status) {
         "R, G, B as filtered; a PNG picture gets R, G, B, A alone.\n"
         "Exit status: 0 all went well, 1 something was wrong and has been reported, 2 the command "
         "line cannot be understood, 130 interrupted: nothing is written.");
-    filter->add_option("in", s.input, "A picture (EXR or PNG)");
+    filter->add_option("in", s.input,
+                       "A picture: EXR, or PNG, whose values are taken to be sRGB and made linear");
     filter->add_option("out", s.output, "The picture to write: .png, else EXR");
     filter
         ->add_option("-f,--filter", s.filters,

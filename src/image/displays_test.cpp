@@ -353,6 +353,8 @@ TEST(Imaging, SrgbCurve) {
                               {-.5f, -.735357f}};
     for (const auto &[light, value] : table)
         EXPECT_NEAR(srgbCurve(light), value, 1e-5f) << light;
+    for (const float light : {-1.5f, 0.f, .001f, .0031308f, .01f, .18f, 1.f, 3.f})
+        EXPECT_NEAR(linearOfSrgb(srgbCurve(light)), light, 1e-6f * std::max(1.f, std::abs(light)));
 }
 
 TEST(Imaging, QuantiseTable) {

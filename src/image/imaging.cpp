@@ -20,6 +20,13 @@ float srgbCurve(float value) {
     return std::copysign(curved, value);
 }
 
+float linearOfSrgb(float value) {
+    const float size = std::abs(value);
+    const float light =
+        size <= 12.92f * .0031308f ? size / 12.92f : std::pow((size + .055f) / 1.055f, 2.4f);
+    return std::copysign(light, value);
+}
+
 float ditherNoise(int x, int y, int component) {
     const std::uint64_t pixel = std::uint64_t(std::uint32_t(y)) << 32 | std::uint32_t(x);
     const std::uint64_t bits = mixBits(mixBits(pixel) + std::uint64_t(component) + 1);

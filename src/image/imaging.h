@@ -13,6 +13,9 @@ float exposed(float value, float gain, float gamma);
 /// The curve of sRGB, from linear light; negative light keeps its sign.
 float srgbCurve(float value);
 
+/// Back from it to linear light.
+float linearOfSrgb(float value);
+
 /// Uniform in [-1, 1): a hash of the pixel and the component, so that a picture does not depend on
 /// the order of the work.
 float ditherNoise(int x, int y, int component);

@@ -65,8 +65,9 @@ void setMap(ImageMaps &maps, const std::string &name, const Picture &picture) {
     const Planes planes = channelsOfMap(picture, name);
     if (planes.empty() && name == "Oi") { // Who says nothing of opacity has an opaque picture.
         const std::vector<float> opaque(picture.window.pixels(), 1);
-        maps.set(name, OwnedImage(picture.window.columns(), picture.window.rows(), 1));
-        maps.setPlane(name, 0, opaque);
+        maps.set(name, OwnedImage(picture.window.columns(), picture.window.rows(), colorSamples));
+        for (int c = 0; c < colorSamples; ++c)
+            maps.setPlane(name, c, opaque);
     }
     if (planes.empty())
         return;

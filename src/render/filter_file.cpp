@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <new>
 #include <unistd.h>
 
@@ -32,6 +33,20 @@ bool isPng(const std::string &path) {
 
 bool isColor(const std::string &channel) {
     return channel == "R" || channel == "G" || channel == "B";
+}
+
+/// A PNG picture holds display values by the curve of sRGB, filters want light.
+void makeLinear(Picture &picture) {
+    for (PictureChannel &channel : picture.channels)
+        if (isColor(channel.name) || channel.name == "Y")
+            for (float &value : channel.values)
+                value = linearOfSrgb(value);
+}
+
+bool holdsPng(const std::string &path) {
+    std::array<char, 8> start{};
+    std::ifstream(path, std::ios::binary).read(start.data(), start.size());
+    return looksLikePng({start.data(), start.size()});
 }
 
 void expose(Picture &picture, const std::array<float, 2> &exposure) {
@@ -112,6 +127,8 @@ private:
             picture = readPicture(settings_.input, problem);
         if (!picture)
             return fail(problem);
+        if (holdsPng(settings_.input))
+            makeLinear(*picture);
         return filter(stack, *picture);
     }
 
@@ -121,7 +138,7 @@ private:
         if (!problem.empty())
             return fail(settings_.input + ": " + problem);
         const std::vector<std::string> given = maps.names();
-        makeFinite(*maps.find("Ci"), console_);
+        makeFinite(*maps.find("Ci"), "the picture", console_);
         console_.begin("filtering");
         interrupted_ = runFilters(stack, maps, console_, console_).interrupted;
         if (interrupted_)

@@ -55,6 +55,8 @@ FilteringOutcome runFilters(const FilterStack &stack, ImageMaps &maps, Console &
         outcome.done = all;
     else
         outcome.interrupted = true;
+    if (outcome.done > 0)
+        makeFinite(*maps.find("Ci"), "what filters made", diagnostics);
     return outcome;
 }
 

@@ -68,7 +68,7 @@ bool BoundMaps::fits(const std::string &map, const OwnedImage &image, const Uses
                        fmt::format("the map \"{}\" has {} channel{}, but is set to a color here; "
                                    "the filter \"{}\" is left out",
                                    map, image.channels(), image.channels() == 1 ? "" : "s",
-                                   driver_.name));
+                                   filterName()));
     return false;
 }
 
@@ -150,9 +150,11 @@ void BoundMaps::resize(const std::string &name, float width, float height,
     const int channels = before ? before->channels() : colorSamples;
     if (!(w >= 1 && h >= 1 && double(w) * double(h) * channels <= mostNumbers)) {
         SourceLocation where{std::make_shared<const std::string>(site.file), site.line};
-        diagnostics_.error(where, fmt::format("setsize(): the map \"{}\" cannot have {} x {} "
-                                              "pixels; it stays as it is",
-                                              name, width, height));
+        diagnostics_.error(
+            where, fmt::format("setsize(): the map \"{}\" cannot have {} x {} pixels (1 to {} "
+                               "numbers are allowed); the filter is left out",
+                               name, width, height, mostNumbers));
+        failed_ = true;
         return;
     }
     OwnedImage made(int(w), int(h), channels);

@@ -7,6 +7,7 @@
 #include "language/ir/core/ir.h"
 #include "language/runtime/services.h"
 
+#include <atomic>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,7 +24,8 @@ public:
     /// False if the filter cannot run with the maps that are there.
     bool bind();
     const ImageMap *views() const { return views_.data(); }
-    /// setsize(): a black image of that size takes the place of the map.
+    /// setsize(): a black image of that size takes the place of the map. One that cannot be had is
+    /// reported, and the filter is left out.
     void resize(const std::string &name, float width, float height, const ServiceSite &);
     /// Before a pixel loop that runs over `columns` x `rows` pixels from (0, 0) on, or (0 x 0) over
     /// others: what it leaves as it is of "Ci" must be there.
@@ -33,6 +35,8 @@ public:
     void noteHalosFilled(int map);
     /// A pixel loop has set maps.
     void noteSet(const ir::PixelLoop &);
+    /// The filter is not to go on, and leaves the picture as it is.
+    bool failed() const { return failed_; }
     /// "Ci" is what the filter has made of it.
     void handOver();
 
@@ -53,6 +57,8 @@ private:
     bool bindOwn(std::size_t number, const Uses &);
     bool fits(const std::string &map, const OwnedImage &, const Uses &);
     SourceLocation placeOf(const ir::Instruction &) const;
+    /// The driver is named for its question: "ward94.filter".
+    std::string filterName() const { return driver_.name.substr(0, driver_.name.rfind('.')); }
 
     const ir::Function &driver_;
     ImageMaps &maps_;
@@ -61,6 +67,7 @@ private:
     std::optional<OwnedImage> picture_; ///< "Ci".
     int pictureNumber_ = -1;            ///< Among the driver's maps.
     bool isFilled_ = false;             ///< Pixels that are not set hold what was given.
+    std::atomic<bool> failed_{false};
     std::vector<ImageMap> views_;
     std::vector<Halos> halos_; ///< Of each map.
 };

@@ -48,7 +48,10 @@ ShaderCallbacks callbacksOf(Context &context) {
         const ShaderCallbacks &all = contextOf(pointer).filter.callbacks();
         all.serviceAbsent(all.context, service, file, line);
     };
-    callbacks.goOn = [](void *pointer) { return contextOf(pointer).watch.goesOn(); };
+    callbacks.goOn = [](void *pointer) {
+        const Context &context = contextOf(pointer);
+        return !context.maps.failed() && context.watch.goesOn();
+    };
     return callbacks;
 }
 
@@ -79,7 +82,7 @@ void runFilter(const FilterCode &filter, ImageMaps &all, FilterWatch &watch,
     args.services = &services;
     loops.bind(args);
     filter.run(args);
-    if (!watch.isInterrupted())
+    if (!watch.isInterrupted() && !maps.failed())
         maps.handOver();
 }
 

@@ -70,7 +70,7 @@ CANDELA_HOT int countNotFinite(const float *row, int count) {
 
 } // namespace
 
-void makeFinite(OwnedImage &image, DiagnosticSink &diagnostics) {
+void makeFinite(OwnedImage &image, const std::string &what, DiagnosticSink &diagnostics) {
     std::atomic<std::int64_t> bad{0};
     parallelFor(std::size_t(image.height()), [&](std::size_t y) {
         for (int c = 0; c < image.channels(); ++c)
@@ -82,9 +82,9 @@ void makeFinite(OwnedImage &image, DiagnosticSink &diagnostics) {
             }
     });
     if (bad > 0)
-        diagnostics.warning({}, fmt::format("{} values of the picture are not finite (inf or nan); "
-                                            "the filters get 0 for them",
-                                            bad.load()));
+        diagnostics.warning({}, fmt::format("{} values of {} are not finite (inf or nan); they "
+                                            "count as 0",
+                                            bad.load(), what));
 }
 
 std::vector<std::string> FilterStack::mapsRead() const {
@@ -105,6 +105,9 @@ bool FilterStack::run(ImageMaps &maps, const FilterListeners &listeners) const {
     FilterWatch watch(listeners);
     int done = 0;
     for (const auto &filter : filters_) {
+        if (done > 0)
+            makeFinite(*maps.find("Ci"), "what the filter before \"" + filter->name() + "\" made",
+                       listeners.diagnostics);
         watch.begin(filter->name(), done++);
         runFilter(*filter, maps, watch, listeners.diagnostics);
         if (watch.isInterrupted())

@@ -25,9 +25,9 @@ struct FilterListeners {
     std::function<bool()> interrupted;
 };
 
-/// What is not finite becomes 0, and is counted and told: one such pixel would spread over its
-/// neighbourhood, or the whole picture.
-void makeFinite(OwnedImage &, DiagnosticSink &);
+/// What is not finite becomes 0, and is counted and told (of `what`, "the picture"): one such pixel
+/// would spread over its neighbourhood, or the whole picture.
+void makeFinite(OwnedImage &, const std::string &what, DiagnosticSink &);
 
 /// A stack of filters, compiled.
 class FilterStack {
@@ -47,8 +47,8 @@ public:
     std::vector<MapInfo> mapsSet() const;
 
     /// Runs the filters in order over the maps, each one's Ci being the next one's Cs. `maps` holds
-    /// "Ci", of finite numbers. False if it was interrupted: then Ci is what the last whole filter
-    /// made of it.
+    /// "Ci", of finite numbers, and what a filter makes is made so for the next one. False if it
+    /// was interrupted: then Ci is what the last whole filter made of it.
     bool run(ImageMaps &maps, const FilterListeners &) const;
 
 private:

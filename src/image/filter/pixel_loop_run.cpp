@@ -177,7 +177,7 @@ void PixelLoopRun::run(const ir::PixelLoop &loop, ShaderFunction code, const flo
     const std::size_t count = loop.sums.size();
     std::copy_n(begin, count, results);
     const Extent extent = extentOf(loop, given);
-    if (extent.columns == 0 || extent.rows == 0)
+    if (extent.columns == 0 || extent.rows == 0 || maps_.failed())
         return;
     prepareMaps(loop, extent);
     const Job job{loop, code, extent, columnsOf(extent), captured, arrays};

@@ -36,6 +36,8 @@ int ownWeight(const Instruction &i) {
     case Op::Call: return 4 + int(i.operands.size() + i.results.size());
     case Op::Query:
     case Op::Command: return 20 + int(i.operands.size() + i.results.size());
+    case Op::ImageLoad: return 30 + 4 * int(i.results.size()); // In a row, or anywhere.
+    case Op::ImageStore: return 30 + 8 * int(i.operands.size());
     case Op::Output:
     case Op::FrameStore: return 4;
     default: return ir::info(i.op).kind == ir::OpClass::Transcendental ? 4 : 1;

@@ -15,6 +15,13 @@ float clampedTo(float x, int size) {
     return x > 0 ? std::min(x, float(size - 1)) : 0; // NaN: 0.
 }
 
+/// A coordinate, no farther from the picture than the filter reaches: from there on all pixels hold
+/// what the border holds.
+float placeNear(float x, float reach, int size) {
+    const float least = -reach - 1, most = float(size) + reach;
+    return x == x ? std::min(std::max(x, least), most) : 0;
+}
+
 /// Pixels along an axis and their weights, which sum to 1.
 struct Footprint {
     int first = 0, count = 1;
@@ -72,13 +79,13 @@ float usableWidth(ImageFilter filter, float width) {
 Footprint footprint(ImageFilter filter, float x, float width, int size) {
     Footprint result;
     result.filter = filter;
-    result.center = clampedTo(x, size);
     result.width = usableWidth(filter, width);
     if (filter == ImageFilter::Nearest) {
-        result.first = int(std::floor(result.center + .5f));
+        result.first = int(std::floor(clampedTo(x, size) + .5f));
         return result;
     }
     const float reach = reachOf(filter, result.width);
+    result.center = placeNear(x, reach, size);
     result.first = int(std::ceil(result.center - reach));
     result.count = std::max(1, int(std::floor(result.center + reach)) - result.first + 1);
     float sum = 0;
@@ -149,10 +156,10 @@ void lookUpImage(const ImageMap &map, ImageFilter filter, int results, int laneC
             at.x = clampedTo(operand(LookupOperand::X, lane), map.width);
             at.y = clampedTo(operand(LookupOperand::Y, lane), map.height);
             if (filter != ImageFilter::Bilinear) {
-                at.alongX =
-                    footprint(filter, at.x, operand(LookupOperand::XWidth, lane), map.width);
-                at.alongY =
-                    footprint(filter, at.y, operand(LookupOperand::YWidth, lane), map.height);
+                at.alongX = footprint(filter, operand(LookupOperand::X, lane),
+                                      operand(LookupOperand::XWidth, lane), map.width);
+                at.alongY = footprint(filter, operand(LookupOperand::Y, lane),
+                                      operand(LookupOperand::YWidth, lane), map.height);
             }
         }
         const int first = channelOf(operand(LookupOperand::Channel, lane));

@@ -96,7 +96,7 @@ void run(const std::vector<Filter> &filters, ImageMaps &maps, const Ways &ways,
         records.push_back(filter.record());
     const FilterStack stack(records, library, Options());
     const ThreadLimit limit(ways.threads);
-    makeFinite(*maps.find("Ci"), diagnostics);
+    makeFinite(*maps.find("Ci"), "the picture", diagnostics);
     EXPECT_TRUE(stack.run(maps, {diagnostics, {}, {}}));
     if (messages)
         *messages = diagnostics.text();

@@ -19,6 +19,14 @@ Components builtin(Lowering &lowering, const sl::Expr &expr) {
     BuiltinCall call{lowering, lowering.b, expr, {}};
     for (const sl::ExprPtr &operand : expr.operands)
         call.arguments.push_back(evaluate(lowering, *operand));
+    const sl::Lowering means = expr.overload->function->lowering;
+    const bool asksSurface = means == sl::Lowering::Light || means == sl::Lowering::Derive;
+    if (asksSurface && sl::runsFor(lowering.shader.kind) == sl::RunsFor::Picture) {
+        lowering.messages.error(expr.where,
+                                std::string(expr.overload->function->name) +
+                                    "() is about points of surfaces; a filter is given a picture");
+        return zero(lowering.b, expr.overload->result);
+    }
     if (derivativeBuiltin(call.id()))
         lowering.derivatives.try_emplace(lowering.b.line(), expr.where);
     for (const auto subject : {mathsBuiltin, geometryBuiltin, spaceBuiltin, colorBuiltin,

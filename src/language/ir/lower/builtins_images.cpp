@@ -7,6 +7,7 @@
 #include "language/ir/lower/builtins.h"
 #include "language/ir/lower/place_scope.h"
 
+#include <algorithm>
 #include <string_view>
 
 namespace candela::ir {
@@ -31,7 +32,14 @@ std::string mapOf(BuiltinCall &call) {
         call.lowering.messages.error(call.expr.where,
                                      function + "() is for filter shaders: other shaders are given "
                                                 "no picture");
-    return call.text(0, ("the name of the map that " + function + "() is about").c_str());
+    const std::string name =
+        call.text(0, ("the name of the map that " + function + "() is about").c_str());
+    const bool isPlain = std::ranges::none_of(name, [](unsigned char c) { return c < ' '; });
+    if (!call.lowering.messages.failed() && (name.empty() || !isPlain))
+        call.lowering.messages.error(call.expr.operands[0]->where,
+                                     "a map has a name of one character or more, none of them a "
+                                     "control character");
+    return name;
 }
 
 /// What may stand behind the coordinates of image().

@@ -39,8 +39,9 @@ bool needsRenderer(const Region &region) {
         switch (info(i.op).kind) {
         case OpClass::Source:
         case OpClass::Random:
+        case OpClass::Image:
         case OpClass::Light: return true;
-        default: return i.op == Op::LightLoop;
+        default: return i.op == Op::LightLoop || i.op == Op::ImageStore;
         }
     });
 }

@@ -81,7 +81,13 @@ Function answerLight(const Function &whole) { return answerWhole(whole); }
 
 Function answerImager(const Function &whole) { return answerWhole(whole); }
 
-Function answerFilter(const Function &whole) { return answerWhole(whole); }
+/// A filter gives nothing but its maps: output parameters have nowhere to go.
+Function answerFilter(const Function &whole) {
+    Function result = whole;
+    removeAll(Op::Output, result.body);
+    result.outputs.clear();
+    return answerWhole(result);
+}
 
 Function answerEmit(const Plan &plan) {
     return specializeUnder(plan, {}, OutputKind::Ci, OutputKind::Ce);
