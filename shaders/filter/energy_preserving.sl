@@ -221,17 +221,25 @@ filter energy_preserving(
                         taken += 1;
                     }
                 }
-                setimage("Ci", x, y, color image("Ci", x, y) - goes);
+                /* The pixel loses what others have got of it, rounding included. */
+                color given = 0, missed = 0;
                 for (k = 0; k < last; k += 1) {
                     i = placex[k];
                     j = placey[k];
-                    if (i * i + j * j <= beyond && receives(x + i, y + j, object, facing) != 0)
-                        setimage("Ci", x + i, y + j,
-                                 color image("Ci", x + i, y + j)
-                                 + goes * (exp((i * i + j * j) * falloff)
-                                           * color image("preserving.seen", x + i, y + j)
-                                           / shares));
+                    if (i * i + j * j <= beyond && receives(x + i, y + j, object, facing) != 0) {
+                        color before = image("Ci", x + i, y + j);
+                        color after = before
+                                    + goes * (exp((i * i + j * j) * falloff)
+                                              * color image("preserving.seen", x + i, y + j)
+                                              / shares);
+                        setimage("Ci", x + i, y + j, after);
+                        color got = (after - before) - missed;
+                        color sum = given + got;
+                        missed = (sum - given) - got;
+                        given = sum;
+                    }
                 }
+                setimage("Ci", x, y, color image("Ci", x, y) - given);
             }
         }
 }

@@ -92,8 +92,10 @@ TEST(EnergyPreserving, OneOutlierGoesOverAsManyPixelsAsHideIt) {
                     continue;
                 ++raised;
                 farthest = std::max(farthest, std::hypot(x - 31, y - 22));
-                EXPECT_NEAR(more, excess / wanted, 1e-4 * visible) << x << " " << y;
-                EXPECT_LE(std::abs(more), visible * (1 + 1e-4));
+                // The pixel itself keeps what the others' roundings make, to half a bit of each.
+                const double kept = x == 31 && y == 22 ? wanted * level * 0x1p-24 : 0;
+                EXPECT_NEAR(more, excess / wanted, 1e-4 * visible + kept) << x << " " << y;
+                EXPECT_LE(std::abs(more), visible * (1 + 1e-4) + kept);
             }
         EXPECT_EQ(raised, wanted) << outlier;
         // A disc, and no more than a pixel wider than one of that many.
