@@ -76,6 +76,35 @@ TEST_F(Filtered, allChannelsAndMetadataGoThrough) {
     EXPECT_EQ(at("out.exr", "R", 0, 0), 1);
 }
 
+/// A PNG picture holds display values by the curve of sRGB: filters are given light.
+TEST_F(Filtered, aPngPictureIsReadAsLight) {
+    run(frameWith(""), {"--spp", "4"});
+    EXPECT_EQ(filter("raw.exr", "plain.exr", {"-f", "show", "what=Cs"}).status, 0);
+    EXPECT_EQ(filter("raw.exr", "first.png", {"-f", "show", "what=Cs"}).status, 0);
+    EXPECT_EQ(filter("first.png", "light.exr", {"-f", "show", "what=Cs"}).status, 0);
+    EXPECT_EQ(filter("first.png", "second.png", {"-f", "show", "what=Cs"}).status, 0);
+    const Picture plain = read("plain.exr"), light = read("light.exr");
+    const Picture first = read("first.png"), second = read("second.png");
+    for (const char *name : {"R", "G", "B"}) {
+        ASSERT_TRUE(plain.find(name) && light.find(name) && second.find(name)) << name;
+        for (std::size_t k = 0; k < plain.find(name)->values.size(); ++k) {
+            const float value = plain.find(name)->values[k];
+            if (value <= 1) {
+                EXPECT_NEAR(light.find(name)->values[k], value, .02f * value + .002f) << name << k;
+            }
+            EXPECT_NEAR(second.find(name)->values[k], first.find(name)->values[k], 1.01f / 255);
+        }
+    }
+}
+
+TEST_F(Filtered, whatIsNotFiniteIsToldOf) {
+    run(frameWith(""));
+    const Outcome outcome = filter("raw.exr", "out.exr", {"-f", "ward94", "L_dmax=0"});
+    EXPECT_TRUE(outcome.says("not finite")) << outcome.text();
+    for (const float value : read("out.exr").find("G")->values)
+        EXPECT_TRUE(std::isfinite(value));
+}
+
 TEST_F(Filtered, mapsOfFiltersAreWrittenWhereTheyAreAskedFor) {
     run(frameWith(""));
     EXPECT_EQ(filter("raw.exr", "out.exr", {"-f", "makes"}).status, 0);
