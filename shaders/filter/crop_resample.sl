@@ -102,10 +102,13 @@ filter crop_resample(
                 setimage("Ci", x, y, color image("Cs", x + left, y + top));
                 setimage("Oi", x, y, color image("crop_resample.opacity", x + left, y + top));
             }
-    } else if (isakernel(kernel) != 0) {
-        resample("Cs", "Ci", kernel, left, top, across, down, newacross, newdown, kernelwidth,
+    } else {
+        string used = kernel;
+        if (isakernel(kernel) == 0)
+            used = "catmull-rom";
+        resample("Cs", "Ci", used, left, top, across, down, newacross, newdown, kernelwidth,
                  negative);
-        resample("crop_resample.opacity", "Oi", kernel, left, top, across, down, newacross,
+        resample("crop_resample.opacity", "Oi", used, left, top, across, down, newacross,
                  newdown, kernelwidth, 0);
     }
 }

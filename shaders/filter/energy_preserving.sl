@@ -8,6 +8,8 @@
    than a fraction to any pixel.
    docs/filters/energy_preserving.md. */
 
+#include "choices.h"
+
 #define ALBEDO_FLOOR .0002
 #define REACH 32      /* Pixels that a disc goes out, at most. */
 #define PLACES 3400   /* More than there are within REACH. */
@@ -43,6 +45,7 @@ filter energy_preserving(
 {
     float x, y, i, j, k;
 
+    checkchoice("by", by, "variance|fraction", "fraction");
     setsize("preserving.seen", xsize, ysize);
     setsize("preserving.object", xsize, ysize);
     setsize("preserving.facing", xsize, ysize);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "adaptation.h"
+#include "choices.h"
 #include "digits.h"
 
 #define TICKS 40 /* at most, of a legend */
@@ -141,6 +142,8 @@ filter falsecolor(
     float contours = 0;            /* 1: lines at the legend's values; 2: on the picture itself */
     float legend = 1;              /* 0: none; 1: on the picture's right; 2: beside it */)
 {
+    checkchoice("quantity", quantity, "luminance|illuminance|matteilluminance", "illuminance");
+    checkchoice("palette", palette, "spectrum|heat|grey", "spectrum");
     float x, y, i, j, n;
     float dots = max(floor(min(xsize / 320, ysize / 240)), 1); /* pixels of a glyph's dot */
     float panel = 56 * dots;

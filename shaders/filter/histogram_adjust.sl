@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 
+#include "choices.h"
+
 #define BINS 100
 
 /* Luminance that can just be told from L, both cd/m^2 (the paper's table 1, after Ferwerda). */
@@ -41,6 +43,8 @@ filter histogram_adjust(
     float frequency[BINS];
     float share[BINS + 1]; /* of what the eye sees: darker than where a bin begins */
     float x, y, i, j, bin;
+
+    checkchoice("contrast", contrast, "human|linear|none", "linear");
 
     /* What the eye sees at a glance: means over a degree. */
     float each = max(floor(xsize / max(fieldofview, 1) + .5), 1);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "adaptation.h"
+#include "choices.h"
 
 /* Scales luminance by one factor: to a white that is given, the brightest pixel, or a mean. */
 filter linear_scale(
@@ -8,6 +9,7 @@ filter linear_scale(
                                      geometric mean, "logmean", .18 */
     float gain = 1;            /* times this */)
 {
+    checkchoice("reference", reference, "maximum|mean|logmean", "maximum");
     float white = L_white;
     if (white <= 0) {
         if (reference == "mean")

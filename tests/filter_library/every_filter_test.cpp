@@ -181,5 +181,35 @@ TEST_P(Adaptation, TheUnitOfLightDoesNotMatter) {
 INSTANTIATE_TEST_SUITE_P(Library, Adaptation, testing::ValuesIn(cases, cases + 12),
                          [](const auto &tested) { return tested.param.name; });
 
+/// A word that a parameter cannot be is told of, and something is made all the same.
+TEST(Words, ThatNoFilterKnowsAreToldOf) {
+    const struct {
+        const char *filter, *parameter;
+    } table[] = {{"linear_scale", "reference"},
+                 {"energy_preserving", "by"},
+                 {"histogram_adjust", "contrast"},
+                 {"falsecolor", "quantity"},
+                 {"falsecolor", "palette"},
+                 {"crop_resample", "kernel"},
+                 {"convolve", "kernel"}};
+    for (const auto &[filter, parameter] : table) {
+        Picture scene(40, 30, {.2, .3, .1});
+        scene.at(3, 4) = {1, 2, 3};
+        Filter wrong = Filter(filter).with(parameter, "nosuch");
+        if (std::string(filter) == "crop_resample")
+            wrong = wrong.with("width", 20);
+        testing::internal::CaptureStdout();
+        ImageMaps maps = mapsOf(scene);
+        setMap(maps, "variance", Picture(40, 30, {1e-6, 1e-6, 1e-6}));
+        for (const char *map : {"albedo", "N", "id"})
+            setMap(maps, map, Picture(40, 30, {.5, .5, .5}));
+        run({wrong}, maps);
+        const Picture made = pictureOf(maps);
+        const std::string said = testing::internal::GetCapturedStdout();
+        EXPECT_NE(said.find("nosuch"), said.npos) << filter << " " << parameter;
+        EXPECT_GT(made.at(2, 2)[1], 0) << filter << " " << parameter;
+    }
+}
+
 } // namespace
 } // namespace candela::filters
