@@ -43,7 +43,7 @@ TEST(PictureMaps, channelsAndLayersAreMaps) {
         {{"R", "G", "B", "radiance.B", "radiance.G", "radiance.R"}, "Ci", {.5f, 1.5f, 2.5f}},
         {{"R", "G", "B", "radiance.B", "radiance.G", "radiance.R"}, "radiance", {5.5f, 4.5f, 3.5f}},
         {{"R", "G", "B", "A"}, "Oi", {3.5f, 3.5f, 3.5f}},
-        {{"R", "G", "B"}, "Oi", {1}},
+        {{"R", "G", "B"}, "Oi", {1, 1, 1}},
         {{"R", "G", "B", "A", "Oi.R", "Oi.G", "Oi.B"}, "Oi", {4.5f, 5.5f, 6.5f}},
         {{"R", "G", "B", "Z"}, "Z", {3.5f}},
         {{"R", "G", "B", "id"}, "id", {3.5f}},
