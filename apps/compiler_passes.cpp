@@ -8,8 +8,6 @@
 #include "language/ir/transform/fold.h"
 #include "world/shading/instance_values.h"
 
-#include <numeric>
-
 namespace candela {
 
 namespace {
@@ -18,13 +16,10 @@ namespace {
 ir::Function withDefaults(const ir::LoweredShader &lowered, DiagnosticSink &diagnostics) {
     const std::vector<float> block =
         parameterBlock(lowered, ShaderRecord(), Options(), diagnostics);
+    if (sl::runsFor(lowered.kind) == sl::RunsFor::Picture)
+        return ir::foldAll(lowered.whole, block);
     std::vector<ir::FoldedValue> folded;
-    std::vector<int> slots = ir::controlRelevantParameters(lowered.whole);
-    if (sl::runsFor(lowered.kind) == sl::RunsFor::Picture) {
-        slots.resize(block.size());
-        std::iota(slots.begin(), slots.end(), 0);
-    }
-    for (const int slot : slots)
+    for (const int slot : ir::controlRelevantParameters(lowered.whole))
         folded.push_back({slot, block[size_t(slot)]});
     return ir::fold(lowered.whole, folded);
 }

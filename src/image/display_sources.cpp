@@ -4,7 +4,6 @@
 #include "foundation/units/color.h"
 
 #include <algorithm>
-#include <functional>
 
 namespace candela {
 
@@ -33,23 +32,10 @@ const OwnedImage *filteredMap(const DisplaySources &sources, const DisplayPlane 
     return set ? sources.filtered->maps.find(name) : nullptr;
 }
 
-/// The mean of all channels.
-std::vector<float> meanOf(int channels, const std::function<std::vector<float>(int)> &plane) {
-    std::vector<float> mean = plane(0);
-    for (int c = 1; c < channels; ++c) {
-        const std::vector<float> other = plane(c);
-        for (std::size_t i = 0; i < mean.size(); ++i)
-            mean[i] += other[i];
-    }
-    for (float &value : mean)
-        value /= float(channels);
-    return mean;
-}
-
 std::vector<float> ofMap(const ImageMaps &maps, const OwnedImage &map, const DisplayPlane &plane) {
     const std::string name = mapName(plane);
     if (plane.source == Source::Alpha)
-        return meanOf(map.channels(), [&](int c) { return maps.plane(name, c); });
+        return meanOfPlanes(map.channels(), [&](int c) { return maps.plane(name, c); });
     return maps.plane(name, std::min(plane.component, map.channels() - 1));
 }
 
@@ -60,7 +46,7 @@ std::vector<float> ofFilm(const Film &film, const DisplayPlane &plane, FilmHalf 
     if (channel < 0)
         return {};
     if (plane.source == Source::Alpha)
-        return meanOf(colorSamples, [&](int c) { return film.mean(channel, c, half); });
+        return meanOfPlanes(colorSamples, [&](int c) { return film.mean(channel, c, half); });
     return film.mean(channel, plane.component, half);
 }
 

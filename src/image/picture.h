@@ -38,6 +38,8 @@ struct Picture {
     std::vector<PictureChannel> channels;
     std::map<std::string, std::string> metadata;
     std::optional<Matrix4> worldToCamera, worldToNdc; ///< Row vectors, as in RI.
+    /// R, G, B (or Y) are display values by the curve of sRGB, as in a PNG file, and not light.
+    bool hasDisplayValues = false;
 
     /// The channel of that name, or null.
     const PictureChannel *find(std::string_view name) const;

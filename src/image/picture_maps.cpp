@@ -104,16 +104,9 @@ std::vector<std::string> channelNames(const Picture &picture, const std::string 
 /// channels, their mean.
 std::vector<float> planeOf(const ImageMaps &maps, const std::string &name, int c, int count) {
     const int channels = maps.find(name)->channels();
-    std::vector<float> values = maps.plane(name, c);
     if (count == channels)
-        return values;
-    for (int other = 1; other < channels; ++other) {
-        const std::vector<float> more = maps.plane(name, other);
-        std::ranges::transform(values, more, values.begin(), std::plus<>());
-    }
-    for (float &value : values)
-        value /= float(channels);
-    return values;
+        return maps.plane(name, c);
+    return meanOfPlanes(channels, [&](int other) { return maps.plane(name, other); });
 }
 
 void putChannel(Picture &picture, const std::string &name, std::vector<float> values) {

@@ -159,6 +159,7 @@ Picture unpack(const Reading &reading) {
     Picture picture;
     picture.window = {width, height, 0, width, 0, height};
     picture.metadata = reading.texts;
+    picture.hasDisplayValues = true;
     const png_byte *at = reading.pixels.data();
     for (const std::string &name : names)
         picture.channels.push_back({name, std::vector<float>(picture.window.pixels())});

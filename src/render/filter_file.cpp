@@ -16,7 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
+#include <fmt/format.h>
 #include <new>
 #include <unistd.h>
 
@@ -35,18 +35,13 @@ bool isColor(const std::string &channel) {
     return channel == "R" || channel == "G" || channel == "B";
 }
 
-/// A PNG picture holds display values by the curve of sRGB, filters want light.
+/// Filters want light.
 void makeLinear(Picture &picture) {
     for (PictureChannel &channel : picture.channels)
         if (isColor(channel.name) || channel.name == "Y")
             for (float &value : channel.values)
                 value = linearOfSrgb(value);
-}
-
-bool holdsPng(const std::string &path) {
-    std::array<char, 8> start{};
-    std::ifstream(path, std::ios::binary).read(start.data(), start.size());
-    return looksLikePng({start.data(), start.size()});
+    picture.hasDisplayValues = false;
 }
 
 void expose(Picture &picture, const std::array<float, 2> &exposure) {
@@ -93,13 +88,6 @@ void note(Picture &picture, const FilterStack &stack) {
     text += (text.empty() ? "" : "; ") + textOf(stack.records(), int(stack.records().size()));
 }
 
-std::string listOf(const std::vector<std::string> &names) {
-    std::string list;
-    for (const std::string &name : names)
-        list += (list.empty() ? "" : ", ") + name;
-    return list;
-}
-
 /// Everything behind the command line; what is wrong is reported.
 class FilterRun {
 public:
@@ -127,7 +115,7 @@ private:
             picture = readPicture(settings_.input, problem);
         if (!picture)
             return fail(problem);
-        if (holdsPng(settings_.input))
+        if (picture->hasDisplayValues)
             makeLinear(*picture);
         return filter(stack, *picture);
     }
@@ -145,9 +133,10 @@ private:
             return fail("interrupted: nothing is written");
         const std::vector<std::string> lost = putMaps(maps, toWrite(stack, given), picture);
         if (!lost.empty())
-            console_.warning({}, "filters have changed the size of the picture, so that these "
-                                 "channels are left out: " +
-                                     listOf(lost));
+            console_.warning({},
+                             fmt::format("filters have changed the size of the picture, so that "
+                                         "these channels are left out: {}",
+                                         fmt::join(lost, ", ")));
         note(picture, stack);
         if (!write(picture, settings_, problem))
             return fail(problem);

@@ -63,8 +63,9 @@ TEST_F(Filtered, imagersChangeNoRawChannel) {
            samples);
     const Picture imaged = read("a.exr");
     for (const PictureChannel &channel : plain.channels)
-        if (channel.name.size() > 1 || channel.name == "Z")
+        if (channel.name.size() > 1 || channel.name == "Z") {
             EXPECT_EQ(imaged.find(channel.name)->values, channel.values) << channel.name;
+        }
 }
 
 TEST_F(Filtered, anImagerThatIsMissingOrFaultyIsLeftOut) {

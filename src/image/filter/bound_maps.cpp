@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "image/filter/bound_maps.h"
 
+#include "image/filter/image_uses.h"
 #include "language/ir/core/op_info.h"
-#include "language/ir/core/regions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ namespace candela {
 
 namespace {
 
-/// Maps that setsize() makes, or that a filter makes by setting them, may have so many numbers.
+/// Maps that setsize() makes may have so many numbers.
 constexpr double mostNumbers = 1 << 30;
 
 } // namespace
@@ -32,32 +32,26 @@ static std::size_t mapOfSize(const ir::Function &function, const ir::Instruction
     return std::size_t(std::ranges::find(function.maps, name) - function.maps.begin());
 }
 
-void BoundMaps::add(std::vector<Uses> &uses, const ir::Function &function) const {
-    ir::forEachInstruction(function.body, [&](const ir::Instruction &i) {
-        if (i.op == ir::Op::Command && serviceOf(function, i).info->service == Service::setsize)
-            uses[mapOfSize(function, i)].isSized = true;
-        if (i.op != ir::Op::ImageLoad && i.op != ir::Op::ImageStore)
-            return;
-        const ir::ImageUse &use = function.images[std::size_t(i.immediate)];
-        Uses &map = uses[std::size_t(use.map)];
-        map.isSerial |= &function == &driver_;
+std::vector<BoundMaps::Uses> BoundMaps::uses() const {
+    std::vector<Uses> uses(driver_.maps.size());
+    ir::forEachInstruction(driver_.body, [&](const ir::Instruction &i) { // Never in pixel loops.
+        if (i.op == ir::Op::Command && serviceOf(driver_, i).info->service == Service::setsize)
+            uses[mapOfSize(driver_, i)].isSized = true;
+    });
+    forEachImageUse(driver_, [&](const MapAccess &access) {
+        const ir::Instruction &i = access.instruction;
+        Uses &map = uses[std::size_t(access.use.map)];
+        map.isSerial |= access.isSerial;
         if (i.op == ir::Op::ImageLoad) {
             map.isRead = true;
             map.read = map.read ? map.read : &i;
         } else {
             map.isSet = true;
-            map.isSetSerial |= &function == &driver_;
-            map.channels = std::max(map.channels, use.values);
-            map.set = map.set && map.channels > use.values ? map.set : &i;
+            map.isSetSerial |= access.isSerial;
+            map.channels = std::max(map.channels, access.use.values);
+            map.set = map.set && map.channels > access.use.values ? map.set : &i;
         }
     });
-}
-
-std::vector<BoundMaps::Uses> BoundMaps::uses() const {
-    std::vector<Uses> uses(driver_.maps.size());
-    add(uses, driver_);
-    for (const ir::PixelLoop &loop : driver_.pixelLoops)
-        add(uses, *loop.body);
     return uses;
 }
 

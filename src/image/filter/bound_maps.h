@@ -51,7 +51,6 @@ private:
         const ir::Instruction *read = nullptr, *set = nullptr;
     };
     std::vector<Uses> uses() const;
-    void add(std::vector<Uses> &, const ir::Function &) const;
     void takePicture(const OwnedImage &given, bool isSerial);
     void fillPicture();
     bool bindOwn(std::size_t number, const Uses &);

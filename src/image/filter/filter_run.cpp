@@ -13,7 +13,6 @@ struct Context {
     const FilterCode &filter;
     BoundMaps &maps;
     FilterWatch &watch;
-    PixelLoopRun &loops;
 };
 
 Context &contextOf(void *pointer) { return *static_cast<Context *>(pointer); }
@@ -67,7 +66,7 @@ void runFilter(const FilterCode &filter, ImageMaps &all, FilterWatch &watch,
         return;
     const float facts[int(PictureFact::Count)] = {float(given->width()), float(given->height())};
     PixelLoopRun loops(filter, maps, watch);
-    Context context{filter, maps, watch, loops};
+    Context context{filter, maps, watch};
     const ShaderServices services = servicesOf(context);
     const ShaderCallbacks callbacks = callbacksOf(context);
     const PixelLoopRunner runner = loops.runner();

@@ -5,7 +5,7 @@
 #include "foundation/base/parallel.h"
 #include "image/filter/filter_run.h"
 #include "image/filter/filter_watch.h"
-#include "language/ir/core/regions.h"
+#include "image/filter/image_uses.h"
 
 #include <algorithm>
 #include <atomic>
@@ -27,25 +27,14 @@ FilterStack::FilterStack(const std::vector<ShaderRecord> &records, ShaderLibrary
 
 namespace {
 
-/// Visits each lookup and each setting of a map, those of the pixel loops included.
-template <typename Visit> void forEachImageUse(const ir::Function &function, Visit visit) {
-    ir::forEachInstruction(function.body, [&](const ir::Instruction &i) {
-        if (i.op == ir::Op::ImageLoad || i.op == ir::Op::ImageStore)
-            visit(i.op, function.images[std::size_t(i.immediate)],
-                  function.maps[std::size_t(function.images[std::size_t(i.immediate)].map)]);
-    });
-    for (const ir::PixelLoop &loop : function.pixelLoops)
-        forEachImageUse(*loop.body, visit);
-}
-
 /// By name, with the most channels of a use.
 std::map<std::string, int> mapsOf(const FilterCode &filter, ir::Op op) {
     std::map<std::string, int> maps;
-    forEachImageUse(filter.driver(),
-                    [&](ir::Op used, const ir::ImageUse &use, const std::string &map) {
-                        if (used == op && map != "Cs" && map != "Ci")
-                            maps[map] = std::max(maps[map], use.values);
-                    });
+    forEachImageUse(filter.driver(), [&](const MapAccess &access) {
+        const std::string &map = filter.driver().maps[std::size_t(access.use.map)];
+        if (access.instruction.op == op && map != "Cs" && map != "Ci")
+            maps[map] = std::max(maps[map], access.use.values);
+    });
     return maps;
 }
 
@@ -64,7 +53,7 @@ bool isFinite(float x) { return std::abs(x) <= std::numeric_limits<float>::max()
 CANDELA_HOT int countNotFinite(const float *row, int count) {
     int bad = 0;
     for (int x = 0; x < count; ++x)
-        bad += !(std::abs(row[x]) <= std::numeric_limits<float>::max());
+        bad += !isFinite(row[x]);
     return bad;
 }
 

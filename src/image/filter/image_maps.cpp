@@ -123,4 +123,16 @@ std::vector<float> ImageMaps::plane(const std::string &name, int channel) const 
     return values;
 }
 
+std::vector<float> meanOfPlanes(int count, const std::function<std::vector<float>(int)> &plane) {
+    std::vector<float> mean = plane(0);
+    for (int c = 1; c < count; ++c) {
+        const std::vector<float> other = plane(c);
+        for (std::size_t i = 0; i < mean.size(); ++i)
+            mean[i] += other[i];
+    }
+    for (float &value : mean)
+        value /= float(count);
+    return mean;
+}
+
 } // namespace candela

@@ -4,6 +4,7 @@
 
 #include "language/runtime/image_map.h"
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -74,5 +75,8 @@ private:
     std::map<std::string, OwnedImage> maps_;
     std::optional<OwnedImage> spare_;
 };
+
+/// The mean of `count` planes, which `plane` gives one by one; count > 0.
+std::vector<float> meanOfPlanes(int count, const std::function<std::vector<float>(int)> &plane);
 
 } // namespace candela

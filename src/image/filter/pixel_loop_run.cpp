@@ -4,6 +4,7 @@
 #include "foundation/base/hot.h"
 #include "foundation/base/parallel.h"
 #include "foundation/base/planes.h"
+#include "language/ir/filter/pixel_loops.h"
 
 #include <algorithm>
 #include <array>
@@ -45,13 +46,6 @@ std::vector<float> columnsOf(const Extent &extent) {
     for (std::size_t k = 0; k < columns.size(); ++k)
         columns[k] = extent.firstColumn + float(k);
     return columns;
-}
-
-double beginningOf(ir::Reduction reduction) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    return reduction == ir::Reduction::Sum     ? 0
-           : reduction == ir::Reduction::Least ? infinity
-                                               : -infinity;
 }
 
 struct Sum {
@@ -97,9 +91,9 @@ double joined(ir::Reduction reduction, double a, double b) {
 /// Of a row: sixteen sums of every sixteenth value, then these one after another.
 double reduced(ir::Reduction reduction, const float *values, std::int64_t count) {
     alignas(64) std::array<double, laneBlock> parts;
-    parts.fill(beginningOf(reduction));
+    parts.fill(ir::neutralOf(reduction));
     joinRow(reduction, values, count, parts.data());
-    double all = beginningOf(reduction);
+    double all = ir::neutralOf(reduction);
     for (double part : parts)
         all = joined(reduction, all, part);
     return all;
@@ -218,7 +212,7 @@ void PixelLoopRun::runPortion(const Job &job, const Portion &portion, double *su
     std::vector<float *> outputs;
     for (std::size_t s = 0; s < kinds.size(); ++s) {
         outputs.push_back(values.data() + s * width);
-        sums[s] = beginningOf(kinds[s]);
+        sums[s] = ir::neutralOf(kinds[s]);
     }
     std::vector<float> captured(job.captured, job.captured + job.loop.captured);
     captured.insert(captured.begin(), 0); // The row.

@@ -76,6 +76,10 @@ const Row rows[] = {
                 " a[i] = image(\"Z\", x + i - 4, y);"
                 " setimage(\"Ci\", x, y, a[floor(8 * float image(\"Z\", x, y))]); }",
      1},
+    {"asks",
+     ALL_PIXELS "{ float v = 3, known = option(\"nosuch\", v);"
+                " setimage(\"Ci\", x, y, image(\"Cs\", x, y) + known + v); }",
+     1},
     // From one loop to the next
     {"twoPasses",
      ALL_PIXELS "setimage(\"t\", x, y, image(\"Cs\", x, y) * 2);" ALL_PIXELS

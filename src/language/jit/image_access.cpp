@@ -132,17 +132,17 @@ Value *ImageAccess::beyondColumn(ir::ValueId id) {
     return made->op == Op::Add ? builder_.CreateFAdd(rest, more) : builder_.CreateFSub(rest, more);
 }
 
-/// Whether the text says that the lanes' pixels stand side by side. Code is written to find out.
-bool ImageAccess::isRow(const Instruction &i) {
+/// As beyondColumn(), where the text says that the lanes' pixels stand side by side; else null.
+Value *ImageAccess::beyondColumnOfRow(const Instruction &i) {
     const auto isUniform = [&](LookupOperand k) {
         return values_.uniformity(i.operands[std::size_t(k)]) == Uniformity::Uniform;
     };
     if (code_.lanes.width() == 1 || !isUniform(LookupOperand::Y))
-        return false;
+        return nullptr;
     if (i.op == Op::ImageLoad &&
         (use(i).filter > runtime::ImageFilter::Bilinear || !isUniform(LookupOperand::Channel)))
-        return false;
-    return beyondColumn(i.operands[0]) != nullptr;
+        return nullptr;
+    return beyondColumn(i.operands[0]);
 }
 
 /// Maps do not change their sizes while a pixel loop runs.
@@ -203,7 +203,7 @@ Value *ImageAccess::takesRows(const Instruction &i) {
     return values > 1 ? is(values) : builder_.CreateOr(is(1), is(3));
 }
 
-ImageAccess::Row ImageAccess::row(const Instruction &i) {
+ImageAccess::Row ImageAccess::row(const Instruction &i, Value *beyond) {
     auto *integer = code_.integerType;
     const auto number = [&](int n) { return builder_.getInt32(std::uint32_t(n)); };
     const auto whole = [&](Value *x) {
@@ -216,7 +216,7 @@ ImageAccess::Row ImageAccess::row(const Instruction &i) {
     };
     Value *width = mapField(i, offsetof(ImageMap, width), integer);
     Value *height = mapField(i, offsetof(ImageMap, height), integer);
-    Value *beyond = beyondColumn(i.operands[0]), *y = values_.get(i.operands[1]);
+    Value *y = values_.get(i.operands[1]);
     Value *plain = builder_.CreateAnd(whole(beyond), whole(y), "whole");
 
     Value *last = builder_.CreateSub(height, number(1));
@@ -339,10 +339,11 @@ void ImageAccess::load(const Instruction &i) {
         return;
     const Uniformity uniformity = values_.uniformity(i.results[0]);
     Values places;
-    if (uniformity == Uniformity::Uniform || !isRow(i)) {
+    Value *beyond = uniformity == Uniformity::Varying ? beyondColumnOfRow(i) : nullptr;
+    if (!beyond) {
         places = lookUpAnywhere(i, uniformity);
     } else {
-        const Row at = row(i);
+        const Row at = row(i, beyond);
         Values near, anywhere;
         const auto ends = branchOn(
             code_, at.isPlain, [&] { near = placesInRow(i, at); },
@@ -363,11 +364,12 @@ void ImageAccess::store(const Instruction &i) {
     const bool varies = std::ranges::any_of(
         i.operands, [&](ir::ValueId v) { return values_.uniformity(v) == Uniformity::Varying; });
     MaskStack::Scope scope(code_.masks, limit_.running(code_.masks.current()));
-    if (!varies || !isRow(i)) {
+    Value *beyond = varies ? beyondColumnOfRow(i) : nullptr;
+    if (!beyond) {
         storeAnywhere(i, varies ? Uniformity::Varying : Uniformity::Uniform);
         return;
     }
-    const Row at = row(i);
+    const Row at = row(i, beyond);
     branchOn(
         code_, at.isPlain, [&] { storeRow(i, at); },
         [&] { storeAnywhere(i, Uniformity::Varying); });

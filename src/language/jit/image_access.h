@@ -31,8 +31,8 @@ private:
     /// What a place along x is beyond the column of the pixel loop, if that is the same in all
     /// lanes; else null.
     Value *beyondColumn(ir::ValueId);
-    bool isRow(const ir::Instruction &);
-    Row row(const ir::Instruction &);
+    Value *beyondColumnOfRow(const ir::Instruction &);
+    Row row(const ir::Instruction &, Value *beyondColumn);
     Value *planeOf(const ir::Instruction &, int channel);
     bool isFirstChannel(const ir::Instruction &) const;
     Value *hasChannels(const ir::Instruction &);

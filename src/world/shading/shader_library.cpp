@@ -187,14 +187,6 @@ std::optional<ShaderInstance> ShaderLibrary::instance(ShaderKind kind, const Sha
     return ShaderInstance{code, code->addBlock(block)};
 }
 
-/// The text with all parameters folded in.
-static ir::Function foldAll(const ir::Function &whole, const std::vector<float> &block) {
-    std::vector<ir::FoldedValue> folded;
-    for (int slot = 0; slot < int(block.size()); ++slot)
-        folded.push_back({slot, block[slot]});
-    return ir::fold(whole, folded);
-}
-
 std::shared_ptr<const FilterCode> ShaderLibrary::filter(const ShaderRecord &record,
                                                         const Options &options) {
     State &state = *state_;
@@ -206,7 +198,7 @@ std::shared_ptr<const FilterCode> ShaderLibrary::filter(const ShaderRecord &reco
     if (!lowered)
         return nullptr;
     const std::vector<float> block = parameterBlock(*lowered, record, options, state.diagnostics);
-    return FilterCode::compile(foldAll(lowered->whole, block), state.jit, state.messages,
+    return FilterCode::compile(ir::foldAll(lowered->whole, block), state.jit, state.messages,
                                state.answers, state.diagnostics);
 }
 
@@ -216,7 +208,7 @@ std::optional<ir::LoweredShader> ShaderLibrary::State::standIn(ir::LightRule rul
     if (!lowered)
         return std::nullopt;
     const std::vector<float> block = parameterBlock(*lowered, {}, {}, diagnostics);
-    lowered->whole = foldAll(lowered->whole, block);
+    lowered->whole = ir::foldAll(lowered->whole, block);
     return lowered;
 }
 

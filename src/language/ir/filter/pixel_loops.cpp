@@ -7,6 +7,7 @@
 #include "language/ir/filter/pixel_nest.h"
 #include "language/ir/transform/dead_code.h"
 #include "language/ir/transform/short_loops.h"
+#include "language/ir/transform/specialize.h"
 
 #include <algorithm>
 #include <limits>
@@ -34,11 +35,6 @@ Instruction plain(Op op, std::vector<ValueId> operands, ValueId result, int imme
     return made;
 }
 
-float beginningOf(Reduction reduction) {
-    constexpr float infinity = std::numeric_limits<float>::infinity();
-    return reduction == Reduction::Sum ? 0 : reduction == Reduction::Least ? infinity : -infinity;
-}
-
 /// Little is done with each pixel: what is done for all of a block is to be shared by many. (What
 /// is called takes a register at a time.)
 bool isLight(const Function &body) {
@@ -64,9 +60,8 @@ public:
     std::vector<ValueId> captured; ///< Of the filter's; floats and bools.
 
 private:
-    void makeTables(int number);
+    void takeArrays();
     void collectMade(const Region &);
-    bool handInAll(const std::vector<const Instruction *> &);
     bool handIn(const Region &);
     bool handIn(const std::vector<ValueId> &values);
     bool handIn(ValueId);
@@ -79,17 +74,8 @@ private:
     std::set<ValueId> made_; ///< What the body has, or is going to have.
 };
 
-void BodyWriter::makeTables(int number) {
-    body.name = filter_.name + ".loop " + std::to_string(number);
-    body.colors = filter_.colors;
-    body.values = filter_.values;
-    body.maps = filter_.maps;
-    body.images = filter_.images;
-    body.strings = filter_.strings;
-    body.files = filter_.files;
-    body.spaces = filter_.spaces;
-    body.mostTurns = filter_.mostTurns;
-    body.isEndless = filter_.isEndless;
+/// The arrays that it has, its own and captured ones.
+void BodyWriter::takeArrays() {
     std::map<int, int> numbers;
     forEachInstruction(body.body, [&](Instruction &i) {
         if (!isArrayAccess(i.op))
@@ -186,8 +172,10 @@ bool BodyWriter::write(int number) {
     for (const NestReduction &each : nest_.reductions)
         content.yields.push_back(each.next);
 
-    std::vector<Instruction> &head = body.body.body;
+    body = emptyLike(filter_);
+    body.name += ".loop " + std::to_string(number);
     body.values = filter_.values;
+    std::vector<Instruction> &head = body.body.body;
     head.push_back(plain(Op::Input, {}, nest_.columns.variable(), int(ShaderInput::column)));
     made_.insert(nest_.columns.variable());
     if (nest_.rows) {
@@ -195,17 +183,15 @@ bool BodyWriter::write(int number) {
         made_.insert(nest_.rows->variable());
     }
     for (const NestReduction &each : nest_.reductions) {
-        head.push_back(constant(beginningOf(each.kind), each.before));
+        head.push_back(constant(neutralOf(each.kind), each.before));
         made_.insert(each.before);
     }
     collectMade(content);
     if (!handIn(content))
         return false;
-    const std::vector<Value> values = body.values;
     head.insert(head.end(), content.body.begin(), content.body.end());
     writeSums();
-    makeTables(number);
-    body.values = values;
+    takeArrays();
     removeDeadCode(body);
     inferUniformity(body);
     markShortLoops(body);
@@ -304,6 +290,11 @@ bool Extraction::extract(const Instruction &loop, std::vector<Instruction> &to) 
 }
 
 } // namespace
+
+float neutralOf(Reduction reduction) {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    return reduction == Reduction::Sum ? 0 : reduction == Reduction::Least ? infinity : -infinity;
+}
 
 Function extractPixelLoops(Function filter) { return Extraction(std::move(filter)).run(); }
 

@@ -13,4 +13,7 @@ namespace candela::ir {
 /// which all values are uniform.
 Function extractPixelLoops(Function filter);
 
+/// What changes nothing where it is reduced with other values.
+float neutralOf(Reduction);
+
 } // namespace candela::ir

@@ -36,8 +36,10 @@ struct Access {
 
 class NestProof {
 public:
-    NestProof(const Function &function, const ValueFacts &facts, PixelNest &nest)
-        : function_(function), facts_(facts), nest_(nest) {}
+    /// Of one loop, or of `inner` in `outer`; the nest gets what is found.
+    NestProof(const Function &function, const ValueFacts &facts, const CountedLoop &outer,
+              const CountedLoop &inner, PixelNest &nest)
+        : function_(function), facts_(facts), outer_(outer), inner_(inner), nest_(nest) {}
 
     bool holds() {
         return resultsAreKnown() && collect() && accessesAreApart() && arraysAreApart();
@@ -61,11 +63,10 @@ private:
     /// By steps of at least one pixel.
     Follows follows(ValueId v) const;
     bool beginsWhole(const CountedLoop &) const;
-    CountedLoop innerLoop() const { return *countedLoop(*nest_.inner, facts_); }
-    CountedLoop outerLoop() const { return *countedLoop(*nest_.outer, facts_); }
 
     const Function &function_;
     const ValueFacts &facts_;
+    const CountedLoop &outer_, &inner_;
     PixelNest &nest_;
     std::vector<Access> accesses_;
     std::map<int, bool> arrays_; ///< Those that are accessed; true: set.
@@ -75,39 +76,37 @@ private:
 /// Carried values are the counters, and what is reduced; what they are behind the loops nobody
 /// asks, unless it is reduced.
 bool NestProof::resultsAreKnown() {
-    const CountedLoop inner = innerLoop();
     const auto unused = [&](const Instruction &loop, std::size_t k) {
         return facts_.uses[loop.results[k]] == 0;
     };
     const Instruction &outer = *nest_.outer;
     std::map<std::size_t, std::size_t> outerOf; // Of an inner reduction.
     if (nest_.isNested()) {
-        const CountedLoop counted = outerLoop();
-        if (!unused(outer, 0) || !unused(outer, counted.counter))
+        if (!unused(outer, 0) || !unused(outer, outer_.counter))
             return false;
         for (std::size_t k = 1; k < outer.results.size(); ++k) {
-            if (k == counted.counter)
+            if (k == outer_.counter)
                 continue;
             const ValueId carried = outer.regions[0].arguments[k],
                           next = outer.regions[0].yields[k];
             const ValueFacts::Origin &from = facts_.origin[next];
-            const bool isInners = from.instruction == inner.loop && !from.isArgument &&
-                                  from.index > 0 && inner.loop->operands[from.index] == carried;
+            const bool isInners = from.instruction == inner_.loop && !from.isArgument &&
+                                  from.index > 0 && inner_.loop->operands[from.index] == carried;
             if (!isInners || facts_.uses[carried] != 1 || facts_.uses[next] != 1)
                 return false;
             outerOf[from.index] = k;
         }
     }
-    for (std::size_t k = 0; k < inner.loop->results.size(); ++k) {
-        if (k == 0 || k == inner.counter) {
-            if (!unused(*inner.loop, k))
+    for (std::size_t k = 0; k < inner_.loop->results.size(); ++k) {
+        if (k == 0 || k == inner_.counter) {
+            if (!unused(*inner_.loop, k))
                 return false;
             continue;
         }
         const auto way = outerOf.find(k);
         if (nest_.isNested() && way == outerOf.end())
             return false;
-        const ValueId before = inner.body().arguments[k], next = inner.body().yields[k];
+        const ValueId before = inner_.body().arguments[k], next = inner_.body().yields[k];
         const auto kind = reductionOf(facts_, before, next);
         if (!kind)
             return false;
@@ -174,9 +173,9 @@ bool NestProof::isVariant(ValueId v, int depth) const {
 }
 
 NestProof::Follows NestProof::follows(ValueId v) const {
-    if (v == innerLoop().variable())
+    if (v == inner_.variable())
         return Follows::Inner;
-    if (nest_.isNested() && v == outerLoop().variable())
+    if (nest_.isNested() && v == outer_.variable())
         return Follows::Outer;
     if (!isVariant(v))
         return Follows::Nothing;
@@ -237,21 +236,18 @@ bool NestProof::isCovered(int map) const {
         if (access.instruction->op == Op::ImageLoad)
             return false;
         const std::set<ValueId> place{access.x(), access.y()};
-        const CountedLoop inner = innerLoop(), outer = outerLoop();
-        isSet |= access.isUnconditional && beginsWhole(inner) && beginsWhole(outer) &&
-                 place == std::set<ValueId>{inner.variable(), outer.variable()};
+        isSet |= access.isUnconditional && beginsWhole(inner_) && beginsWhole(outer_) &&
+                 place == std::set<ValueId>{inner_.variable(), outer_.variable()};
     }
     return isSet;
 }
 
 /// What one turn sets no other turn sets or reads.
 bool NestProof::isApart(int map) const {
-    const CountedLoop inner = innerLoop();
     if (!nest_.isNested())
-        return isApartAlong(0, inner, map) || isApartAlong(1, inner, map);
-    const CountedLoop outer = outerLoop();
-    return (isApartAlong(0, inner, map) && isApartAlong(1, outer, map)) ||
-           (isApartAlong(1, inner, map) && isApartAlong(0, outer, map));
+        return isApartAlong(0, inner_, map) || isApartAlong(1, inner_, map);
+    return (isApartAlong(0, inner_, map) && isApartAlong(1, outer_, map)) ||
+           (isApartAlong(1, inner_, map) && isApartAlong(0, outer_, map));
 }
 
 bool NestProof::accessesAreApart() {
@@ -259,7 +255,7 @@ bool NestProof::accessesAreApart() {
     for (const Access &access : accesses_) {
         const ValueId x = access.x();
         const bool isOwnColumn =
-            x == innerLoop().variable() || (nest_.isNested() && x == outerLoop().variable());
+            x == inner_.variable() || (nest_.isNested() && x == outer_.variable());
         if (access.instruction->op == Op::ImageLoad && !isOwnColumn)
             readAround.insert(access.use->map);
         (access.instruction->op == Op::ImageStore ? set : read).insert(access.use->map);
@@ -275,9 +271,13 @@ bool NestProof::accessesAreApart() {
     return std::ranges::all_of(set, [&](int map) { return isApart(map); });
 }
 
-/// Whether the access stands in the nest.
-static bool isWithin(const Instruction *wanted, const Instruction &nest) {
-    return anyInstruction(nest.regions[0], [&](const Instruction &i) { return &i == wanted; });
+/// Loads and stores of the array in the region.
+static int accessesIn(const Region &region, int array) {
+    int count = 0;
+    forEachInstruction(region, [&](const Instruction &i) {
+        count += isArrayAccess(i.op) && i.immediate == array;
+    });
+    return count;
 }
 
 /// An array is the turn's own, or only read.
@@ -288,11 +288,8 @@ bool NestProof::arraysAreApart() {
             nest_.arrays.push_back(array);
             continue;
         }
-        bool isUsedElsewhere = false;
-        forEachInstruction(function_.body, [&](const Instruction &i) {
-            if (isArrayAccess(i.op) && i.immediate == array)
-                isUsedElsewhere |= !isWithin(&i, *nest_.outer);
-        });
+        const bool isUsedElsewhere =
+            accessesIn(nest_.outer->regions[0], array) != accessesIn(function_.body, array);
         if (isUsedElsewhere || function_.arrays[std::size_t(array)].loopDepth < depth)
             return false;
     }
@@ -321,7 +318,7 @@ std::optional<PixelNest> provenNest(const Function &function, const ValueFacts &
     PixelNest nest;
     nest.outer = outer.loop;
     nest.inner = inner.loop;
-    NestProof proof(function, facts, nest);
+    NestProof proof(function, facts, outer, inner, nest);
     if (!proof.holds())
         return {};
     const bool isInner = proof.columnsAreInner();

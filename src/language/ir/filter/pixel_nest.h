@@ -24,15 +24,14 @@ struct PixelNest {
     const Instruction *inner = nullptr;
     std::vector<NestReduction> reductions;
     std::vector<int> mapsRead, mapsReadAround, mapsSet, mapsCovered; ///< As PixelLoop has them.
-    std::vector<int> arrays;                         ///< That it reads and others set.
+    std::vector<int> arrays; ///< That it reads and others set.
 
     /// What stands in the outer loop beside the inner one, and must be computed for it.
     std::vector<const Instruction *> before() const;
     bool isNested() const { return inner != outer; }
 };
 
-/// The loop as a nest, if its turns do not see each other. `enclosing` is how many loops it stands
-/// in.
+/// The loop as a nest, if its turns do not see each other.
 std::optional<PixelNest> pixelNest(const Function &, const ValueFacts &, const Instruction &loop);
 
 } // namespace candela::ir

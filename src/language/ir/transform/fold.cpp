@@ -62,4 +62,11 @@ Function fold(const Function &whole, const std::vector<FoldedValue> &values) {
     return *rewrite(text, dependence, false);
 }
 
+Function foldAll(const Function &whole, const std::vector<float> &block) {
+    std::vector<FoldedValue> values;
+    for (int slot = 0; slot < int(block.size()); ++slot)
+        values.push_back({slot, block[std::size_t(slot)]});
+    return fold(whole, values);
+}
+
 } // namespace candela::ir
