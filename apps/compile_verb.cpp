@@ -1,25 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/asked_instruction_set.h"
 #include "apps/compiler_passes.h"
+#include "apps/shader_text.h"
 #include "apps/verbs.h"
 
 #include "foundation/base/whole_file.h"
 #include "language/ir/core/regions.h"
 #include "language/jit/jit.h"
 #include "language/semantics/front.h"
-#include "language/syntax/include.h"
 #include "render/console.h"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <cctype>
-#include <cerrno>
 #include <chrono>
 #include <cstdio>
-#include <cstring>
-#include <fcntl.h>
 #include <memory>
-#include <unistd.h>
 
 namespace candela {
 
@@ -29,22 +23,10 @@ struct Arguments {
     std::vector<std::string> files;
     std::vector<std::string> defines;
     sl::FrontOptions front;
-    std::string emit, question, integrator = "path", output;
+    std::string emit, question, integrator = "path", output, depfile;
     JitOptions jit;
     bool quiet = false;
 };
-
-/// The text of a file or pipe, or of standard input ("-").
-std::optional<std::string> readSource(const std::string &name, std::string &problem) {
-    const int file = name == "-" ? ::dup(STDIN_FILENO) : ::open(name.c_str(), O_RDONLY | O_CLOEXEC);
-    if (file < 0) {
-        problem = std::strerror(errno);
-        return std::nullopt;
-    }
-    auto text = readAll(file, problem, sl::sourceSizeLimit);
-    ::close(file);
-    return text;
-}
 
 /// "1 cone", "2 cones"
 std::string countOf(size_t count, const std::string &what) {
@@ -91,6 +73,7 @@ public:
         for (const std::string &file : arguments_.files)
             compileFile(file);
         writeOutput();
+        writeDepfile();
         return console_.failed() ? 1 : 0;
     }
 
@@ -106,6 +89,8 @@ private:
         const auto front = sl::analyzeSource({shown, *text}, arguments_.front, console_);
         if (!front)
             return;
+        read_.push_back(name);
+        read_.insert(read_.end(), front->includedFiles.begin(), front->includedFiles.end());
         for (const auto &shader : front->shaders)
             compile(*shader);
     }
@@ -177,27 +162,32 @@ private:
             console_.error({}, problem);
     }
 
+    /// A rule for make: what --output (or the depfile itself) has to be made anew after.
+    void writeDepfile() {
+        if (arguments_.depfile.empty() || console_.failed())
+            return;
+        const auto escaped = [](const std::string &name) {
+            std::string text;
+            for (char c : name)
+                text += (c == ' ' || c == '#' || c == '\\' ? "\\" : c == '$' ? "$" : "") +
+                        std::string(1, c);
+            return text;
+        };
+        const bool hasOutput = !arguments_.output.empty();
+        std::string rule = escaped(hasOutput ? arguments_.output : arguments_.depfile) + ":";
+        for (const std::string &name : read_)
+            rule += " \\\n  " + escaped(name);
+        std::string problem;
+        if (!writeWholeFile(arguments_.depfile, rule + "\n", problem))
+            console_.error({}, problem);
+    }
+
     const Arguments &arguments_;
     Console console_;
     Jit jit_;
     std::string written_;
+    std::vector<std::string> read_; ///< The files, and those that they include.
 };
-
-/// What is wrong with the argument of -D; empty if nothing is.
-std::string flawOfDefine(const std::string &text) {
-    const std::string name = text.substr(0, text.find('='));
-    const auto isLetter = [](unsigned char c) { return std::isalpha(c) || c == '_'; };
-    const bool isName =
-        !name.empty() && isLetter(name[0]) &&
-        std::ranges::all_of(name, [&](unsigned char c) { return isLetter(c) || std::isdigit(c); });
-    return isName ? "" : "expected NAME or NAME=VALUE, not '" + text + "'";
-}
-
-std::pair<std::string, std::string> defineOf(const std::string &text) {
-    const size_t equals = text.find('=');
-    return equals == std::string::npos ? std::pair(text, std::string("1"))
-                                       : std::pair(text.substr(0, equals), text.substr(equals + 1));
-}
 
 } // namespace
 
@@ -240,6 +230,10 @@ void addCompile(CLI::App &app, int &status) {
         ->type_name("TEXT")
         ->check(CLI::IsMember({"v2", "v3", "v4"}));
     compile->add_option("-o,--output", a.output, "Write what is printed into this file");
+    compile
+        ->add_option("--depfile", a.depfile,
+                     "Write a rule for make: which files were read, for --output")
+        ->type_name("FILE");
     compile->add_flag("--quiet", a.quiet, "Only messages");
     compile->callback([arguments, compile, &status] {
         Arguments &a = *arguments;

@@ -38,6 +38,10 @@ std::optional<CompiledShader> compileShader(const sl::TypedShader &shader, ir::L
     listener("fold", whole);
 
     CompiledShader compiled;
+    compiled.parameters = lowered->parameters;
+    compiled.inverseSquare = lowered->inverseSquare;
+    for (const sl::Parameter &parameter : shader.parameters)
+        compiled.parameterDocs.push_back(parameter.doc);
     std::shared_ptr<const ir::Plan> plan;
     if (ir::isPlanned(lowered->kind)) {
         whole = ir::applyLightRule(whole, rule);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "language/ir/core/pass_listener.h"
+#include "language/ir/lower/lower.h"
 #include "language/ir/questions/questions.h"
 #include "language/ir/transform/light_rule.h"
 #include "language/semantics/typed_ast.h"
@@ -22,6 +23,9 @@ struct CompiledShader {
     ir::SurfaceFacts facts;    ///< Of surfaces.
     ir::LightFacts lightFacts; ///< Of lights.
     std::vector<Answer> answers;
+    std::vector<ir::ShaderParameter> parameters;
+    std::vector<std::string> parameterDocs; ///< The comment beside each.
+    bool inverseSquare = false;             ///< Of lights, as LoweredShader has it.
 };
 
 /// Everything up to code generation; nothing if the shader has errors. The listener is told of

@@ -18,4 +18,9 @@ void addFilter(CLI::App &, int &status);
 /// `candela compile shader.sl ...`
 void addCompile(CLI::App &, int &status);
 
+/// `candela info shader ...`
+void addInfo(CLI::App &, int &status);
+/// `candela run shader PARAM=VALUE ...`
+void addRun(CLI::App &, int &status);
+
 } // namespace candela

@@ -27,16 +27,19 @@ std::vector<float> planeOf(const DisplaySources &sources, const DisplayPlane &pl
 struct PixelPlanes {
     PlaneSize size;
     int x0 = 0, y0 = 0; ///< Raster position of the first pixel.
+    std::array<int, 2> frame{1, 1}; ///< Pixels of the whole frame, of which these are a window.
     /// The colour samples, then the opacity's, then alpha.
     std::vector<std::vector<float>> planes;
 };
 
-PixelPlanes exposedPixels(const DisplaySources &sources, float gain, float gamma) {
+PixelPlanes exposedPixels(const DisplaySources &sources, float gain, float gamma,
+                          const std::array<int, 2> &frame) {
     PixelPlanes pixels;
     pixels.size = sizeOfPlane(sources, {Source::Color, "Ci", 0, ""}).value_or(PlaneSize{});
+    pixels.frame = {pixels.size.width, pixels.size.height};
     const FrameWindow &w = sources.film.window();
     if (pixels.size == PlaneSize{w.columns(), w.rows()})
-        pixels.x0 = w.x0, pixels.y0 = w.y0;
+        pixels.x0 = w.x0, pixels.y0 = w.y0, pixels.frame = frame;
     for (int c = 0; c < colorSamples; ++c) {
         pixels.planes.push_back(planeOf(sources, {Source::Color, "Ci", c, ""}, pixels.size));
         for (float &value : pixels.planes.back())
@@ -71,9 +74,14 @@ void give(const PixelPlanes &pixels, std::size_t first, int count, const ImagerB
     const std::size_t columns = std::size_t(pixels.size.width);
     for (int i = 0; i < count; ++i) {
         const std::size_t pixel = first + std::size_t(i);
-        to.input(ShaderInput::P, 0)[i] = float(pixels.x0 + int(pixel % columns)) + 0.5f;
-        to.input(ShaderInput::P, 1)[i] = float(pixels.y0 + int(pixel / columns)) + 0.5f;
+        const float x = float(pixels.x0 + int(pixel % columns)) + 0.5f;
+        const float y = float(pixels.y0 + int(pixel / columns)) + 0.5f;
+        to.input(ShaderInput::P, 0)[i] = x, to.input(ShaderInput::P, 1)[i] = y;
         to.input(ShaderInput::P, 2)[i] = 0;
+        for (ShaderInput across : {ShaderInput::u, ShaderInput::s})
+            to.input(across)[i] = x / float(pixels.frame[0]);
+        for (ShaderInput down : {ShaderInput::v, ShaderInput::t})
+            to.input(down)[i] = y / float(pixels.frame[1]);
     }
     for (int c = 0; c < colorSamples; ++c) {
         std::copy_n(pixels.planes[c].data() + first, count, to.input(ShaderInput::pixelCi, c));
@@ -111,7 +119,7 @@ std::optional<Imager> Imager::of(const Options &options, ShaderLibrary &library,
 }
 
 ImagedPicture Imager::run(const DisplaySources &sources) const {
-    PixelPlanes pixels = exposedPixels(sources, gain_, gamma_);
+    PixelPlanes pixels = exposedPixels(sources, gain_, gamma_, frame_);
     const QuestionCode &question = instance_.code->question(ir::Question::Imager);
     const std::size_t count = pixels.planes[0].size();
     parallelFor((count + batch - 1) / batch, [&](std::size_t k) {

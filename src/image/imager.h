@@ -7,6 +7,7 @@
 #include "interface/ri/options.h"
 #include "world/shading/shader_library.h"
 
+#include <array>
 #include <optional>
 
 namespace candela {
@@ -17,7 +18,8 @@ public:
     static std::optional<Imager> of(const Options &, ShaderLibrary &, DiagnosticSink &);
 
     /// Ci through exposure and imager, with the alpha that the imager gives it. It is asked in
-    /// batches on all cores, a pixel a lane: P is the pixel's centre in raster space, time the
+    /// batches on all cores, a pixel a lane: P is the pixel's centre in raster space, u, v (and s,
+    /// t) where that is in the frame, from 0 at the left and the top to 1; time is the
     /// opening of the shutter, Oi and alpha those that displays would show; where filters have
     /// given Ci another size and these not, they are 1. What it makes of Oi is not shown.
     ImagedPicture run(const DisplaySources &) const;
@@ -25,10 +27,12 @@ public:
 private:
     Imager(ShaderInstance instance, const Options &options)
         : instance_(std::move(instance)), gain_(options.exposureGain),
-          gamma_(options.exposureGamma), time_(options.camera.shutterOpen) {}
+          gamma_(options.exposureGamma), time_(options.camera.shutterOpen),
+          frame_(options.format.effectiveResolution()) {}
 
     ShaderInstance instance_;
     float gain_, gamma_, time_;
+    std::array<int, 2> frame_; ///< Pixels of the whole frame.
 };
 
 } // namespace candela

@@ -83,9 +83,10 @@ std::optional<Parameter> valueOf(const ParameterType &type, const std::string &t
     return int(parameter.floats.size()) == needed ? std::optional(parameter) : std::nullopt;
 }
 
-/// What is wrong with the word; empty, and the parameter is added, if nothing is.
+} // namespace
+
 std::string takeValue(const std::string &word, const std::vector<ParameterType> &types,
-                      ShaderRecord &filter) {
+                      ShaderRecord &shader) {
     const std::size_t equals = word.find('=');
     const std::string name = word.substr(0, equals), text = word.substr(equals + 1);
     const auto type = std::ranges::find(types, name, &ParameterType::name);
@@ -102,12 +103,10 @@ std::string takeValue(const std::string &word, const std::vector<ParameterType> 
     auto parameter = valueOf(*type, text);
     if (!parameter)
         return "takes " + textOf(*type) + ", which '" + text + "' is not";
-    std::erase_if(filter.parameters.all, [&](const Parameter &old) { return old.name == name; });
-    filter.parameters.all.push_back(std::move(*parameter));
+    std::erase_if(shader.parameters.all, [&](const Parameter &old) { return old.name == name; });
+    shader.parameters.all.push_back(std::move(*parameter));
     return {};
 }
-
-} // namespace
 
 bool readFilters(const std::vector<std::string> &words, ShaderLookup &shaders,
                  const Options &options, std::vector<ShaderRecord> &filters,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Filters as the command line names them: "ward94 L_dmax=80".
+// Shaders as the command line names them: "ward94 L_dmax=80".
 #pragma once
 
 #include "foundation/base/diagnostics.h"
@@ -16,5 +16,10 @@ namespace candela {
 /// shader's parameter is declared. False if anything is wrong, which is reported.
 bool readFilters(const std::vector<std::string> &words, ShaderLookup &, const Options &,
                  std::vector<ShaderRecord> &filters, DiagnosticSink &);
+
+/// Adds the parameter that a word NAME=VALUE gives, as above. What is wrong with the word, to stand
+/// behind the shader's name; empty if nothing is.
+std::string takeValue(const std::string &word, const std::vector<ShaderLookup::ParameterType> &,
+                      ShaderRecord &);
 
 } // namespace candela

@@ -98,6 +98,7 @@ private:
         result.output = accept("output");
         result.uniform = accept("uniform");
         result.anyType = accept("any");
+        result.proper = accept("proper");
         if (!result.anyType)
             result.type = type(next());
         result.name = next();

@@ -20,8 +20,12 @@ enum class BuiltinId {
 #undef SL_BUILTIN
 };
 
-/// Whether the function can be called yet. A call of one that comes later is a compile error.
-enum class Available { Now, Later };
+/// Whether the function can be called yet.
+enum class Available {
+    Now,
+    Later, ///< A call is a compile error.
+    Zero   ///< Calls give zero, with one warning a file; the doc line says what is missing.
+};
 
 /// Who does the work.
 enum class Lowering {
@@ -69,6 +73,9 @@ struct BuiltinParameter {
     bool array = false;   ///< The argument is a whole array of any length.
     bool uniform = false; ///< The argument must be uniform.
     bool anyType = false; ///< Any type is accepted, `type` does not count.
+    /// The argument is of this type by itself: a float is not promoted, and what may be a float
+    /// (noise(), say) is taken for one.
+    bool proper = false;
 };
 
 struct Builtin;

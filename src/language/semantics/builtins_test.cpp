@@ -64,17 +64,19 @@ TEST(Builtins, WhatMustBeAvailableIs) {
         ASSERT_NE(findBuiltin(name), nullptr) << name;
         EXPECT_EQ(findBuiltin(name)->available, Available::Now) << name;
     }
-    for (const char *name : {"texture", "environment", "shadow", "bump", "occlusion", "bake",
-                             "surface", "lightsource"}) {
+    for (const char *name : {"texture", "environment", "shadow", "bump", "surface", "lightsource"}) {
         ASSERT_NE(findBuiltin(name), nullptr) << name;
         EXPECT_EQ(findBuiltin(name)->available, Available::Later) << name;
     }
+    for (const char *name : {"bake", "bake3d", "texture3d", "photonmap", "caustic", "subsurface"})
+        EXPECT_EQ(findBuiltin(name)->available, Available::Zero) << name;
 }
 
 TEST(Predefined, KindsKnowTheirVariables) {
     using enum ShaderKind;
     EXPECT_TRUE(findPredefined("Ps", Light));
-    EXPECT_FALSE(findPredefined("Ps", Surface));
+    EXPECT_TRUE(findPredefined("Ps", Surface));
+    EXPECT_FALSE(findPredefined("Ns", Surface));
     EXPECT_TRUE(findPredefined("xsize", Filter));
     EXPECT_FALSE(findPredefined("P", Filter));
     EXPECT_TRUE(predefinedVariable(PredefinedId::Cl).writableIn(Light));

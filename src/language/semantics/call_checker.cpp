@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "language/semantics/known_arguments.h"
+#include "language/semantics/lint.h"
+#include "language/semantics/named_arguments.h"
 #include "language/semantics/overload_choice.h"
 #include "language/semantics/targets.h"
 #include "language/semantics/type_inference.h"
@@ -15,7 +17,7 @@ namespace candela::sl {
 ExprPtr CallChecker::check(const ast::Expr &e, ExpressionChecker::Wanted wanted) {
     const Builtin *function = findBuiltin(e.text);
     if (!function && here_.names.functions(e.text).empty())
-        return unknown(e);
+        return unknown(e, wanted);
     Callee callee = chooseCallee(e, wanted, here_);
     if (callee.definition)
         return user(e, *callee.definition);
@@ -26,12 +28,32 @@ ExprPtr CallChecker::check(const ast::Expr &e, ExpressionChecker::Wanted wanted)
     return callee.overload ? builtin(e, *callee.overload) : fittingNone(e);
 }
 
-ExprPtr CallChecker::unknown(const ast::Expr &e) {
-    here_.reporter.error(e.where, "unknown function '" + e.text + "'" +
-                                      here_.names.functionSuggestion(e.text));
-    for (const ast::ExprPtr &argument : e.operands)
-        expressions_.check(*argument);
-    return nullptr;
+// What looks like a slip is one; all else is taken for a function of another renderer, loaded from
+// an object file that is not here.
+ExprPtr CallChecker::unknown(const ast::Expr &e, ExpressionChecker::Wanted wanted) {
+    for (const ast::ExprPtr &argument : e.operands) {
+        if (!typesOf(*argument, here_).arrayLength)
+            expressions_.check(*argument);
+        Symbol *symbol =
+            argument->kind == ast::ExprKind::Name ? here_.names.find(argument->text) : nullptr;
+        if (symbol) // It might have been set.
+            symbol->written = true;
+    }
+    const std::string slip = here_.names.functionSuggestion(e.text);
+    const std::string headers = here_.functions.headersRead();
+    if (!slip.empty())
+        return here_.error(e.where, "unknown function '" + e.text + "'" + slip + headers);
+    here_.reporter.warnOnce(e.where, "unknown function '" + e.text +
+                                         "' is taken for an external function of another "
+                                         "renderer: its calls give 0" +
+                                         (headers.empty() ? "; no header was read" : headers));
+    return makeZero(wanted.value_or(BaseType::Float), e.where);
+}
+
+ExprPtr CallChecker::zero(const ast::Expr &e, const BuiltinOverload &overload) {
+    here_.reporter.warnOnce(e.where, "function " + e.text + "() is known and gives 0: " +
+                                         overload.function->doc);
+    return makeZero(overload.result, e.where);
 }
 
 ExprPtr CallChecker::fittingNone(const ast::Expr &e) {
@@ -65,6 +87,25 @@ ExprPtr CallChecker::argument(const ast::Expr &e, const BuiltinParameter &parame
     return result;
 }
 
+/// Angles are radians, but where a parameter is called otherwise.
+void CallChecker::hintAtDegrees(const ast::Expr &e, const BuiltinOverload &overload) {
+    for (size_t i = 0; i < std::min(e.operands.size(), overload.parameters.size()); ++i)
+        if (overload.parameters[i].name == "angle" && looksLikeDegrees(*e.operands[i]))
+            here_.reporter.hint(e.operands[i]->where, "the angle of " + e.text +
+                                                          "() is in radians; this looks like "
+                                                          "degrees");
+}
+
+/// One that follows the parameters, as a rule behind its name.
+ExprPtr CallChecker::optionalArgument(const ast::Expr &e, size_t i, BuiltinId function) {
+    const ast::Expr &given = *e.operands[i];
+    const bool isArray = typesOf(given, here_).arrayLength > 0;
+    const bool isSet = isNamedResult(function, e, i);
+    if (isArray)
+        return expressions_.checkWholeArray(given, isSet);
+    return isSet ? expressions_.checkTarget(given) : expressions_.check(given);
+}
+
 ExprPtr CallChecker::builtin(const ast::Expr &e, const BuiltinOverload &overload) {
     const Builtin &function = *overload.function;
     std::vector<ExprPtr> arguments;
@@ -74,12 +115,15 @@ ExprPtr CallChecker::builtin(const ast::Expr &e, const BuiltinOverload &overload
         const BuiltinParameter *parameter =
             open ? nullptr : &parameters[std::min(i, parameters.size() - 1)];
         ExprPtr value = parameter ? argument(*e.operands[i], *parameter, e.text)
-                                  : expressions_.check(*e.operands[i]);
+                                  : optionalArgument(e, i, function.id);
         if (value)
             arguments.push_back(std::move(value));
     }
     if (arguments.size() != e.operands.size())
         return nullptr;
+    if (function.available == Available::Zero)
+        return zero(e, overload);
+    hintAtDegrees(e, overload);
     checkStrings(e, function.id, arguments, here_.reporter);
     if (!componentsExist(e, overload, here_.reporter))
         return nullptr;

@@ -16,7 +16,11 @@ public:
     ExprPtr check(const ast::Expr &call, ExpressionChecker::Wanted);
 
 private:
-    ExprPtr unknown(const ast::Expr &);
+    ExprPtr unknown(const ast::Expr &, ExpressionChecker::Wanted);
+    /// Of a function that is known, but not to be had.
+    ExprPtr zero(const ast::Expr &, const BuiltinOverload &);
+    void hintAtDegrees(const ast::Expr &call, const BuiltinOverload &);
+    ExprPtr optionalArgument(const ast::Expr &call, size_t i, BuiltinId);
     ExprPtr fittingNone(const ast::Expr &);
     ExprPtr builtin(const ast::Expr &, const BuiltinOverload &);
     ExprPtr argument(const ast::Expr &, const BuiltinParameter &, const std::string &name);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/semantics/call_cost.h"
 
+#include "language/semantics/named_arguments.h"
+
 #include <algorithm>
 
 namespace candela::sl {
@@ -35,12 +37,15 @@ int callCost(const BuiltinOverload &overload, const ast::Expr &call,
     for (size_t i = 0; i < types.size() && cost < impossible; ++i) {
         bool extra = i >= parameters.size();
         if (extra && !overload.repeatsLast) {
-            cost += types[i].arrayLength ? impossible : 0;
+            if (types[i].arrayLength && !isNamedResult(overload.function->id, call, i))
+                cost = impossible;
             continue;
         }
         const BuiltinParameter &p = parameters[std::min(i, parameters.size() - 1)];
         const ast::Expr &argument = *call.operands[i];
-        if (!p.anyType)
+        if (p.proper && types[i].has(BaseType::Float))
+            cost = impossible;
+        else if (!p.anyType)
             cost += argumentCost(types[i], p.type, p.output, p.array, argument);
         else if (p.array != (types[i].arrayLength > 0) || (p.output && !isTargetLike(argument)))
             cost = impossible;

@@ -6,7 +6,6 @@
 #include "language/semantics/call_checker.h"
 #include "language/semantics/constant_value.h"
 #include "language/semantics/operator_forms.h"
-#include "language/semantics/spellings.h"
 #include "language/semantics/targets.h"
 #include "language/semantics/type_inference.h"
 #include "language/semantics/typed_nodes.h"
@@ -47,12 +46,10 @@ ExprPtr ExpressionChecker::name(const ast::Expr &e) {
     if (!symbol)
         return unknownVariable(e, here_);
     symbol->read = true;
-    if (symbol->predefined && here_.inDefaults)
-        return here_.error(e.where, "the default of a parameter cannot depend on " + e.text);
     bool lightValue = symbol->predefined && symbol->predefined->scope == PredefinedScope::Light;
     // A function may be called from inside a loop, and a light may read back what it set.
     if (lightValue && !here_.lightStatement && !here_.function && !symbol->written)
-        here_.reporter.warning(e.where, e.text +
+        here_.reporter.hint(e.where, e.text +
                                             " has a value only inside an illuminance, illuminate "
                                             "or solar statement; here it is 0");
     if (symbol->type.isArray())
@@ -188,7 +185,8 @@ ExprPtr ExpressionChecker::checkTarget(const ast::Expr &e) {
     if (!symbol)
         return unknownVariable(e, here_);
     symbol->written = true;
-    return mayWrite(*symbol, e.where, here_) ? makeVariable(*symbol, e.where) : nullptr;
+    hintIfReadOnly(*symbol, e.where, here_);
+    return makeVariable(*symbol, e.where);
 }
 
 ExprPtr ExpressionChecker::checkWholeArray(const ast::Expr &e, bool asTarget) {
@@ -196,8 +194,8 @@ ExprPtr ExpressionChecker::checkWholeArray(const ast::Expr &e, bool asTarget) {
     if (!symbol || !symbol->type.isArray())
         return here_.error(e.where, "expected the name of an array here");
     (asTarget ? symbol->written : symbol->read) = true;
-    if (asTarget && !mayWrite(*symbol, e.where, here_))
-        return nullptr;
+    if (asTarget)
+        hintIfReadOnly(*symbol, e.where, here_);
     return makeVariable(*symbol, e.where);
 }
 
@@ -250,9 +248,6 @@ ExprPtr ExpressionChecker::cast(const ast::Expr &e) {
         return here_.error(e.operands[1]->where, "a " + type +
                                                      " is in no space; only color, point, "
                                                      "vector, normal and matrix are");
-    if (spaced && e.type == BaseType::Color && colorSpaceSpelled(e.operands[1]->text).empty())
-        return here_.error(e.operands[1]->where, "unknown colour space \"" + e.operands[1]->text +
-                                                     "\"; expected " + colorSpaceNames);
     if (!value)
         return nullptr;
     if (!castable(value->type.base, e.type))

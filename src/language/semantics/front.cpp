@@ -7,8 +7,19 @@
 
 namespace candela::sl {
 
+/// What messages about unknown functions end with.
+static std::string textOf(const std::vector<std::string> &headers) {
+    if (headers.empty())
+        return {};
+    std::string list;
+    for (const std::string &header : headers)
+        list += (list.empty() ? "" : ", ") + header;
+    return "; headers that were read: " + list;
+}
+
 static void checkShaders(const ast::File &file, const SourceFile &mainFile, Reporter &reporter,
                          CompiledFront &front) {
+    const std::string headers = textOf(front.includedFiles);
     for (const ast::Item &item : file.items) {
         const auto *syntax = std::get_if<ast::Shader>(&item);
         if (!syntax)
@@ -17,14 +28,14 @@ static void checkShaders(const ast::File &file, const SourceFile &mainFile, Repo
             if (other->name == syntax->name)
                 reporter.error(syntax->where,
                                "a shader named " + syntax->name + " stands in this file already");
-        front.shaders.push_back(checkShader(*syntax, file, mainFile, reporter));
+        front.shaders.push_back(checkShader(*syntax, file, mainFile, headers, reporter));
         front.shaders.back()->sources = front.sources;
     }
 }
 
 std::optional<CompiledFront> analyzeSource(const SourceText &source, const FrontOptions &options,
                                            DiagnosticSink &sink) {
-    Reporter reporter(sink);
+    Reporter reporter(sink, options.hints);
     auto sources = std::make_shared<SourceSet>();
     sources->push_back(std::make_unique<SourceFile>(source.name, source.text));
     const SourceFile &mainFile = *sources->front();

@@ -21,6 +21,8 @@ struct SourceText {
 struct FrontOptions {
     std::vector<std::string> includeDirectories;              ///< -I, in the order of search
     std::vector<std::pair<std::string, std::string>> defines; ///< -D name=value
+    /// Whether the author is told of what may be meant as it stands (unused variables...).
+    bool hints = true;
 };
 
 /// All shaders of one file.

@@ -7,39 +7,44 @@
 
 namespace candela::sl {
 
-static void checkPattern(const ast::Expr &call, const std::vector<ExprPtr> &arguments,
+/// What printf() cannot print is left out, for the picture does not need it.
+static void checkPattern(const ast::Expr &call, BuiltinId id, const std::vector<ExprPtr> &arguments,
                          Reporter &reporter) {
     if (arguments[0]->kind != ExprKind::Text)
         return;
+    const auto say = [&](const Place &where, const std::string &message) {
+        if (id == BuiltinId::printf)
+            reporter.warning(where, message + "; it prints nothing");
+        else
+            reporter.error(where, message);
+    };
     size_t next = 1;
     for (const PrintPiece &piece : splitPrintPattern(arguments[0]->text)) {
         if (!piece.converts)
             continue;
         if (next < arguments.size() && !printsType(piece.letter, arguments[next]->type.base))
-            reporter.error(arguments[next]->where,
-                           "'" + piece.conversion() + "' in the pattern of " + call.text +
-                               " cannot print a " + nameOf(arguments[next]->type.base));
+            say(arguments[next]->where, "'" + piece.conversion() + "' in the pattern of " +
+                                            call.text + " cannot print a " +
+                                            nameOf(arguments[next]->type.base));
         ++next;
     }
     if (next != arguments.size())
-        reporter.error(call.where, "the pattern of " + call.text + " asks for " +
-                                       std::to_string(next - 1) + " values, but " +
-                                       std::to_string(arguments.size() - 1) + " are given");
+        say(call.where, "the pattern of " + call.text + " asks for " + std::to_string(next - 1) +
+                            " values, but " + std::to_string(arguments.size() - 1) + " are given");
 }
 
 void checkStrings(const ast::Expr &call, BuiltinId id, const std::vector<ExprPtr> &arguments,
                   Reporter &reporter) {
     if (id == BuiltinId::printf || id == BuiltinId::format)
-        checkPattern(call, arguments, reporter);
+        checkPattern(call, id, arguments, reporter);
     for (const ExprPtr &argument : arguments) {
         if (argument->kind != ExprKind::Text)
             continue;
-        if (id == BuiltinId::spline && splineBasisSpelled(argument->text).empty())
+        const bool inverts = argument->text.starts_with(inverseSpline);
+        const std::string basis = argument->text.substr(inverts ? inverseSpline.size() : 0);
+        if (id == BuiltinId::spline && splineBasisSpelled(basis).empty())
             reporter.error(argument->where, "unknown spline basis \"" + argument->text +
                                                 "\"; expected " + splineBasisNames);
-        if (id == BuiltinId::ctransform && colorSpaceSpelled(argument->text).empty())
-            reporter.error(argument->where, "unknown colour space \"" + argument->text +
-                                                "\"; expected " + colorSpaceNames);
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "language/semantics/lint.h"
 #include "language/semantics/type_inference.h"
@@ -29,6 +30,9 @@ private:
     using Arguments = std::span<const ast::ExprPtr>;
 
     ExprPtr category(const ast::Expr &);
+    /// Takes the names and values behind the cones off the arguments.
+    Arguments messages(Arguments);
+    void message(const ast::Expr &name, const ast::Expr &value);
     void cones(Arguments);
     void classicCone(Arguments);
     void extendedCones(Arguments);
@@ -62,6 +66,8 @@ std::unique_ptr<LightArguments> LightArgumentChecker::check() {
         result_.position = as(BaseType::Point, rest[0], "the position of " + word_);
         rest = rest.subspan(1);
     }
+    if (gathers)
+        rest = messages(rest);
     if (!rest.empty())
         cones(rest);
     return std::make_unique<LightArguments>(std::move(result_));
@@ -72,6 +78,43 @@ ExprPtr LightArgumentChecker::category(const ast::Expr &e) {
     if (result && result->type.isVarying())
         here_.reporter.error(result->where, "the category of illuminance must be uniform");
     return result;
+}
+
+LightArgumentChecker::Arguments LightArgumentChecker::messages(Arguments given) {
+    size_t first = 0;
+    while (first < given.size() && !types(given[first]).isOnly(BaseType::String))
+        ++first;
+    for (size_t i = first; i < given.size(); i += 2) {
+        if (given[i]->kind != ast::ExprKind::Text || i + 1 == given.size()) {
+            here_.reporter.error(given[i]->where,
+                                 "behind the cones illuminance takes pairs of a name (a string "
+                                 "constant, such as \"light:NAME\") and a value");
+            break;
+        }
+        message(*given[i], *given[i + 1]);
+    }
+    return given.first(first);
+}
+
+void LightArgumentChecker::message(const ast::Expr &name, const ast::Expr &value) {
+    constexpr std::string_view from = "light:", to = "send:light:";
+    using Way = LightMessage::Way;
+    const std::string_view text = name.text;
+    LightMessage result;
+    result.way = text.starts_with(from) ? Way::FromLight
+                 : text.starts_with(to) ? Way::ToLight
+                                        : Way::ToRenderer;
+    const size_t prefix = result.way == Way::FromLight ? from.size()
+                          : result.way == Way::ToLight ? to.size()
+                                                       : 0;
+    result.name = text.substr(prefix);
+    const bool isArray = typesOf(value, here_).arrayLength > 0;
+    const bool isSet = result.way == Way::FromLight;
+    result.value = isArray ? expressions_.checkWholeArray(value, isSet)
+                   : isSet ? expressions_.checkTarget(value)
+                           : expressions_.check(value);
+    if (result.value)
+        result_.messages.push_back(std::move(result));
 }
 
 // The type of the argument behind the position decides: a float announces cones. What may be either
@@ -98,6 +141,10 @@ void LightArgumentChecker::classicCone(Arguments given) {
     result_.form = ConeForm::Classic;
     result_.axis = as(BaseType::Vector, given[0], "the axis of " + word_);
     result_.angle = as(BaseType::Float, given[1], "the angle of " + word_);
+    if (looksLikeDegrees(*given[1]))
+        here_.reporter.hint(given[1]->where, "the angle of " + word_ +
+                                                 " is half of the cone in radians; this looks like "
+                                                 "degrees");
 }
 
 void LightArgumentChecker::extendedCones(Arguments given) {
@@ -132,7 +179,7 @@ Cone LightArgumentChecker::cone(Arguments given) {
     result.importance =
         as(color ? BaseType::Color : BaseType::Float, given[3], "the importance of a cone");
     if (looksLikeRadians(*given[1]))
-        here_.reporter.warning(given[1]->where,
+        here_.reporter.hint(given[1]->where,
                                "the angle of a cone is its full opening in degrees; "
                                "this looks like radians");
     return result;

@@ -22,4 +22,11 @@ bool looksLikeRadians(const ast::Expr &angle) {
     return !converted && mentionsPi(angle);
 }
 
+bool looksLikeDegrees(const ast::Expr &angle) {
+    constexpr double step = 5; // 30, 45, 90: nobody turns by ten radians without meaning degrees.
+    if (angle.kind == ast::ExprKind::Number)
+        return angle.number > 2 * M_PI + 1e-3 && std::fmod(angle.number, step) == 0;
+    return angle.kind == ast::ExprKind::Call && angle.text == "degrees";
+}
+
 } // namespace candela::sl

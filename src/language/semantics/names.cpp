@@ -39,6 +39,8 @@ Symbol &Names::declare(Symbol::Kind kind, const ast::Variable &v, const Type &ty
     symbol.output = v.output;
     symbol.detailStated = v.detail.has_value();
     symbol.owner = owner_;
+    if (kind == Symbol::Kind::Local && !v.initialised)
+        symbols_.noteUnset(symbol);
     Symbol *existing = nullptr;
     if (!scope_->declare(v.name, &symbol, &existing))
         reporter_.error(v.where, v.name + " is declared in line " +

@@ -21,11 +21,15 @@ public:
 
     ShaderKind shaderKind() const { return shader_.kind; }
     Symbol &add(Symbol::Kind, const std::string &name, const Type &, const Place &);
+    /// A local that is declared without a value.
+    void noteUnset(const Symbol &symbol) { unset_.push_back(&symbol); }
+    const std::vector<const Symbol *> &unset() const { return unset_; }
     /// Of a predefined variable that this kind of shader knows; null if there is none.
     Symbol *predefined(const std::string &name);
 
 private:
     TypedShader &shader_;
+    std::vector<const Symbol *> unset_;
     std::map<PredefinedId, Symbol *> predefined_;
 };
 

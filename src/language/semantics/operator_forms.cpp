@@ -59,9 +59,18 @@ Forms equalities() {
     return forms;
 }
 
+/// Of triples, a relation holds if it does in each component.
+Forms orders() {
+    Forms forms{{Float, Float, Float, 0}, {Color, Color, Float, 0}};
+    for (BaseType a : geometric)
+        for (BaseType b : geometric)
+            forms.push_back({a, b, Float, 0});
+    return forms;
+}
+
 const Forms &formsOf(BinaryOp op) {
     static const Forms add = sums(false), subtract = sums(true), multiply = products(false),
-                       divide = products(true), equal = equalities(),
+                       divide = products(true), equal = equalities(), order = orders(),
                        dot{{Vector, Vector, Float, 0}, {Color, Color, Float, 3}},
                        cross{{Vector, Vector, Vector, 0}}, floats{{Float, Float, Float, 0}};
     switch (op) {
@@ -73,6 +82,10 @@ const Forms &formsOf(BinaryOp op) {
     case BinaryOp::Cross: return cross;
     case BinaryOp::Equal:
     case BinaryOp::NotEqual: return equal;
+    case BinaryOp::Less:
+    case BinaryOp::LessEqual:
+    case BinaryOp::Greater:
+    case BinaryOp::GreaterEqual: return order;
     default: return floats;
     }
 }

@@ -20,6 +20,10 @@ void Scope::declareFunction(FunctionDefinition *definition) {
     functions_[definition->syntax->name].push_back(definition);
 }
 
+void Scope::dropFunction(const FunctionDefinition *definition) {
+    std::erase(functions_[definition->syntax->name], definition);
+}
+
 Symbol *Scope::find(const std::string &name) const {
     for (const Scope *scope = this; scope; scope = scope->outer_) {
         auto found = scope->symbols_.find(name);

@@ -39,6 +39,8 @@ public:
     /// False if this very scope has the name already; `existing` is that symbol then.
     bool declare(const std::string &name, Symbol *, Symbol **existing);
     void declareFunction(FunctionDefinition *);
+    /// Forgets a function of this very scope.
+    void dropFunction(const FunctionDefinition *);
 
     /// From here outward; null if unknown.
     Symbol *find(const std::string &name) const;

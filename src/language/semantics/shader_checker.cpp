@@ -13,14 +13,15 @@ namespace {
 
 class ShaderChecker {
 public:
-    ShaderChecker(TypedShader &shader, Reporter &reporter)
+    ShaderChecker(TypedShader &shader, const std::string &headersRead, Reporter &reporter)
         : shader_(shader), reporter_(reporter), symbols_(shader),
-          functions_(shader, symbols_, reporter) {}
+          functions_(shader, symbols_, reporter, headersRead) {}
 
     void defineFunctions(const ast::File &);
     void parameters(const std::vector<ast::Variable> &);
     void body(const ast::Stmt &);
     void uncalledFunctions(const ast::File &, const SourceFile &mainFile);
+    void hintAtUnset(const SourceFile &mainFile) const;
 
 private:
     Surroundings surroundings(Scope &scope) {
@@ -57,15 +58,11 @@ Parameter ShaderChecker::parameter(const ast::Variable &v, Surroundings &here) {
     Type type = declaredType(v, Detail::Uniform, reporter_);
     result.defaults = initialValues(v, type, expressions, reporter_);
     if (!v.initialised)
-        reporter_.warning(v.where, "parameter " + v.name + " has no default; it is " +
+        reporter_.hint(v.where, "parameter " + v.name + " has no default; it is " +
                                        (v.type == BaseType::String ? "\"\"" : "0"));
     result.symbol = &here.names.declare(Symbol::Kind::Parameter, v, type);
     Symbol *ignored = nullptr;
     externScope_.declare(v.name, result.symbol, &ignored);
-    for (const ExprPtr &value : result.defaults)
-        if (value->type.isVarying() && !type.isVarying())
-            reporter_.error(value->where,
-                            "the default of uniform parameter " + v.name + " must be uniform");
     result.doc = v.doc;
     return result;
 }
@@ -83,35 +80,46 @@ void ShaderChecker::uncalledFunctions(const ast::File &file, const SourceFile &m
     functions_.checkUncalled(mainFile, several ? &fileScope_ : nullptr);
 }
 
-void warnAboutUnused(const TypedShader &shader, const SourceFile &mainFile, Reporter &reporter) {
+void ShaderChecker::hintAtUnset(const SourceFile &mainFile) const {
+    for (const Symbol *symbol : symbols_.unset())
+        if (symbol->read && !symbol->written && symbol->where.file == &mainFile)
+            reporter_.hint(symbol->where,
+                           "variable " + symbol->name + " is read, but never set: it is " +
+                               (symbol->type.base == BaseType::String ? "\"\"" : "0"));
+}
+
+void hintAtUnused(const TypedShader &shader, const SourceFile &mainFile, Reporter &reporter) {
     for (const auto &symbol : shader.symbols) {
         bool read = symbol->read || symbol->output;
         // Light categories and the like are read by others: __category, __nondiffuse.
         if (read || symbol->where.file != &mainFile || symbol->name.starts_with("__"))
             continue;
         if (symbol->kind == Symbol::Kind::Parameter)
-            reporter.warning(symbol->where, "parameter " + symbol->name + " is never used");
+            reporter.hint(symbol->where, "parameter " + symbol->name + " is never used");
         if (symbol->kind == Symbol::Kind::Local && !symbol->written)
-            reporter.warning(symbol->where, "variable " + symbol->name + " is never used");
+            reporter.hint(symbol->where, "variable " + symbol->name + " is never used");
     }
 }
 
 } // namespace
 
 std::unique_ptr<TypedShader> checkShader(const ast::Shader &syntax, const ast::File &file,
-                                         const SourceFile &mainFile, Reporter &reporter) {
+                                         const SourceFile &mainFile,
+                                         const std::string &headersRead, Reporter &reporter) {
     auto shader = std::make_unique<TypedShader>();
     shader->kind = syntax.kind;
     shader->name = syntax.name;
     shader->where = syntax.where;
     shader->doc = syntax.doc;
-    ShaderChecker checker(*shader, reporter);
+    ShaderChecker checker(*shader, headersRead, reporter);
     checker.defineFunctions(file);
     checker.parameters(syntax.parameters);
     checker.body(*syntax.body);
     checker.uncalledFunctions(file, mainFile);
-    if (reporter.errorCount() == 0)
-        warnAboutUnused(*shader, mainFile, reporter);
+    if (reporter.errorCount() == 0) {
+        hintAtUnused(*shader, mainFile, reporter);
+        checker.hintAtUnset(mainFile);
+    }
     return shader;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "language/semantics/typed_ast.h"
 #include "language/syntax/ast.h"
@@ -11,7 +12,9 @@
 namespace candela::sl {
 
 /// The typed form of a shader of the file; of use only if the reporter has counted no errors.
+/// `headersRead` is what messages about unknown functions end with.
 std::unique_ptr<TypedShader> checkShader(const ast::Shader &, const ast::File &,
-                                         const SourceFile &mainFile, Reporter &);
+                                         const SourceFile &mainFile,
+                                         const std::string &headersRead, Reporter &);
 
 } // namespace candela::sl

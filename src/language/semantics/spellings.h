@@ -13,6 +13,8 @@ std::string_view splineBasisSpelled(std::string_view name);
 
 /// For messages.
 inline constexpr const char *colorSpaceNames = "rgb, hsv, hsl, XYZ, xyY or YIQ";
+/// Before the name of a basis: the spline is to be inverted.
+inline constexpr std::string_view inverseSpline = "solve";
 inline constexpr const char *splineBasisNames =
     "catmull-rom, bezier, bspline, hermite, linear or power";
 

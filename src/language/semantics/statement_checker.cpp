@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/semantics/statement_checker.h"
 
+#include "language/semantics/gather_statement.h"
 #include "language/semantics/light_arguments.h"
 #include "language/semantics/targets.h"
 #include "language/semantics/typed_nodes.h"
@@ -46,11 +47,7 @@ void StatementChecker::statement(const ast::Stmt &s, Statements &out) {
     case ast::StmtKind::Illuminance:
     case ast::StmtKind::Illuminate:
     case ast::StmtKind::Solar: lightStatement(s, out); return;
-    case ast::StmtKind::Gather:
-        here_.reporter.error(s.where,
-                             "the gather statement is not available yet in this version of "
-                             "Candela");
-        return;
+    case ast::StmtKind::Gather: gatherStatement(s, out); return;
     }
 }
 
@@ -80,7 +77,7 @@ void StatementChecker::evaluation(const ast::Stmt &s, Statements &out) {
         return;
     bool acts = s.value->kind == ast::ExprKind::Assign || s.value->kind == ast::ExprKind::Call;
     if (!acts)
-        here_.reporter.warning(s.value->where, "this expression has no effect");
+        here_.reporter.hint(s.value->where, "this expression has no effect");
     StmtPtr result = makeNode(StmtKind::Evaluate, s.where);
     result->value = std::move(value);
     out.push_back(std::move(result));
@@ -88,7 +85,7 @@ void StatementChecker::evaluation(const ast::Stmt &s, Statements &out) {
 
 ExprPtr StatementChecker::condition(const ast::Expr &e) {
     if (e.kind == ast::ExprKind::Assign && !e.compound)
-        here_.reporter.warning(e.where, "'=' assigns; did you mean '=='?");
+        here_.reporter.hint(e.where, "'=' assigns; did you mean '=='?");
     return expressions_.checkAs(e, BaseType::Float, "a condition");
 }
 
@@ -140,6 +137,31 @@ StmtPtr StatementChecker::loopItself(const ast::Stmt &s) {
             result->steps.push_back(std::move(e));
     bool failed = s.value && !result->value;
     return failed ? nullptr : std::move(result);
+}
+
+void StatementChecker::gatherStatement(const ast::Stmt &s, Statements &out) {
+    Names::InnerScope scope(here_.names);
+    auto gather = checkGather(s, here_, expressions_);
+    if (!gather)
+        return;
+    const bool outer = varyingControl_;
+    varyingControl_ = true;
+    StmtPtr block = makeNode(StmtKind::Block, s.where), loop = makeNode(StmtKind::Loop, s.where);
+    StmtPtr choice = makeNode(StmtKind::If, s.where);
+    loops_.push_back(loop.get());
+    scoped(*s.body[0], choice->body);
+    if (s.body.size() > 1)
+        scoped(*s.body[1], choice->otherwise);
+    loops_.pop_back();
+    varyingControl_ = outer;
+    choice->value = std::move(gather->hit);
+    loop->value = std::move(gather->more);
+    loop->steps.push_back(std::move(gather->next));
+    loop->body.push_back(std::move(choice));
+    for (StmtPtr &declaration : gather->declarations)
+        block->body.push_back(std::move(declaration));
+    block->body.push_back(std::move(loop));
+    out.push_back(std::move(block));
 }
 
 void StatementChecker::jump(const ast::Stmt &s, Statements &out) {

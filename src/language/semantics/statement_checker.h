@@ -37,6 +37,7 @@ private:
     void ifStatement(const ast::Stmt &, Statements &out);
     void loop(const ast::Stmt &, Statements &out);
     StmtPtr loopItself(const ast::Stmt &);
+    void gatherStatement(const ast::Stmt &, Statements &);
     void jump(const ast::Stmt &, Statements &out);
     void returnStatement(const ast::Stmt &, Statements &out);
     ExprPtr returnedValue(const ast::Stmt &);

@@ -3,23 +3,19 @@
 
 namespace candela::sl {
 
-bool mayWrite(const Symbol &symbol, const Place &where, const Surroundings &here) {
+void hintIfReadOnly(const Symbol &symbol, const Place &where, const Surroundings &here) {
     const ShaderKind kind = here.names.shaderKind();
-    std::string problem;
     if (symbol.kind == Symbol::Kind::Predefined && !symbol.predefined->writableIn(kind))
-        problem = symbol.name + " cannot be assigned in a " + nameOf(kind) + " shader";
+        here.reporter.hint(where, symbol.name + " is not for a " + nameOf(kind) +
+                                      " shader to assign; only this shader sees the change");
     if (symbol.kind == Symbol::Kind::Parameter && !symbol.output)
-        problem = "parameter " + symbol.name +
-                  " cannot be assigned; declare it output, or copy it "
-                  "into a variable";
+        here.reporter.hint(where, "parameter " + symbol.name +
+                                      " is assigned, but not declared output; only this shader "
+                                      "sees the change");
     if (symbol.kind == Symbol::Kind::Formal && !symbol.output)
-        problem = "argument " + symbol.name +
-                  " cannot be assigned; declare it output, or copy it "
-                  "into a variable";
-    if (problem.empty())
-        return true;
-    here.reporter.error(where, problem);
-    return false;
+        here.reporter.hint(where, "argument " + symbol.name +
+                                      " is assigned, but not declared output; the caller's value "
+                                      "stays as it is");
 }
 
 Symbol &symbolOf(const Expr &target) {
@@ -33,6 +29,10 @@ bool detailFits(const Expr &target, Detail value, const Place &where, Reporter &
     Symbol &symbol = symbolOf(target);
     if (value == Detail::Uniform || symbol.type.isVarying())
         return true;
+    const bool isArgument =
+        symbol.kind == Symbol::Kind::Parameter || symbol.kind == Symbol::Kind::Formal;
+    if (isArgument && !symbol.detailStated)
+        return true; // A copy of the shader's own, which varies where it is made to.
     if (symbol.kind == Symbol::Kind::Local && symbol.type.base == BaseType::String &&
         !symbol.detailStated) {
         symbol.type.detail = Detail::Varying;

@@ -8,8 +8,9 @@
 
 namespace candela::sl {
 
-/// Whether the shader may assign to the variable; reported if not.
-bool mayWrite(const Symbol &, const Place &, const Surroundings &);
+/// All variables may be assigned, as files of thirty years do; the author is told where the
+/// language says otherwise.
+void hintIfReadOnly(const Symbol &, const Place &, const Surroundings &);
 /// The variable that an assignment to the target changes.
 Symbol &symbolOf(const Expr &target);
 /// Whether the target may hold values of that detail; reported if not. Strings without a stated

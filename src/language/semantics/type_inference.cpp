@@ -7,6 +7,10 @@
 
 namespace candela::sl {
 
+static const TypeSet anySingleType{BaseType::Float,  BaseType::Color,  BaseType::Point,
+                                   BaseType::Vector, BaseType::Normal, BaseType::Matrix,
+                                   BaseType::String};
+
 static TypeSet typesOfName(const ast::Expr &e, const Surroundings &here) {
     Symbol *symbol = here.names.find(e.text);
     if (!symbol)
@@ -45,7 +49,10 @@ static TypeSet typesOfCall(const ast::Expr &e, const Surroundings &here) {
             result.add(here.functions.resultOf(*definition));
     if (!result.empty())
         return result;
-    if (const Builtin *function = findBuiltin(e.text))
+    const Builtin *function = findBuiltin(e.text);
+    if (!function && here.names.functions(e.text).empty())
+        return anySingleType; // An external function gives what is wanted of it.
+    if (function)
         for (const BuiltinOverload &overload : function->overloads)
             if (callCost(overload, e, arguments) < impossible)
                 result.add(overload.result);

@@ -80,8 +80,9 @@ enum class ExprKind {
 //                       Divide also triple/float, matrix/float (scaling)
 //   Dot                 triple.triple of type vector; float result
 //   Cross               vector^vector; vector result
-//   Less ... NotEqual   float/float; result float 1 or 0. Equal and NotEqual also triples and
-//                       matrices (equal if all components are) and strings
+//   Less ... NotEqual   float/float; result float 1 or 0. Also triples: Less and its kin hold if
+//                       they do in all components. Equal and NotEqual also matrices (equal if all
+//                       components are) and strings
 //   And, Or             floats, true if not 0; result float 1 or 0. RI leaves open whether the
 //                       right side runs if the left decides: side effects there run only if needed
 // Point, vector and normal count as one type here: the operands of Add may be point and vector.
@@ -116,6 +117,9 @@ enum class StmtKind {
     Solar        ///< `light`; light shaders: a distant emitter; the body sets Cl
 };
 
+// gather(category, p, axis, angle, samples, ...) has become a Loop of `samples` turns around an If
+// whose condition is a call of the built-in function gather, which follows a ray.
+
 /// One cone of the extended forms (ALGORITHMS 0 and 1). All are evaluated before the loop.
 struct Cone {
     ExprPtr axis;       ///< vector
@@ -130,6 +134,18 @@ enum class ConeForm {
     Extended    ///< coneCount and cones: full angles in degrees, exponents, importances.
 };
 
+/// An optional argument of illuminance, behind the cones: illuminance(P, "light:q", q).
+struct LightMessage {
+    enum class Way {
+        FromLight, ///< "light:NAME": `value`, a variable, gets the light's parameter NAME.
+        ToLight,   ///< "send:light:NAME": the light's parameter NAME gets `value`.
+        ToRenderer ///< Other names ("lightcache"): advice to a renderer.
+    };
+    Way way = Way::ToRenderer;
+    std::string name; ///< Of the light's parameter, or as it stands.
+    ExprPtr value;    ///< FromLight: Variable, Element or Component, or a whole array.
+};
+
 /// What stands in the parentheses of illuminance, illuminate and solar.
 struct LightArguments {
     ConeForm form = ConeForm::Everywhere;
@@ -139,6 +155,7 @@ struct LightArguments {
     ExprPtr angle;     ///< float, radians; Classic
     ExprPtr coneCount; ///< float; Extended. At run time, may be fewer than cones.size()
     std::vector<Cone> cones;
+    std::vector<LightMessage> messages; ///< In the order of the text; illuminance only.
 };
 
 struct Stmt {

@@ -37,6 +37,14 @@ ExprPtr makeText(const std::string &text, const Place &where) {
     return result;
 }
 
+ExprPtr makeZero(BaseType type, const Place &where) {
+    if (type == BaseType::String)
+        return makeText("", where);
+    ExprPtr number = makeNumber(0, where);
+    const bool isFloat = type == BaseType::Float || type == BaseType::Void;
+    return isFloat ? std::move(number) : converted(std::move(number), type);
+}
+
 ExprPtr makeBinary(BinaryOp op, BaseType type, const Place &where, ExprPtr left, ExprPtr right) {
     ExprPtr result =
         makeNode(ExprKind::Binary, single(type), where, list(std::move(left), std::move(right)));

@@ -19,6 +19,8 @@ std::vector<ExprPtr> list(ExprPtr, ExprPtr = nullptr, ExprPtr = nullptr);
 /// Varying if the type or one of the operands is.
 ExprPtr makeNode(ExprKind, const Type &, const Place &, std::vector<ExprPtr> operands = {});
 ExprPtr makeNumber(double, const Place &);
+/// 0 of a type; "" of a string.
+ExprPtr makeZero(BaseType, const Place &);
 ExprPtr makeText(const std::string &, const Place &);
 ExprPtr makeBinary(BinaryOp, BaseType result, const Place &, ExprPtr left, ExprPtr right);
 ExprPtr makeVariable(Symbol &, const Place &);

@@ -19,12 +19,18 @@ static bool sameSignature(const FunctionDefinition &a, const ast::Function &b) {
 }
 
 void UserFunctions::define(const ast::Function &syntax, Scope &scope) {
-    for (FunctionDefinition *other : scope.findFunctions(syntax.name))
-        if (other->scope == &scope && sameSignature(*other, syntax))
-            reporter_.error(syntax.where, "function " + syntax.name +
-                                              " with these arguments is defined in line " +
-                                              std::to_string(other->syntax->where.line) +
-                                              " already");
+    for (FunctionDefinition *other : scope.findFunctions(syntax.name)) {
+        if (other->scope != &scope || !sameSignature(*other, syntax))
+            continue;
+        const Place &first = other->syntax->where;
+        reporter_.warning(syntax.where, "function " + syntax.name +
+                                            " with these arguments is defined again: this "
+                                            "definition counts, not that in " +
+                                            first.file->name() + ", line " +
+                                            std::to_string(first.line));
+        scope.dropFunction(other);
+        other->checked = true;
+    }
     auto definition = std::make_unique<FunctionDefinition>();
     definition->syntax = &syntax;
     definition->scope = &scope;
@@ -96,7 +102,7 @@ void UserFunctions::check(FunctionDefinition &definition, const std::vector<Type
     definition.inProgress = false;
     bool promises = definition.result.value_or(BaseType::Void) != BaseType::Void;
     if (promises && !body.returned().any)
-        reporter_.warning(syntax.where, "function " + syntax.name +
+        reporter_.hint(syntax.where, "function " + syntax.name +
                                             " returns no value; its "
                                             "result is 0");
     instance.result.base = definition.result.value_or(BaseType::Void);

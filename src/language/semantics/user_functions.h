@@ -17,10 +17,17 @@ namespace candela::sl {
 /// All of one shader. The shader owns the instances, callees first.
 class UserFunctions {
 public:
-    UserFunctions(TypedShader &shader, Symbols &symbols, Reporter &reporter)
-        : shader_(shader), symbols_(symbols), reporter_(reporter) {}
+    UserFunctions(TypedShader &shader, Symbols &symbols, Reporter &reporter,
+                  std::string headersRead)
+        : shader_(shader), symbols_(symbols), reporter_(reporter),
+          headersRead_(std::move(headersRead)) {}
 
-    /// Makes the function known in the scope. A second one with the same arguments is reported.
+    /// What a message about an unknown function adds: "; headers that were read: ..."; empty if none
+    /// was.
+    const std::string &headersRead() const { return headersRead_; }
+
+    /// Makes the function known in the scope. A second one with the same arguments
+    /// takes the place of the first, with a warning.
     void define(const ast::Function &, Scope &);
     /// As stated, or else found by checking its body with arguments that stand for any.
     BaseType resultOf(FunctionDefinition &);
@@ -41,6 +48,7 @@ private:
     TypedShader &shader_;
     Symbols &symbols_;
     Reporter &reporter_;
+    std::string headersRead_;
     std::vector<std::unique_ptr<FunctionDefinition>> definitions_;
     int depth_ = 0; ///< Of instances that are being checked, one called in the other.
 };

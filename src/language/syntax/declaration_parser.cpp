@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/syntax/declaration_parser.h"
 
+#include "language/syntax/rsl2.h"
+
 #include <algorithm>
 
 namespace candela::sl {
@@ -20,6 +22,8 @@ ast::Variable DeclarationParser::specifiers() {
         else
             break;
     }
+    if (const std::string construct = rsl2Construct(tokens_); !construct.empty())
+        tokens_.fail(tokens_.peek().where, rsl2Message(construct));
     if (!ahead_.isTypeWord())
         tokens_.unexpected("a type (float, color, point, vector, normal, matrix, string)");
     result.type = *baseTypeNamed(tokens_.peek().spelling);
@@ -67,7 +71,9 @@ void DeclarationParser::declarator(ast::Variable &variable, bool isFormal) {
     bool lengthless = variable.isArray && !variable.length && !variable.initialised;
     if (lengthless && !isFormal && !variable.external)
         tokens_.fail(variable.where,
-                     "array " + variable.name + " needs a length or initial values");
+                     "array " + variable.name + " needs a length or initial values; an array "
+                                                "that grows is of RSL 2.0, which Candela does "
+                                                "not support");
 }
 
 void DeclarationParser::initialiser(ast::Variable &variable) {
@@ -90,6 +96,8 @@ std::vector<ast::Variable> DeclarationParser::formals(const std::string &owner) 
     std::vector<ast::Variable> result;
     ast::Variable pattern;
     bool typed = false;
+    if (tokens_.at("void") && tokens_.at(")", 1))
+        tokens_.take(); // f(void), as in C.
     while (!tokens_.atEnd() && !tokens_.at(")") && !tokens_.at("{")) {
         if (tokens_.accept(";") || tokens_.accept(","))
             continue;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/syntax/expression_parser.h"
 
+#include "language/syntax/rsl2.h"
+
 #include <algorithm>
+#include <tuple>
 
 namespace candela::sl {
 
@@ -101,7 +104,51 @@ ast::ExprPtr ExpressionParser::postfix() {
         tokens_.expect("]", "after the index");
         result = make(ast::ExprKind::Index, where, list(std::move(result), std::move(index)));
     }
+    if (tokens_.at("->"))
+        tokens_.fail(tokens_.peek().where, rsl2Message("'->'"));
+    for (auto [sign, op, back] : {std::tuple("+", BinaryOp::Add, BinaryOp::Subtract),
+                                  std::tuple("-", BinaryOp::Subtract, BinaryOp::Add)}) {
+        if (!atSigns(sign) || !tokens_.atAny({";", ")", ",", "]"}, 2))
+            continue;
+        const Place where = tokens_.take().where;
+        tokens_.take();
+        if (!tokens_.at(";")) // The value is the one before: (i += 1) - 1.
+            return step(counted(std::move(result), op, where), back, where);
+        return counted(std::move(result), op, where);
+    }
     return result;
+}
+
+/// Two signs without a space between them.
+bool ExpressionParser::atSigns(const char *sign) const {
+    return tokens_.at(sign) && tokens_.at(sign, 1) && !tokens_.peek(1).spaceBefore;
+}
+
+/// variable += 1 or variable -= 1
+ast::ExprPtr ExpressionParser::counted(ast::ExprPtr variable, BinaryOp op, const Place &where) {
+    ast::ExprPtr result = step(std::move(variable), op, where);
+    result->kind = ast::ExprKind::Assign;
+    result->compound = true;
+    return result;
+}
+
+/// value + 1 or value - 1
+ast::ExprPtr ExpressionParser::step(ast::ExprPtr value, BinaryOp op, const Place &where) {
+    ast::ExprPtr one = make(ast::ExprKind::Number, where);
+    one->number = 1;
+    ast::ExprPtr result = make(ast::ExprKind::Binary, where, list(std::move(value), std::move(one)));
+    result->op = op;
+    return result;
+}
+
+ast::ExprPtr ExpressionParser::effect() {
+    for (auto [sign, op] : {std::pair("+", BinaryOp::Add), std::pair("-", BinaryOp::Subtract)})
+        if (atSigns(sign)) {
+            const Place where = tokens_.take().where;
+            tokens_.take();
+            return counted(postfix(), op, where);
+        }
+    return expression();
 }
 
 ast::ExprPtr ExpressionParser::primary() {

@@ -19,6 +19,9 @@ public:
 
     /// Up to the first operator that binds looser than `least`.
     ast::ExprPtr expression(Precedence least = Precedence::Assignment);
+    /// What is evaluated for its effect, in a statement or a step of `for`: ++i and --i count up and
+    /// down there, as in C.
+    ast::ExprPtr effect();
     /// From the '(' of a call of `name` to its ')'.
     std::vector<ast::ExprPtr> arguments(const std::string &name);
 
@@ -27,6 +30,9 @@ private:
     ast::ExprPtr unary();
     ast::ExprPtr cast();
     ast::ExprPtr postfix();
+    bool atSigns(const char *sign) const;
+    ast::ExprPtr step(ast::ExprPtr value, BinaryOp, const Place &);
+    ast::ExprPtr counted(ast::ExprPtr variable, BinaryOp, const Place &);
     ast::ExprPtr primary();
     ast::ExprPtr text();
     ast::ExprPtr brackets();

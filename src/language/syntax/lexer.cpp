@@ -12,7 +12,7 @@ namespace {
 
 // Longest first, so that the first that fits is the right one. Some serve the preprocessor alone.
 constexpr const char *punctuators[] = {
-    "==", "!=", "<=", ">=", "&&", "||", "+=", "-=", "*=", "/=", "##", "<<", ">>",
+    "==", "!=", "<=", ">=", "&&", "||", "+=", "-=", "*=", "/=", "->", "##", "<<", ">>",
     "(",  ")",  "[",  "]",  "{",  "}",  ",",  ";",  ":",  "?",  ".",  "+",  "-",
     "*",  "/",  "^",  "=",  "<",  ">",  "!",  "#",  "%",  "&",  "|",  "~"};
 
@@ -199,6 +199,8 @@ private:
         auto [end, error] = std::from_chars(s.data(), s.data() + s.size(), token.number);
         if (error == std::errc::result_out_of_range && token.number == 0)
             token.number = s.find("e-") != s.npos || s.find("E-") != s.npos ? 0 : HUGE_VAL;
+        if ((peek() == 'f' || peek() == 'F') && !isWordPart(peek(1)))
+            take(token); // 0.5f, as in C.
         if (isWordPart(peek())) {
             Place where = here();
             while (isWordPart(peek()))

@@ -45,16 +45,34 @@ bool Lookahead::startsDeclaration() const {
 
 // A definition is told from a call by what follows the brackets.
 bool Lookahead::startsFunction() const {
-    size_t name = isTypeWord() ? 1 : 0;
-    const Token &word = tokens_.peek(name);
-    if (!word.isIdentifier() || isReserved(word) || isTypeWord(name) || !tokens_.at("(", name + 1))
-        return false;
-    size_t behind = behindBrackets(name + 1);
+    const size_t type = behindDetail(), behind = behindHead();
     if (behind == 0)
         return false;
     return tokens_.at("{", behind) ||
-           (name == 1 &&
+           (isTypeWord(type) &&
             (isTypeWord(behind) || tokens_.atAny({"uniform", "varying", "output"}, behind)));
+}
+
+bool Lookahead::startsPrototype() const {
+    const size_t behind = behindHead();
+    return behind > 0 && isTypeWord(behindDetail()) && tokens_.at(";", behind);
+}
+
+/// How far ahead what follows the words "uniform" and "varying" is.
+size_t Lookahead::behindDetail() const {
+    size_t ahead = 0;
+    while (tokens_.atAny({"uniform", "varying"}, ahead))
+        ++ahead;
+    return ahead;
+}
+
+/// How far ahead the token behind [detail] [type] name(...) is; 0 if no such head stands here.
+size_t Lookahead::behindHead() const {
+    const size_t type = behindDetail(), name = type + isTypeWord(type);
+    const Token &word = tokens_.peek(name);
+    const bool isHead = word.isIdentifier() && !isReserved(word) && !isTypeWord(name) &&
+                        tokens_.at("(", name + 1);
+    return isHead ? behindBrackets(name + 1) : 0;
 }
 
 bool Lookahead::startsShader() const {

@@ -21,7 +21,10 @@ public:
     bool isTypeWord(size_t ahead = 0) const;
     bool startsSpecifier() const;
     bool startsDeclaration() const;
+    /// A definition; it may begin with the detail of what it returns.
     bool startsFunction() const;
+    /// A function's head with ';' behind it, as in C.
+    bool startsPrototype() const;
     bool startsShader() const;
 
     /// From here on a type word of that spelling may be this variable.
@@ -41,6 +44,8 @@ public:
     };
 
 private:
+    size_t behindDetail() const;
+    size_t behindHead() const;
     size_t behindBrackets(size_t ahead) const;
 
     const TokenCursor &tokens_;

@@ -7,6 +7,7 @@
 #include "language/syntax/declaration_parser.h"
 #include "language/syntax/expression_parser.h"
 #include "language/syntax/lookahead.h"
+#include "language/syntax/rsl2.h"
 #include "language/syntax/statement_parser.h"
 #include "language/syntax/token_cursor.h"
 
@@ -46,6 +47,7 @@ public:
 private:
     ast::Item item();
     ast::Shader shader();
+    void skipPrototype();
     void recover();
 
     TokenCursor tokens_;
@@ -60,6 +62,10 @@ ast::File FileParser::file() {
     while (!tokens_.atEnd() && !tokens_.reporter().hopeless()) {
         if (tokens_.accept(";"))
             continue;
+        if (ahead_.startsPrototype()) {
+            skipPrototype();
+            continue;
+        }
         try {
             result.items.push_back(item());
         } catch (Panic) {
@@ -69,11 +75,19 @@ ast::File FileParser::file() {
     return result;
 }
 
+/// All functions of a file know each other anyway.
+void FileParser::skipPrototype() {
+    while (!tokens_.accept(";"))
+        tokens_.take();
+}
+
 ast::Item FileParser::item() {
     if (ahead_.startsShader())
         return shader();
     if (ahead_.startsFunction())
         return statements_.function();
+    if (const std::string construct = rsl2Construct(tokens_); !construct.empty())
+        tokens_.fail(tokens_.peek().where, rsl2Message(construct));
     if (tokens_.at("}"))
         tokens_.fail(tokens_.peek().where, "'}' closes nothing; is there one too many above?");
     tokens_.unexpected("a shader (such as: surface name(...) {...}) or a function");

@@ -101,7 +101,7 @@ private:
             reporter_.warning(name.where, "#warning: " + textOf(line));
         else if (!name.is("pragma") && !name.is("line") && !name.is("ident") &&
                  name.kind != TokenKind::Number)
-            reporter_.error(hash.where, "unknown directive #" + name.spelling);
+            reporter_.warning(hash.where, "unknown directive #" + name.spelling + " is ignored");
     }
 
     void define(const std::vector<Token> &line, const Token &directive) {

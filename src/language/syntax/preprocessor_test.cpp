@@ -134,7 +134,7 @@ TEST(Preprocessor, Reports) {
         {"#if 1\n#else\n#else\n#endif", "test.sl:3:2: error: #else after #else"},
         {"#if 1 +\n#endif", "test.sl:1:2: error: expected a value in this condition"},
         {"#if 1 / 0\n#endif", "test.sl:1:2: error: division by zero in this condition"},
-        {"#frob", "test.sl:1:1: error: unknown directive #frob"},
+        {"#frob", "test.sl:1:1: warning: unknown directive #frob is ignored"},
         {"#define 3", "test.sl:1:2: error: expected a name after #define"},
         {"#define F(x) x\nF(1, 2)", "test.sl:2:1: error: macro F takes 1 arguments, but is given "
                                     "2"},

@@ -25,4 +25,14 @@ void Reporter::warning(const Place &where, std::string message) {
             diagnosticAt(Severity::Warning, where, "too many warnings; the rest is not shown"));
 }
 
+void Reporter::warnOnce(const Place &where, const std::string &message) {
+    if (saidOnce_.insert(message).second)
+        warning(where, message);
+}
+
+void Reporter::hint(const Place &where, std::string message) {
+    if (tellsHints_)
+        warning(where, std::move(message));
+}
+
 } // namespace candela::sl

@@ -5,6 +5,17 @@
 
 namespace candela::sl {
 
+/// Without the mark that some editors put before a text and the end marks (Ctrl-Z) of DOS behind it.
+static std::string_view withoutMarks(std::string_view text) {
+    constexpr std::string_view byteOrderMark = "\xef\xbb\xbf", padding = "\x1a\0 \t\r\n";
+    constexpr char endMark = '\x1a';
+    if (text.starts_with(byteOrderMark))
+        text.remove_prefix(byteOrderMark.size());
+    const size_t last = text.find_last_not_of(padding);
+    const size_t mark = text.find(endMark, last == text.npos ? 0 : last + 1);
+    return text.substr(0, mark);
+}
+
 static std::string withUnixLineEnds(std::string_view text) {
     std::string result;
     result.reserve(text.size());
@@ -18,7 +29,7 @@ static std::string withUnixLineEnds(std::string_view text) {
 }
 
 SourceFile::SourceFile(std::string name, std::string_view text)
-    : name_(std::make_shared<const std::string>(std::move(name))), text_(withUnixLineEnds(text)) {
+    : name_(std::make_shared<const std::string>(std::move(name))), text_(withUnixLineEnds(withoutMarks(text))) {
     lineStarts_.push_back(0);
     for (size_t i = 0; i < text_.size(); ++i)
         if (text_[i] == '\n')

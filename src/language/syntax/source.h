@@ -18,7 +18,8 @@ struct Comment {
     std::string text; ///< Without its delimiters, trimmed.
 };
 
-/// One file. Line ends are normalised to '\n' when it is made (CRLF and lone CR are accepted).
+/// One file. Line ends are normalised to '\n' when it is made (CRLF and lone CR are accepted); a
+/// byte order mark before and Ctrl-Z behind the text are dropped.
 class SourceFile {
 public:
     SourceFile(std::string name, std::string_view text);

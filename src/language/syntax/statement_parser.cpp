@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/syntax/statement_parser.h"
 
+#include "language/syntax/rsl2.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -74,6 +76,8 @@ ast::StmtPtr StatementParser::statementProper() {
         return jumpStatement(StmtKind::Continue);
     if (tokens_.at("return"))
         return returnStatement();
+    if (const std::string construct = rsl2Construct(tokens_); !construct.empty())
+        tokens_.fail(tokens_.peek().where, rsl2Message(construct));
     if (tokens_.at("else"))
         tokens_.fail(tokens_.peek().where, "'else' without an 'if' before it");
     if (tokens_.at("(", 1)) {
@@ -148,7 +152,7 @@ ast::StmtPtr StatementParser::forStatement() {
         result->value = expressions_.expression();
     tokens_.expect(";", "after the condition of 'for'");
     while (!tokens_.at(")")) {
-        result->steps.push_back(expressions_.expression());
+        result->steps.push_back(expressions_.effect());
         if (!tokens_.accept(","))
             break;
     }
@@ -199,12 +203,28 @@ ast::StmtPtr StatementParser::declaration() {
 ast::StmtPtr StatementParser::expressionStatement() {
     ast::StmtPtr result = make(StmtKind::Evaluate);
     const Token &first = tokens_.peek();
-    result->value = expressions_.expression();
+    result->value = expressions_.effect();
     bool misspelt = result->value->kind == ast::ExprKind::Name && ahead_.isName();
     if (misspelt)
         tokens_.fail(first.where, "'" + first.spelling +
                                       "' is not a type; expected one, or an operator "
                                       "after it");
+    if (tokens_.at(","))
+        return furtherExpressions(std::move(result));
+    tokens_.expectSemicolon("after the expression");
+    return result;
+}
+
+/// a = 1, b = 2; runs one after the other, as in C.
+ast::StmtPtr StatementParser::furtherExpressions(ast::StmtPtr first) {
+    ast::StmtPtr result = make(StmtKind::Block);
+    result->where = first->where;
+    result->body.push_back(std::move(first));
+    while (tokens_.accept(",")) {
+        ast::StmtPtr next = make(StmtKind::Evaluate);
+        next->value = expressions_.effect();
+        result->body.push_back(std::move(next));
+    }
     tokens_.expectSemicolon("after the expression");
     return result;
 }
@@ -212,6 +232,9 @@ ast::StmtPtr StatementParser::expressionStatement() {
 ast::Function StatementParser::function() {
     Lookahead::InnerScope own(ahead_);
     ast::Function result;
+    while (tokens_.accept("uniform") || tokens_.accept("varying")) {
+        // What a function returns has the detail of its values; saying so changes nothing.
+    }
     if (ahead_.isTypeWord())
         result.result = baseTypeNamed(tokens_.take().spelling);
     result.where = tokens_.peek().where;

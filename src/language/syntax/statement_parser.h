@@ -35,6 +35,7 @@ private:
     ast::StmtPtr lightStatement(ast::StmtKind);
     ast::StmtPtr declaration();
     ast::StmtPtr expressionStatement();
+    ast::StmtPtr furtherExpressions(ast::StmtPtr first);
     ast::ExprPtr condition(const char *word);
     ast::StmtPtr make(ast::StmtKind) const;
     void recoverInBlock(size_t start);

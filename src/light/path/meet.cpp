@@ -42,6 +42,9 @@ void meet(PathWave &wave) {
         randomBits(count, chunk.paths.pixelKey, chunk.paths.sampleIndex, wave.vertex,
                    reinterpret_cast<std::uint32_t *>(seed));
     }
+    if (chunk.vertices.code().reads(ShaderInput::rayDepth))
+        std::copy_n(chunk.paths.depth, count,
+                    chunk.vertices.points.input(ShaderInput::rayDepth, 0));
     drawNumbers(wave, lightPositionPair);
     if (directionsAt(wave) == 1)
         drawNumbers(wave, directionPair);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/scene/appearance_builder.h"
 #include "language/ir/transform/light_rule.h"
+#include "world/shading/instance_values.h"
 
 #include <algorithm>
 
@@ -43,15 +44,21 @@ int AppearanceBuilder::numberOf(std::shared_ptr<ShaderCode> code) {
 AppearanceBuilder::Shading AppearanceBuilder::shadingOf(const Attributes &attributes,
                                                         const std::set<std::string> &variables) {
     const ShaderRecord &record = attributes.surface ? *attributes.surface : defaultSurface();
-    auto known = shadings_.find({&record, variables});
-    if (known != shadings_.end())
-        return known->second;
+    for (const Attributes *asked : {static_cast<const Attributes *>(nullptr), &attributes}) {
+        const auto known = shadings_.find({&record, variables, asked});
+        if (known != shadings_.end())
+            return known->second;
+    }
     auto rule = state_.classic ? ir::LightRule::Classic : ir::LightRule::Path;
-    auto instance = library_.instance(ShaderKind::Surface, record, state_.options, rule, variables);
+    auto instance = library_.instance(ShaderKind::Surface, record, state_.options, rule, variables,
+                                      &attributes);
     Shading shading{-1, 0};
-    if (instance)
+    const Attributes *asked = nullptr;
+    if (instance) {
         shading = {numberOf(instance->code), instance->parameterOffset};
-    shadings_[{&record, variables}] = shading;
+        asked = asksForAttributes(instance->code->shader()) ? &attributes : nullptr;
+    }
+    shadings_[{&record, variables, asked}] = shading;
     return shading;
 }
 

@@ -40,7 +40,9 @@ private:
     SceneState &state_;
     ShaderLibrary &library_;
     std::vector<std::uint32_t> shapes_;
-    std::map<std::pair<const ShaderRecord *, std::set<std::string>>, Shading> shadings_;
+    /// By shader, overriding variables and, of shaders that ask for them, attributes.
+    std::map<std::tuple<const ShaderRecord *, std::set<std::string>, const Attributes *>, Shading>
+        shadings_;
     std::map<const ShaderCode *, int> codeNumbers_;
     std::map<std::vector<int>, int> lightSets_;
 };

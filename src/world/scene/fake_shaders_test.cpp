@@ -157,6 +157,7 @@ ShaderLibrary::ShaderLibrary(ShaderLibrarySettings, DiagnosticSink &)
 ShaderLibrary::~ShaderLibrary() = default;
 void ShaderLibrary::makeReady() {}
 void ShaderLibrary::bindOptions(const Options &) {}
+void ShaderLibrary::bindRays(const RayAnswers *) {}
 
 std::optional<std::vector<ShaderLookup::ParameterType>>
 ShaderLibrary::parametersOf(ShaderKind, const std::string &, const Options &,
@@ -166,7 +167,8 @@ ShaderLibrary::parametersOf(ShaderKind, const std::string &, const Options &,
 
 std::optional<ShaderInstance> ShaderLibrary::instance(ShaderKind, const ShaderRecord &record,
                                                       const Options &, ir::LightRule rule,
-                                                      const std::set<std::string> &variables) {
+                                                      const std::set<std::string> &variables,
+                                                      const Attributes *) {
     if (record.name == "missing")
         return std::nullopt;
     std::string key = record.name;

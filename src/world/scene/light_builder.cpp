@@ -85,6 +85,13 @@ bool emitsAlike(const ShaderCode &code) {
 
 } // namespace
 
+/// Whether the light's shader says itself where its light does not get.
+static bool tellsShadows(const ShaderCode &code) {
+    return std::ranges::any_of(code.shader().whole.services, [](const ir::ServiceUse &use) {
+        return use.info->service == Service::transmission;
+    });
+}
+
 LightBuilder::LightBuilder(SceneState &state, ShaderLibrary &library)
     : state_(state), library_(library) {}
 
@@ -100,7 +107,8 @@ void LightBuilder::declare(const std::vector<std::shared_ptr<const LightRecord>>
             tags = tagsOf(*record, *instance->code);
         }
         light.si = record->units == LightUnits::Si;
-        light.castsShadow = !state_.classic || record->shadows;
+        light.castsShadow = (!state_.classic || record->shadows) &&
+                            !(instance && tellsShadows(*instance->code));
         light.currentFromShader = record->shader.currentFromShader.atOpen();
         state_.lights.lights.push_back(std::move(light));
         tags_.push_back(std::move(tags));

@@ -10,6 +10,7 @@ LightBatch::LightBatch(int capacity)
       integers(2, capacity) {
     for (int plane = 0; plane < int(ShaderInput::Count); ++plane)
         inputTable.push_back(inputs[plane]);
+    std::fill_n(input(ShaderInput::rayOffset), capacity, 0.0f);
     parameterOffset = integers[0], objectIndex = integers[1];
     for (int c = 0; c < 3; ++c)
         L[c] = answers[c];

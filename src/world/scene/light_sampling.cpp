@@ -244,6 +244,12 @@ void samplePlain(const SceneState &state, const SourceBin &bin, const Block &blo
     take(block, bin, batch.Cl.data());
 }
 
+/// How far rays start off the surface.
+void fillRayOffsets(int count, Planes3 P, Planes3 Ps, float *offset) {
+    for (int i = 0; i < count; ++i)
+        offset[i] = length(Vec3{P[0][i] - Ps[0][i], P[1][i] - Ps[1][i], P[2][i] - Ps[2][i]});
+}
+
 /// Lights without extent, or taken so.
 void sampleDelta(const SceneState &state, const SourceBin &bin, const Block &block,
                  SamplingScratch &own) {
@@ -259,12 +265,14 @@ void sampleDelta(const SceneState &state, const SourceBin &bin, const Block &blo
         for (auto [input, components] :
              {std::pair{ShaderInput::Ps, 3}, {ShaderInput::lightSample, 2}, {ShaderInput::time, 1}})
             batch.readFrom(input, components, nullptr);
+        batch.readFrom(ShaderInput::rayOffset, 1, nullptr);
     } else {
         for (int k = 0; k < count; ++k)
             placePointLight(batch, k, state.lights.lights[own.rows.light[k]]);
     }
     for (int c = 0; c < 3; ++c)
         std::copy_n(block.Ps[c], count, batch.input(ShaderInput::Ps, c));
+    fillRayOffsets(count, block.P.data(), block.Ps.data(), batch.input(ShaderInput::rayOffset));
     std::copy_n(block.u, count, batch.input(ShaderInput::lightSample, 0));
     std::copy_n(block.v, count, batch.input(ShaderInput::lightSample, 1));
     std::copy_n(block.time, count, batch.input(ShaderInput::time));

@@ -160,6 +160,24 @@ void Scene::shadingPoints(const RayBatch &rays, const HitBatch &hits, const int 
                 4 * 0x1p-24f, points.offset);
     for (int c = 0; c < 3 && code.wanted.E; ++c)
         std::fill_n(points.input(ShaderInput::E, c), count, 0.0f);
+    if (code.code->reads(ShaderInput::rayOffset))
+        std::copy_n(points.offset, count, points.input(ShaderInput::rayOffset, 0));
+    if (code.code->reads(ShaderInput::rayDepth)) // Paths say more.
+        std::fill_n(points.input(ShaderInput::rayDepth, 0), count, 0.0f);
+}
+
+void Scene::describedPoints(const RayBatch &rays, const HitBatch &hits, const int *order, int count,
+                            ShadingPoints &points) const {
+    static const SurfaceCode all = [] {
+        SurfaceCode code;
+        code.wanted.uv = code.wanted.st = code.wanted.Cs = code.wanted.Os = true;
+        return code;
+    }();
+    points.count = count;
+    if (count == 0)
+        return;
+    meetElements(state_->points, rays, hits, order, points);
+    evaluatePoints(state_->points, state_->camera, all, nullptr, points);
 }
 
 void Scene::elementPoints(const RayBatch &rays, const HitBatch &hits, const int *order, int count,

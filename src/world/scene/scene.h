@@ -54,6 +54,10 @@ public:
     /// code; rays are those that made the hits. I is the ray's direction times t.
     void shadingPoints(const RayBatch &, const HitBatch &, const int *order, int count,
                        ShadingPoints &) const;
+    /// The same for points of any codes: their geometry, s, t, u, v, Cs and Os, whatever their
+    /// shaders read.
+    void describedPoints(const RayBatch &, const HitBatch &, const int *order, int count,
+                         ShadingPoints &) const;
     /// False if no shader wants to know how wide rays are: their footprints need not be filled.
     bool readsFootprints() const;
     /// Where the rays met the elements, on these rather than on the true surface.

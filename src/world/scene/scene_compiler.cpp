@@ -3,6 +3,7 @@
 #include "world/scene/light_builder.h"
 #include "world/scene/scene.h"
 #include "world/scene/scene_state.h"
+#include "world/scene/shader_rays.h"
 #include "world/scene/shape_builder.h"
 
 #include <algorithm>
@@ -136,7 +137,10 @@ void SceneCompiler::worldEnd() {
     state->statistics.secondsBuilding = secondsSince(start);
 
     Scene scene(std::move(state));
+    const ShaderRays rays(scene);
+    state_->library.bindRays(&rays);
     state_->render(scene);
+    state_->library.bindRays(nullptr);
 }
 
 } // namespace candela

@@ -115,6 +115,11 @@ void passSurface(Walk &walk, int k, float *const *transmittance) {
 /// Multiplies by what the transparent surfaces let through.
 void walkThroughTransparent(const Scene &scene, const RayWorld &world, const RayBatch &rays,
                             const std::uint8_t *blocked, float *const *transmittance) {
+    // A surface's opacity may depend on transmission(): within that, what is not opaque is clear.
+    thread_local bool isUnderWay = false;
+    if (isUnderWay)
+        return;
+    isUnderWay = true;
     Walk &walk = walkFor(rays.count);
     walk.begin(rays, blocked);
     for (int layer = 0; layer < layersAtMost && !walk.lane.empty(); ++layer) {
@@ -133,6 +138,7 @@ void walkThroughTransparent(const Scene &scene, const RayWorld &world, const Ray
     for (int lane : walk.lane)
         for (int c = 0; c < colorSamples; ++c)
             transmittance[c][lane] = 0;
+    isUnderWay = false;
 }
 
 } // namespace

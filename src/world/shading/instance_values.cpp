@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/shading/instance_values.h"
 
+#include "world/shading/attribute_value.h"
+
 #include <algorithm>
 #include <optional>
 
@@ -158,13 +160,38 @@ std::vector<ir::StringValue> stringValues(const ShaderRecord &record) {
     return values;
 }
 
+namespace {
+
+/// What a hidden parameter of ir::attributeParameter() holds: 1 and the value, or nothing (zeros).
+std::vector<float> hiddenAttribute(const std::string &parameter, const Attributes &attributes) {
+    constexpr std::string_view prefix = "attribute ";
+    if (!parameter.starts_with(prefix))
+        return {};
+    const std::size_t space = parameter.find(' ', prefix.size());
+    const std::string type = parameter.substr(prefix.size(), space - prefix.size());
+    std::vector<float> value = attributeValue(attributes, parameter.substr(space + 1), type);
+    if (!value.empty())
+        value.insert(value.begin(), 1);
+    return value;
+}
+
+} // namespace
+
+bool asksForAttributes(const ir::LoweredShader &shader) {
+    return std::ranges::any_of(shader.whole.parameters, [](const ir::ParameterSlot &slot) {
+        return slot.name.starts_with("attribute ");
+    });
+}
+
 std::vector<float> parameterBlock(const ir::LoweredShader &shader, const ShaderRecord &record,
-                                  const Options &options, DiagnosticSink &diagnostics) {
+                                  const Options &options, DiagnosticSink &diagnostics,
+                                  const Attributes *attributes) {
     reportUnknown(shader, record, diagnostics);
     std::vector<float> block(shader.whole.parameters.size());
     std::map<std::string, std::vector<float>> values;
     for (const ir::ShaderParameter &parameter : shader.parameters) {
         auto given = givenValues(shader, parameter, record, diagnostics);
+        values[ir::givenName(parameter.name)] = {given ? 1.0f : 0.0f};
         values[parameter.name] =
             given ? std::move(*given)
                   : defaultValues(shader, parameter, record, options, diagnostics);
@@ -178,6 +205,8 @@ std::vector<float> parameterBlock(const ir::LoweredShader &shader, const ShaderR
     }
     for (std::size_t slot = 0; slot < block.size(); ++slot) {
         const ir::ParameterSlot &parameter = shader.whole.parameters[slot];
+        if (attributes && !values.contains(parameter.name))
+            values[parameter.name] = hiddenAttribute(parameter.name, *attributes);
         const std::vector<float> &value = values[parameter.name];
         if (parameter.component < int(value.size()))
             block[slot] = value[parameter.component];

@@ -16,7 +16,10 @@ std::vector<ir::StringValue> stringValues(const ShaderRecord &);
 
 /// The instance's parameter block: a float for each of shader.whole.parameters. Values of the
 /// wrong type and parameters that the shader doesn't have are reported; defaults stand in.
+/// `attributes`: of the primitive that the instance shades; null, and attribute() finds none.
 std::vector<float> parameterBlock(const ir::LoweredShader &, const ShaderRecord &, const Options &,
-                                  DiagnosticSink &);
+                                  DiagnosticSink &, const Attributes *attributes = nullptr);
+/// Whether instances for primitives of other attributes have other blocks.
+bool asksForAttributes(const ir::LoweredShader &);
 
 } // namespace candela

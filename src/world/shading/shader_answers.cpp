@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/shading/shader_answers.h"
 
+#include "world/shading/attribute_value.h"
+
 #include "interface/ri/declarations.h"
 #include "language/ir/core/print_format.h"
 
@@ -55,13 +57,7 @@ std::vector<float> optionValue(const Options &options, std::string_view name,
             wanted->type == ValueType::Float && wanted->arraySize == int(values.size());
         return fits ? values : std::vector<float>{};
     }
-    const Parameter *given = options.named.find(std::string(name));
-    if (!given)
-        return {};
-    const ValueType is = given->declaration.type;
-    const bool fits = (is == ValueType::Integer ? ValueType::Float : is) == wanted->type &&
-                      given->declaration.arraySize == wanted->arraySize;
-    return fits ? given->floats : std::vector<float>{};
+    return namedValue(options.named, std::string(name), *wanted);
 }
 
 ShaderAnswers::ShaderAnswers() {
@@ -70,8 +66,27 @@ ShaderAnswers::ShaderAnswers() {
     services_[Service::option] = [](void *context, const ServiceCall &call) {
         static_cast<const ShaderAnswers *>(context)->option(call);
     };
+    services_[Service::transmission] = [](void *context, const ServiceCall &call) {
+        static_cast<const ShaderAnswers *>(context)->transmission(call);
+    };
+    services_[Service::occlusion] = [](void *context, const ServiceCall &call) {
+        if (const RayAnswers *rays = static_cast<const ShaderAnswers *>(context)->rays_)
+            rays->occlusion(call);
+    };
+    services_[Service::nearestHit] = [](void *context, const ServiceCall &call) {
+        if (const RayAnswers *rays = static_cast<const ShaderAnswers *>(context)->rays_)
+            rays->nearestHit(call);
+    };
     silent_ = services_;
     silent_[Service::print] = [](void *, const ServiceCall &) {};
+}
+
+void ShaderAnswers::transmission(const ServiceCall &call) const {
+    if (rays_)
+        return rays_->transmission(call);
+    for (int lane = 0; lane < call.laneCount; ++lane)
+        for (int c = 0; c < call.site->resultCount; ++c)
+            call.result(c, lane) = 1;
 }
 
 void ShaderAnswers::option(const ServiceCall &call) const {

@@ -4,6 +4,7 @@
 
 #include "interface/ri/options.h"
 #include "language/runtime/services.h"
+#include "world/shading/ray_answers.h"
 
 namespace candela {
 
@@ -20,12 +21,16 @@ public:
     }
     /// The options of the frame; not while a shader runs.
     void bindOptions(const Options &options) { options_ = options; }
+    /// Who follows rays; null: nobody, and they meet nothing. Not while a shader runs.
+    void bindRays(const RayAnswers *rays) { rays_ = rays; }
 
 private:
+    void transmission(const ServiceCall &) const;
     void option(const ServiceCall &) const;
 
     ShaderServices services_, silent_; ///< silent_ hears print and says nothing.
     Options options_;
+    const RayAnswers *rays_ = nullptr;
 };
 
 /// The numbers of an option as option() names it, "Ri:" before it or not: those of RI 3.2, section

@@ -155,7 +155,8 @@ const ir::LoweredShader *ShaderLibrary::State::lowerOnce(const sl::TypedShader &
 
 std::optional<ShaderInstance> ShaderLibrary::instance(ShaderKind kind, const ShaderRecord &record,
                                                       const Options &options, ir::LightRule rule,
-                                                      const std::set<std::string> &variables) {
+                                                      const std::set<std::string> &variables,
+                                                      const Attributes *attributes) {
     const sl::TypedShader *shader = state_->find(kind, record, options, rule);
     std::string key = rule == ir::LightRule::Path ? "path " : "classic ";
     const ir::LoweredShader *lowered =
@@ -163,10 +164,11 @@ std::optional<ShaderInstance> ShaderLibrary::instance(ShaderKind kind, const Sha
     if (!lowered) {
         if (kind != ShaderKind::Surface || record.name.empty())
             return std::nullopt;
-        return instance(kind, {{}, {}, record.currentFromShader}, options, rule, {});
+        return instance(kind, {{}, {}, record.currentFromShader}, options, rule, {}, attributes);
     }
 
-    std::vector<float> block = parameterBlock(*lowered, record, options, state_->diagnostics);
+    std::vector<float> block =
+        parameterBlock(*lowered, record, options, state_->diagnostics, attributes);
     std::vector<ir::FoldedValue> folded;
     auto [controlRelevant, isNew] = state_->controlRelevant.try_emplace(lowered);
     if (isNew)
@@ -244,6 +246,8 @@ void ShaderLibrary::makeReady() {
 }
 
 void ShaderLibrary::bindOptions(const Options &options) { state_->answers->bindOptions(options); }
+
+void ShaderLibrary::bindRays(const RayAnswers *rays) { state_->answers->bindRays(rays); }
 
 std::vector<std::shared_ptr<ShaderCode>> ShaderLibrary::all() const { return state_->inOrder; }
 

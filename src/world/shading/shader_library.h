@@ -40,9 +40,10 @@ public:
     /// the names of numeric primitive variables at hand, which override parameters of their name.
     /// A missing or faulty shader is reported once, and the library's default surface taken in its
     /// place, whatever lies on the search path (a faulty light: nothing). A record without a name
-    /// asks for that surface.
+    /// asks for that surface. `attributes` are what attribute() tells; null: nothing.
     std::optional<ShaderInstance> instance(ShaderKind, const ShaderRecord &, const Options &,
-                                           ir::LightRule, const std::set<std::string> &variables);
+                                           ir::LightRule, const std::set<std::string> &variables,
+                                           const Attributes *attributes = nullptr);
 
     /// The filter shader that a record describes, with its parameters, compiled. Null if it is
     /// missing or faulty, which is reported.
@@ -53,6 +54,9 @@ public:
     void makeReady();
     /// What option() tells all shaders, until it is bound anew. Not to be called while any runs.
     void bindOptions(const Options &);
+    /// Who follows the rays that shaders ask for, until it is bound anew; null: nobody, and all is
+    /// clear. Not to be called while any runs.
+    void bindRays(const RayAnswers *);
 
     /// All specialisations so far, for binding spaces and categories.
     std::vector<std::shared_ptr<ShaderCode>> all() const;

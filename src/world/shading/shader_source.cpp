@@ -99,7 +99,7 @@ const sl::CompiledFront *ShaderSources::load(const std::string &path) {
     if (isNew) {
         std::string problem;
         if (const auto text = readWholeFile(path, problem, sl::sourceSizeLimit))
-            entry->second = sl::analyzeSource({path, *text}, {folders_, {}}, diagnostics_);
+            entry->second = sl::analyzeSource({path, *text}, {folders_, {}, false}, diagnostics_);
         else
             diagnostics_.error({}, problem);
     }

@@ -153,7 +153,7 @@ struct PixelLoop {
 
 /// A float of the instance's parameter block, or a plane of a variable that overrides one.
 struct ParameterSlot {
-    std::string name; ///< The shader parameter it is a component of; or a hidden one ("shader").
+    std::string name; ///< The shader parameter it is a component of; or a hidden one ("shader"...).
     int component = 0;
     /// Variables: the plane holds not the component but its derivative.
     std::optional<Direction> slope = std::nullopt;

@@ -27,11 +27,12 @@ Components builtin(Lowering &lowering, const sl::Expr &expr) {
                                     "() is about points of surfaces; a filter is given a picture");
         return zero(lowering.b, expr.overload->result);
     }
-    if (derivativeBuiltin(call.id()))
+    if (derivativeBuiltin(call.id()) || filterstepBuiltin(call.id()))
         lowering.derivatives.try_emplace(lowering.b.line(), expr.where);
     for (const auto subject : {mathsBuiltin, geometryBuiltin, spaceBuiltin, colorBuiltin,
                                matrixBuiltin, noiseBuiltin, splineBuiltin, lightBuiltin,
-                               derivativeBuiltin, textBuiltin, informationBuiltin, imageBuiltin})
+                               derivativeBuiltin, textBuiltin, informationBuiltin, imageBuiltin,
+                               rayBuiltin, filterstepBuiltin})
         if (const BuiltinLowering lowered = subject(call.id()))
             return lowered(call);
     lowering.messages.error(

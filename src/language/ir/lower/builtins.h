@@ -42,6 +42,8 @@ BuiltinLowering derivativeBuiltin(sl::BuiltinId);
 BuiltinLowering textBuiltin(sl::BuiltinId);
 BuiltinLowering informationBuiltin(sl::BuiltinId);
 BuiltinLowering imageBuiltin(sl::BuiltinId);
+BuiltinLowering rayBuiltin(sl::BuiltinId);
+BuiltinLowering filterstepBuiltin(sl::BuiltinId);
 
 /// A call of any of them.
 Components builtin(Lowering &, const sl::Expr &);
@@ -49,7 +51,8 @@ Components builtin(Lowering &, const sl::Expr &);
 /// A point, vector, normal or matrix of current space that the text gives in another.
 Components fromSpace(Lowering &, sl::BaseType, const Components &, const std::string &space,
                      const sl::Place &);
-/// The three numbers of a colour, from the named colour space to another; reports unknown names.
+/// The three numbers of a colour, from the named colour space to another; of unknown
+/// names it warns, and the numbers stay.
 Triple convertColor(Lowering &, const Triple &, const std::string &from, const std::string &to,
                     const sl::Place &);
 

@@ -8,6 +8,7 @@
 #include "language/ir/core/builder_vectors.h"
 #include "language/ir/lower/builtins.h"
 #include "language/ir/lower/light.h"
+#include "language/ir/lower/scan.h"
 
 #include <numbers>
 
@@ -90,6 +91,21 @@ Components irradiance(BuiltinCall &call) {
     return irradiance(call.b, call.triple(0), call.triple(1));
 }
 
+/// E/pi where the shader has it from nowhere else: light loops get all light, and irradiance() is E
+/// itself (DESIGN section 4).
+Components indirectdiffuse(BuiltinCall &call) {
+    Builder &b = call.b;
+    const size_t point = call.isText(0) ? 1 : 0;
+    const bool ofMap = call.count() < point + 2 || call.isText(point + 1);
+    if (ofMap || gathersLight(call.lowering.shader))
+        return Components(b.colors().samples, number(b, 0));
+    const Triple I = tripleOf(call.lowering.variables.load(sl::PredefinedId::I));
+    Components result = irradiance(b, call.triple(point), neg(b, I));
+    for (ValueId &v : result)
+        v = mul(b, v, number(b, 1 / std::numbers::pi_v<float>));
+    return result;
+}
+
 } // namespace
 
 BuiltinLowering lightBuiltin(sl::BuiltinId id) {
@@ -100,6 +116,7 @@ BuiltinLowering lightBuiltin(sl::BuiltinId id) {
                                                      {Id::phong, phong},
                                                      {Id::trace, trace},
                                                      {Id::irradiance, irradiance},
+                                                     {Id::indirectdiffuse, indirectdiffuse},
                                                      {Id::specularbrdf, specularbrdf}};
     const auto found = table.find(id);
     return found == table.end() ? nullptr : found->second;

@@ -11,6 +11,22 @@ namespace {
 constexpr float pi = std::numbers::pi_v<float>;
 
 /// One operation on each component; scalars stand for all components.
+/// What a function does to floats, component by component; floats among the arguments stand for all
+/// components.
+template <Components (*ofFloats)(BuiltinCall &)> Components each(BuiltinCall &call) {
+    size_t width = 1;
+    for (const Components &argument : call.arguments)
+        width = std::max(width, argument.size());
+    Components result;
+    for (size_t c = 0; c < width; ++c) {
+        BuiltinCall one{call.lowering, call.b, call.expr, {}};
+        for (const Components &argument : call.arguments)
+            one.arguments.push_back({argument[argument.size() == 1 ? 0 : c]});
+        result.push_back(ofFloats(one)[0]);
+    }
+    return result;
+}
+
 template <class Operation>
 Components map(const Components &x, const Components &y, Operation operation) {
     Components result;
@@ -142,22 +158,22 @@ BuiltinLowering mathsBuiltin(sl::BuiltinId id) {
                                                      {Id::acos, unary<Op::Acos>},
                                                      {Id::tan, unary<Op::Tan>},
                                                      {Id::atan, atan},
-                                                     {Id::pow, pow},
-                                                     {Id::exp, unary<Op::Exp>},
-                                                     {Id::sqrt, unary<Op::Sqrt>},
-                                                     {Id::inversesqrt, inversesqrt},
-                                                     {Id::log, log},
-                                                     {Id::mod, mod},
-                                                     {Id::abs, unary<Op::Abs>},
-                                                     {Id::sign, sign},
+                                                     {Id::pow, each<pow>},
+                                                     {Id::exp, each<unary<Op::Exp>>},
+                                                     {Id::sqrt, each<unary<Op::Sqrt>>},
+                                                     {Id::inversesqrt, each<inversesqrt>},
+                                                     {Id::log, each<log>},
+                                                     {Id::mod, each<mod>},
+                                                     {Id::abs, each<unary<Op::Abs>>},
+                                                     {Id::sign, each<sign>},
                                                      {Id::min, extreme<Op::Min>},
                                                      {Id::max, extreme<Op::Max>},
                                                      {Id::clamp, clamp},
-                                                     {Id::floor, unary<Op::Floor>},
-                                                     {Id::ceil, unary<Op::Ceil>},
-                                                     {Id::round, round},
-                                                     {Id::step, step},
-                                                     {Id::smoothstep, smoothstep},
+                                                     {Id::floor, each<unary<Op::Floor>>},
+                                                     {Id::ceil, each<unary<Op::Ceil>>},
+                                                     {Id::round, each<round>},
+                                                     {Id::step, each<step>},
+                                                     {Id::smoothstep, each<smoothstep>},
                                                      {Id::mix, mix},
                                                      {Id::random, random}};
     const auto found = table.find(id);

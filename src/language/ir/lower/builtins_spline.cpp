@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// spline([basis,] x, knots): a cubic through or near values at even steps (RI 3.2 section 15.1).
+// spline([basis,] x, knots): a cubic through or near values at even steps (RI 3.2 section 15.1);
+// spline("solve" basis, value, knots): where it has that value.
 #include "language/ir/core/builder_arithmetic.h"
+#include "language/ir/core/builder_control.h"
 #include "language/ir/core/builder_effects.h"
 #include "language/ir/core/builder_sources.h"
 #include "language/ir/lower/builtins.h"
@@ -8,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace candela::ir {
 namespace {
@@ -116,43 +119,92 @@ ValueId curve(Builder &b, const Basis &basis, const Components &knots, ValueId s
     return *sum;
 }
 
-Components spline(BuiltinCall &call) {
-    Builder &b = call.b;
-    const int first = call.isText(0) ? 1 : 0;
-    const std::string name = first ? call.text(0, "the basis of a spline") : "catmull-rom";
-    const size_t width = size_t(componentCount(b, call.result()));
-    const Components none(width, number(b, 0));
-    const Basis *basis = findBasis(name);
-    if (!basis) {
+/// A spline with its knots, by component.
+struct Spline {
+    const Basis *basis = nullptr;
+    std::vector<Components> knots;
+    int segments = 1;
+
+    /// At x in [0, 1].
+    Components at(Builder &b, ValueId x) const {
+        const ValueId scaled = mul(b, x, number(b, float(segments)));
+        const ValueId segment = min(b, unary(b, Op::Floor, scaled), number(b, float(segments - 1)));
+        const ValueId t = sub(b, scaled, segment);
+        Components result;
+        for (const Components &ofComponent : knots)
+            result.push_back(curve(b, *basis, ofComponent, segment, t));
+        return result;
+    }
+};
+
+/// Where the curve, which rises or falls all the way, has the value; by halving, to the last bit
+/// that x has near 1.
+ValueId solve(Builder &b, const Spline &spline, ValueId value) {
+    constexpr float halvings = 26;
+    const ValueId zero = number(b, 0), one = number(b, 1), half = number(b, 0.5f);
+    const ValueId rises = lessEqual(b, spline.at(b, zero)[0], spline.at(b, one)[0]);
+    const Values found =
+        loop(b, {boolean(b, true), zero, one, zero}, [&](const Values &carried) {
+            const ValueId low = carried[1], high = carried[2];
+            const ValueId middle = mul(b, half, add(b, low, high));
+            const ValueId there = spline.at(b, middle)[0];
+            const ValueId before =
+                select(b, rises, less(b, there, value), less(b, value, there));
+            const ValueId turns = add(b, carried[3], one);
+            return Values{less(b, turns, number(b, halvings)), select(b, before, middle, low),
+                          select(b, before, high, middle), turns};
+        });
+    const ValueId x = mul(b, half, add(b, found[1], found[2]));
+    const ValueId end = number(b, 0x1p-25f);
+    return select(b, less(b, x, end), zero, select(b, less(b, sub(b, one, end), x), one, x));
+}
+
+/// The knots behind operand `first`; nothing, with a report, if there are too few or too many.
+std::optional<Spline> splineOf(BuiltinCall &call, const std::string &name, size_t first) {
+    const size_t width = size_t(componentCount(call.b, call.result()));
+    Spline result;
+    result.basis = findBasis(name);
+    if (!result.basis) {
         call.lowering.messages.error(call.expr.operands[0]->where, "there is no spline basis \"" +
                                                                        name + "\"; expected " +
                                                                        sl::splineBasisNames);
-        return none;
+        return std::nullopt;
     }
     Components values;
-    for (size_t i = size_t(first) + 1; i < call.count(); ++i)
+    for (size_t i = first; i < call.count(); ++i)
         values.insert(values.end(), call.arguments[i].begin(), call.arguments[i].end());
-    const int knots = int(values.size() / width);
-    if (knots < 4 || (knots - 4) % basis->step != 0) {
+    const int knots = int(values.size() / width), step = result.basis->step;
+    if (knots < 4 || (knots - 4) % step != 0) {
         call.lowering.messages.error(call.expr.where, "a " + name + " spline takes 4 knots, or " +
-                                                          std::to_string(basis->step) +
+                                                          std::to_string(step) +
                                                           " more for each further segment; " +
                                                           std::to_string(knots) + " are given");
-        return none;
+        return std::nullopt;
     }
-    const int segments = (knots - 4) / basis->step + 1;
-    const ValueId x = min(b, max(b, call.number(size_t(first)), number(b, 0)), number(b, 1));
-    const ValueId scaled = mul(b, x, number(b, float(segments)));
-    const ValueId segment = min(b, unary(b, Op::Floor, scaled), number(b, float(segments - 1)));
-    const ValueId t = sub(b, scaled, segment);
-    Components result;
-    for (size_t c = 0; c < width; ++c) {
-        Components ofComponent;
-        for (int k = 0; k < knots; ++k)
-            ofComponent.push_back(values[size_t(k) * width + c]);
-        result.push_back(curve(b, *basis, ofComponent, segment, t));
-    }
+    result.segments = (knots - 4) / step + 1;
+    result.knots.resize(width);
+    for (size_t k = 0; k < values.size(); ++k)
+        result.knots[k % width].push_back(values[k]);
     return result;
+}
+
+Components spline(BuiltinCall &call) {
+    Builder &b = call.b;
+    const size_t first = call.isText(0) ? 1 : 0;
+    std::string name = first ? call.text(0, "the basis of a spline") : "catmull-rom";
+    const bool solves = name.starts_with(sl::inverseSpline);
+    if (solves)
+        name = name.substr(sl::inverseSpline.size());
+    const auto spline = splineOf(call, name, first + 1);
+    if (!spline)
+        return zero(b, call.result());
+    if (!solves)
+        return spline->at(b, min(b, max(b, call.number(first), number(b, 0)), number(b, 1)));
+    if (call.result() == sl::BaseType::Float)
+        return {solve(b, *spline, call.number(first))};
+    call.lowering.messages.error(call.expr.where, "an inverse spline (solve...) goes from a float "
+                                                  "to a float");
+    return zero(b, call.result());
 }
 
 } // namespace

@@ -51,11 +51,12 @@ bool isGiven(BuiltinCall &call, const sl::PrintPiece &piece, size_t argument) {
         return true;
     const std::string given =
         missing ? "nothing" : "a " + sl::shapeOf(call.expr.operands[argument]->type);
-    call.lowering.messages.error(call.expr.where,
-                                 piece.conversion() + " is given " + given +
-                                     "; %f, %g and %d print a float, %c a color, %p a "
-                                     "point, %m a matrix, %s a string");
-    return false;
+    const std::string message = piece.conversion() + " is given " + given +
+                                "; %f, %g and %d print a float, %c a color, %p a point, %m a "
+                                "matrix, %s a string";
+    if (call.id() == sl::BuiltinId::format)
+        call.lowering.messages.error(call.expr.where, message);
+    return false; // Of printf() the checker has told.
 }
 
 /// Checks conversions against arguments.

@@ -221,8 +221,9 @@ Triple convertColor(Lowering &lowering, const Triple &value, const std::string &
                     const std::string &to, const sl::Place &where) {
     const ColorSpace *source = findColorSpace(from), *target = findColorSpace(to);
     if (!source || !target) {
-        lowering.messages.error(where, "there is no colour space \"" + (source ? to : from) +
-                                           "\"; expected " + sl::colorSpaceNames);
+        lowering.messages.warning(where, "there is no colour space \"" + (source ? to : from) +
+                                             "\": the colour stays as it is; expected " +
+                                             sl::colorSpaceNames);
         return value;
     }
     if (source == target)

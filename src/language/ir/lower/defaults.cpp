@@ -94,6 +94,26 @@ bool collectNamed(const sl::Expr &expr, std::set<const sl::Symbol *> &named) {
     return calls;
 }
 
+/// Whether a default depends on the point, on other parameters or on spaces that are not around all
+/// of it: then the shader computes it where it starts.
+bool isComputed(const sl::Expr &expr) {
+    if (const sl::Symbol *symbol = expr.symbol) {
+        const bool isText = symbol->type.base == sl::BaseType::String;
+        return symbol->kind == sl::Symbol::Kind::Predefined ||
+               (symbol->kind == sl::Symbol::Kind::Parameter && !isText);
+    }
+    if (expr.kind == sl::ExprKind::FromSpace && expr.type.base != sl::BaseType::Color)
+        return true;
+    if (expr.kind == sl::ExprKind::Builtin) {
+        const sl::Lowering means = expr.overload->function->lowering;
+        if (expr.overload->function->id == sl::BuiltinId::random || means == sl::Lowering::Light ||
+            means == sl::Lowering::Derive || means == sl::Lowering::Context)
+            return true;
+    }
+    return std::ranges::any_of(expr.operands,
+                               [](const sl::ExprPtr &operand) { return isComputed(*operand); });
+}
+
 class Defaults {
 public:
     Defaults(const sl::TypedShader &shader, const std::vector<StringValue> &strings,
@@ -199,10 +219,23 @@ private:
         return true;
     }
 
+    static void leaveToShader(int numbers, ShaderParameter &result) {
+        result.computed = true;
+        result.defaults.assign(size_t(numbers), 0);
+    }
+
     bool evaluateDefault(const sl::Parameter &parameter, ShaderParameter &result) {
         if (takeLiterals(parameter, result))
             return true;
         const sl::Symbol &symbol = *parameter.symbol;
+        const int numbers = componentCount(symbol.type.base, colors_.samples) * result.arraySize;
+        const bool isText = symbol.type.base == sl::BaseType::String;
+        if (!isText && std::ranges::any_of(parameter.defaults, [](const sl::ExprPtr &element) {
+                return isComputed(*splitSpace(*element).value);
+            })) {
+            leaveToShader(numbers, result);
+            return true;
+        }
         Function function;
         function.name = shader_.name;
         function.colors = colors_;
@@ -230,13 +263,12 @@ private:
         lowering.b.finish();
         std::vector<ShaderParameter> none;
         removeUnused(function, none);
-        if (!lowering.messages.failed() && needsRenderer(function.body))
-            lowering.messages.error(symbol.where,
-                                    "the default of \"" + symbol.name +
-                                        "\" must be a constant; it depends on the point "
-                                        "that is shaded");
         if (lowering.messages.failed())
             return false;
+        if (needsRenderer(function.body)) {
+            leaveToShader(numbers, result);
+            return true;
+        }
         result.defaults = runConstant(function);
         return true;
     }

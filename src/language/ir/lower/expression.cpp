@@ -30,16 +30,25 @@ ValueId compareComponents(Builder &b, const Components &x, const Components &y, 
     return same;
 }
 
+/// Of triples, what holds in all components.
+template <class Relation>
+ValueId inAll(Builder &b, const Components &x, const Components &y, Relation holds) {
+    ValueId all = holds(b, x[0], y[0]);
+    for (size_t i = 1; i < x.size(); ++i)
+        all = both(b, all, holds(b, x[i], y[i]));
+    return all;
+}
+
 ValueId compare(Lowering &lowering, const sl::Expr &expr) {
     Builder &b = lowering.b;
     const Components x = evaluate(lowering, *expr.operands[0]);
     const Components y = evaluate(lowering, *expr.operands[1]);
     const bool text = expr.operands[0]->type.base == sl::BaseType::String;
     switch (expr.op) {
-    case sl::BinaryOp::Less: return less(b, x[0], y[0]);
-    case sl::BinaryOp::LessEqual: return lessEqual(b, x[0], y[0]);
-    case sl::BinaryOp::Greater: return less(b, y[0], x[0]);
-    case sl::BinaryOp::GreaterEqual: return lessEqual(b, y[0], x[0]);
+    case sl::BinaryOp::Less: return inAll(b, x, y, less);
+    case sl::BinaryOp::LessEqual: return inAll(b, x, y, lessEqual);
+    case sl::BinaryOp::Greater: return inAll(b, y, x, less);
+    case sl::BinaryOp::GreaterEqual: return inAll(b, y, x, lessEqual);
     case sl::BinaryOp::Equal: return compareComponents(b, x, y, text);
     default:
         if (x.size() == 1 && !text)
@@ -196,7 +205,11 @@ Components evaluate(Lowering &lowering, const sl::Expr &expr) {
     case sl::ExprKind::Text: return {text(b, expr.text)};
     case sl::ExprKind::Tuple: {
         const Components tuple = evaluateTuple(lowering, expr);
-        return expr.type.base == sl::BaseType::Color ? colorOf(b, tripleOf(tuple)) : tuple;
+        if (expr.type.base == sl::BaseType::Color)
+            return colorOf(b, tripleOf(tuple));
+        const bool inShaderSpace = lowering.inDefault && expr.type.base != sl::BaseType::Matrix;
+        return inShaderSpace ? fromSpace(lowering, expr.type.base, tuple, "shader", expr.where)
+                             : tuple;
     }
     case sl::ExprKind::Variable:
         return lowering.variables.load(lowering.variables.storageOf(*expr.symbol));

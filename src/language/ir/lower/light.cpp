@@ -6,6 +6,7 @@
 #include "language/ir/core/builder_sources.h"
 #include "language/ir/core/builder_vectors.h"
 #include "language/ir/lower/color.h"
+#include "language/ir/lower/cone_direction.h"
 #include "language/ir/lower/control.h"
 #include "language/ir/lower/expression.h"
 #include "language/ir/lower/limits.h"
@@ -152,36 +153,6 @@ void lowerIlluminance(Lowering &lowering, const sl::Stmt &statement) {
 
 namespace {
 
-/// Two directions that complete a unit vector to an orthonormal frame (Duff et al. 2017).
-std::pair<Triple, Triple> frameAbout(Builder &b, const Triple &n) {
-    const ValueId one = number(b, 1);
-    const ValueId sign = select(b, less(b, n[2], number(b, 0)), number(b, -1), one);
-    const ValueId a = div(b, number(b, -1), add(b, sign, n[2]));
-    const ValueId c = mul(b, mul(b, n[0], n[1]), a);
-    const Triple x{add(b, one, mul(b, mul(b, sign, mul(b, n[0], n[0])), a)), mul(b, sign, c),
-                   neg(b, mul(b, sign, n[0]))};
-    const Triple y{c, add(b, sign, mul(b, mul(b, n[1], n[1]), a)), neg(b, n[1])};
-    return {x, y};
-}
-
-/// A direction of unit length, uniform within `angle` (radians) of the axis, by `xi` in [0,1) and
-/// the second number of the input lightSample.
-Triple directionInCone(Builder &b, const Triple &axis, ValueId angle, ValueId xi) {
-    const Triple centre = normalize(b, axis);
-    if (const float *known = constantFloat(b, angle); known && *known <= 0)
-        return centre;
-    const ValueId one = number(b, 1);
-    const ValueId turn =
-        mul(b, number(b, 2 * std::numbers::pi_v<float>), input(b, ShaderInput::lightSample, 1));
-    const ValueId cosine =
-        sub(b, one, mul(b, xi, sub(b, one, unary(b, Op::Cos, max(b, angle, number(b, 0))))));
-    const ValueId sine = sqrt(b, sub(b, one, mul(b, cosine, cosine)));
-    const auto [x, y] = frameAbout(b, centre);
-    return add(b, scale(b, centre, cosine),
-               add(b, scale(b, x, mul(b, sine, unary(b, Op::Cos, turn))),
-                   scale(b, y, mul(b, sine, unary(b, Op::Sin, turn)))));
-}
-
 bool isInLoop(const Lowering &lowering) {
     for (const Frame &frame : lowering.frames)
         for (const OpenLoop &loop : frame.loops)
@@ -277,7 +248,8 @@ void lowerSolar(Lowering &lowering, const sl::Stmt &statement) {
     if (light.form != sl::ConeForm::Extended)
         cones = {classicCone(b, axis, angle)};
     stateEmission(lowering, statement, triple(b, 0, 0, 0), cones);
-    openLight(lowering, directionInCone(b, axis, angle, xi));
+    openLight(lowering, directionInCone(b, axis, angle, xi, input(b, ShaderInput::lightSample, 1),
+                                        ConeWeight::Uniform));
     lowerBodyOf(lowering, statement);
 }
 

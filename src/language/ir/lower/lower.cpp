@@ -3,11 +3,13 @@
 
 #include "foundation/units/color.h"
 #include "language/ir/analyse/falloff.h"
+#include "language/ir/core/builder_arithmetic.h"
 #include "language/ir/core/builder_effects.h"
 #include "language/ir/core/builder_sources.h"
 #include "language/ir/lower/cleanup.h"
 #include "language/ir/lower/control.h"
 #include "language/ir/lower/defaults.h"
+#include "language/ir/lower/expression.h"
 #include "language/ir/lower/statement.h"
 #include "language/ir/transform/jet.h"
 #include "language/ir/transform/short_loops.h"
@@ -19,6 +21,26 @@
 namespace candela::ir {
 
 namespace {
+
+/// The value that an instance gives the parameter, or else its default, computed here.
+Components unlessGiven(Lowering &lowering, const sl::Parameter &parameter,
+                       const Components &given) {
+    Builder &b = lowering.b;
+    auto &slots = b.function().parameters;
+    const int slot = int(slots.size());
+    slots.push_back({givenName(parameter.symbol->name), 0});
+    const ValueId isGiven = notEqual(b, ir::parameter(b, slot), number(b, 0));
+    lowering.inDefault = true;
+    Components computed;
+    for (const sl::ExprPtr &element : parameter.defaults)
+        for (ValueId value : evaluate(lowering, *element))
+            computed.push_back(value);
+    lowering.inDefault = false;
+    computed.resize(given.size(), number(b, 0));
+    for (size_t c = 0; c < given.size(); ++c)
+        computed[c] = select(b, isGiven, given[c], computed[c]);
+    return computed;
+}
 
 /// Gives each parameter its cells: values of the parameter block, planes of overriding variables,
 /// or strings.
@@ -50,6 +72,8 @@ void declareParameters(Lowering &lowering, LoweredShader &lowered,
             slots.push_back({declared.name, c});
             initial.push_back(isVariable ? variable(b, first + c) : parameter(b, first + c));
         }
+        if (declared.computed && !isVariable)
+            initial = unlessGiven(lowering, shader.parameters[i], initial);
         lowering.variables.declare(symbol, initial);
     }
 }
@@ -98,6 +122,21 @@ void writeOutputs(Lowering &lowering, const LoweredShader &lowered) {
         if (lowered.parameters[i].output && lowered.parameters[i].type != "string")
             write(lowered.parameters[i].name,
                   variables.load(variables.storageOf(*shader.parameters[i].symbol)));
+}
+
+/// Whether a light shader says L itself. (L = 0 is what an ambient light has anyway.)
+bool saysL(Lowering &lowering) {
+    const bool written = std::ranges::any_of(lowering.shader.symbols, [](const auto &symbol) {
+        return symbol->predefined && symbol->predefined->id == sl::PredefinedId::L &&
+               symbol->written;
+    });
+    if (lowering.shader.kind != sl::ShaderKind::Light || !written)
+        return false;
+    const Components L = lowering.variables.load(sl::PredefinedId::L);
+    return !std::ranges::all_of(L, [&](ValueId v) {
+        const float *known = constantFloat(lowering.b, v);
+        return known && *known == 0;
+    });
 }
 
 /// Where a derivative stands in the text, else its line, else the shader.
@@ -188,10 +227,11 @@ std::optional<LoweredShader> lower(const sl::TypedShader &shader,
     lowered.parameters = std::move(*parameters);
 
     Lowering lowering(shader, options, lowered.whole, sink);
-    declareParameters(lowering, lowered, strings, variables);
     enter(lowering, nullptr);
+    declareParameters(lowering, lowered, strings, variables);
     lower(lowering, shader.body);
     writeOutputs(lowering, lowered);
+    const bool setsL = saysL(lowering);
     if (lowering.messages.failed())
         return std::nullopt;
     lowering.b.finish();
@@ -200,8 +240,10 @@ std::optional<LoweredShader> lower(const sl::TypedShader &shader,
             options.listener(pass, lowered.whole);
     };
     tell("lower");
-    lowered.lightClass = lowering.light.kind;
-    if (const auto power = lowering.light.direction
+    // A light that says L without illuminate() or solar() shines from a place of its own.
+    lowered.lightClass = setsL && lowering.light.kind == LightClass::Ambient ? LightClass::Local
+                                                                            : lowering.light.kind;
+    if (const auto power = lowering.light.direction && !setsL
                                ? powerOfDistance(lowered.whole, *lowering.light.direction)
                                : std::nullopt) {
         lowered.inverseSquare = *power == (lowered.lightClass == LightClass::Local ? -2 : 0);

@@ -42,13 +42,25 @@ struct ShaderParameter {
     std::vector<float> defaults;
     std::string defaultSpace = "shader";
     std::vector<std::string> stringDefaults;
+    /// The default depends on the point or on other parameters: the shader computes it, unless the
+    /// hidden parameter givenName(name) is not 0. `defaults` are zeros then.
+    bool computed = false;
 };
+
+/// The hidden parameter that says whether an instance gives a parameter a value.
+inline std::string givenName(const std::string &parameter) { return "given " + parameter; }
 
 /// String parameters are compile-time constants of an instance.
 struct StringValue {
     std::string name;
     std::vector<std::string> value;
 };
+
+/// The hidden parameter that holds an attribute of the primitive, which the shader asks for: 1 and
+/// the value, or zeros if there is none of that type.
+inline std::string attributeParameter(const std::string &name, const std::string &type) {
+    return "attribute " + type + " " + name;
+}
 
 struct LoweredShader {
     std::string name;
@@ -79,7 +91,8 @@ struct LoweringOptions {
 /// then the paper's bounds ("DCiDu"...) that the text sets, then output parameters. Oi starts as
 /// Os, Ci and Cl as black. Parameters and Space matrices are as of current space: whoever fills the
 /// parameter block transforms. Hidden parameter slots are appended after the declared ones:
-/// "shader" (32 floats: currentFromShader, shaderFromCurrent) if the text uses that space.
+/// "shader" (32 floats: currentFromShader, shaderFromCurrent) if the text uses that space, and
+/// givenName(p) of each parameter p whose default is computed, and attributeParameter()s.
 /// Function::spaces holds names as the text has them, and "depth" for depth(): camera space with z
 /// from 0 at the near to 1 at the far clipping plane. What transform/jet.h takes not to change is
 /// warned of. What semantics could not refuse (a space name that is not constant, a default that is

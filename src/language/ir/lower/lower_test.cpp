@@ -84,21 +84,44 @@ TEST(Lower, DefaultsAreEvaluated) {
     ASSERT_TRUE(run.lowered) << run.diagnostics.text();
     const auto &p = run.lowered->parameters;
     EXPECT_EQ(p[0].defaults, std::vector<float>{7});
-    EXPECT_EQ(p[1].defaults, std::vector<float>{14});
+    EXPECT_TRUE(p[1].computed);
     EXPECT_EQ(p[2].defaults, (std::vector<float>{0.5f, 0, 0}));
     EXPECT_EQ(p[3].defaultSpace, "world");
     EXPECT_EQ(p[3].defaults, (std::vector<float>{1, 2, 3}));
-    EXPECT_EQ(p[4].defaultSpace, "shader");
-    EXPECT_EQ(p[4].defaults, (std::vector<float>{0, 0, 7}));
+    EXPECT_TRUE(p[4].computed);
     EXPECT_EQ(p[5].stringDefaults, std::vector<std::string>{"xy"});
     EXPECT_EQ(p[6].defaults, (std::vector<float>{1, 2, 0}));
     EXPECT_EQ(p[6].arraySize, 3);
 }
 
-TEST(Lower, DefaultsMustBeConstant) {
-    ShaderRun run("surface test(float a = noise(P);) { Ci = a; }");
-    EXPECT_FALSE(run.lowered);
-    EXPECT_GT(run.diagnostics.count(Severity::Error), 0);
+/// From other parameters, as the instance has them, and from the point; unless a value is given.
+TEST(Lower, DefaultsThatDependAreComputed) {
+    ShaderRun run("surface test(float Kd = .25; float Ks = 1 - Kd; vector across = 2 * dPdu;"
+                  "  output varying float result = 0;) { result = Ks + xcomp(across); }");
+    ASSERT_TRUE(run.lowered) << run.diagnostics.text();
+    run.setInput(ShaderInput::dPdu, {5, 0, 0});
+    EXPECT_EQ(run.run().at("result")[0][0], 10.75f);
+    run.setParameter("Kd", {0.5f});
+    EXPECT_EQ(run.run().at("result")[0][0], 10.5f);
+    run.setParameter("Ks", {3});
+    EXPECT_EQ(run.run().at("result")[0][0], 10.5f) << "nobody says that it is given";
+    run.setParameter(givenName("Ks"), {1});
+    EXPECT_EQ(run.run().at("result")[0][0], 13);
+}
+
+/// Spaces that are not around all of a default; what has none is in shader space.
+TEST(Lower, ComputedDefaultsHaveSpaces) {
+    ShaderRun run("surface test(float k = 2; point q = point \"shader\" (1, 0, 0) +"
+                  "  k * vector \"shader\" (0, 1, 0); vector w = k * vector(0, 0, 1);"
+                  "  output varying point result = 0;) { result = q + w; }");
+    ASSERT_TRUE(run.lowered) << run.diagnostics.text();
+    std::vector<float> twice(32, 0); // currentFromShader scales by 2.
+    for (int i = 0; i < 3; ++i)
+        twice[size_t(5 * i)] = 2, twice[size_t(16 + 5 * i)] = 0.5f;
+    twice[15] = twice[31] = 1;
+    run.setParameter("shader", twice);
+    const auto result = run.run().at("result");
+    EXPECT_EQ((std::array{result[0][0], result[1][0], result[2][0]}), (std::array{2.0f, 4.0f, 4.0f}));
 }
 
 TEST(Lower, StringsAreFolded) {

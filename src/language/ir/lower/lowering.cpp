@@ -3,8 +3,10 @@
 
 #include "foundation/units/color.h"
 #include "language/ir/core/builder_sources.h"
+#include "language/ir/core/builder_vectors.h"
 #include "language/ir/lower/scan.h"
 
+#include <memory>
 #include <optional>
 
 namespace candela::ir {
@@ -13,16 +15,22 @@ namespace {
 
 /// As predefined.def explains it.
 struct Start {
-    enum class From { Input, Captured, Number, OneIn, ColorSamples } from;
+    enum class From { Input, Captured, Number, OneIn, TowardLight, ColorSamples } from;
     ShaderInput input{};
     float number = 0;
     char kind = 0;
     PictureFact fact{};
     std::optional<ShaderInput> ofPixel{}; ///< In imagers this input, whatever it is elsewhere.
+    std::shared_ptr<const Start> inLights{}; ///< Instead, in lights.
 };
 
 Start startOfPixel(ShaderInput input, Start elsewhere) {
     elsewhere.ofPixel = input;
+    return elsewhere;
+}
+
+Start startInLights(Start lights, Start elsewhere) {
+    elsewhere.inLights = std::make_shared<const Start>(std::move(lights));
     return elsewhere;
 }
 
@@ -33,6 +41,9 @@ Start startOf(sl::PredefinedId id) {
 #define Picture(name)                                                                              \
     { Start::From::Captured, {}, 0, 0, PictureFact::name }
 #define OfPixel(name, elsewhere) startOfPixel(ShaderInput::name, elsewhere)
+#define InLights(lights, elsewhere) startInLights(lights, elsewhere)
+#define TowardLight                                                                                \
+    { Start::From::TowardLight }
 #define Number(value)                                                                              \
     { Start::From::Number, {}, value }
 #define OneIn(letter)                                                                              \
@@ -46,6 +57,8 @@ Start startOf(sl::PredefinedId id) {
 #undef OneIn
 #undef Number
 #undef OfPixel
+#undef InLights
+#undef TowardLight
 #undef Picture
 #undef Given
     };
@@ -59,6 +72,8 @@ Components startOf(Builder &b, sl::ShaderKind kind, const sl::PredefinedVariable
     Start start = startOf(variable.id);
     if (kind == sl::ShaderKind::Imager && start.ofPixel)
         start = {Start::From::Input, *start.ofPixel};
+    if (kind == sl::ShaderKind::Light && start.inLights)
+        start = Start(*start.inLights);
     Components result;
     switch (start.from) {
     case Start::From::Input:
@@ -69,6 +84,9 @@ Components startOf(Builder &b, sl::ShaderKind kind, const sl::PredefinedVariable
     case Start::From::Number: return Components(count, number(b, start.number));
     case Start::From::OneIn:
         return Components(count, number(b, sl::letterOf(kind) == start.kind ? 1.0f : 0.0f));
+    case Start::From::TowardLight:
+        return componentsOf(
+            normalize(b, sub(b, input3(b, ShaderInput::P), input3(b, ShaderInput::Ps))));
     case Start::From::ColorSamples: break;
     }
     return Components(count, number(b, float(b.colors().samples)));

@@ -58,6 +58,9 @@ struct Lowering {
     Inlining inlining;
     std::map<int, sl::Place> derivatives; ///< The first on each line.
     EmittedLight light;
+    /// In the default of a parameter that is computed where the shader starts: points and their
+    /// kin without a space are in "shader" there.
+    bool inDefault = false;
 };
 
 /// A string that has to be known when the shader is compiled; reports that it is not.

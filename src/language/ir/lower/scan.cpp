@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/ir/lower/scan.h"
 
+#include "language/semantics/named_arguments.h"
+
 #include <algorithm>
 
 namespace candela::ir {
@@ -38,6 +40,7 @@ public:
 protected:
     virtual void visit(const sl::Expr &) {}
     virtual void visit(const sl::Stmt &) {}
+    virtual void visit(const sl::LightMessage &) {}
 
 private:
     void walk(const sl::LightArguments &light) {
@@ -48,12 +51,23 @@ private:
             for (const sl::ExprPtr *part :
                  {&cone.axis, &cone.angle, &cone.exponent, &cone.importance})
                 walk(part->get());
+        for (const sl::LightMessage &message : light.messages) {
+            visit(message);
+            walk(message.value.get());
+        }
     }
 };
 
 template <class T> void addOnce(std::vector<T> &list, T item) {
     if (std::find(list.begin(), list.end(), item) == list.end())
         list.push_back(item);
+}
+
+/// Whether calls draw random numbers.
+bool drawsRandom(const sl::Builtin &function) {
+    using enum sl::BuiltinId;
+    constexpr sl::BuiltinId drawing[] = {random, occlusion, transmission, visibility};
+    return std::ranges::find(drawing, function.id) != std::end(drawing);
 }
 
 /// Collects what is assigned, following calls into the functions' bodies.
@@ -65,6 +79,12 @@ public:
             if (!inside_.contains(symbol) && !called_.contains(symbol->owner))
                 result.push_back(symbol);
         return result;
+    }
+
+    /// What a light statement does in each of its rounds before its body.
+    void receive(const sl::LightArguments &light) {
+        for (const sl::LightMessage &message : light.messages)
+            visit(message);
     }
 
     bool draws = false, loops = false;
@@ -83,6 +103,10 @@ protected:
         else if (expr.kind == sl::ExprKind::Call)
             enter(expr);
     }
+    void visit(const sl::LightMessage &message) override {
+        if (message.way == sl::LightMessage::Way::FromLight)
+            assign(*message.value);
+    }
 
 private:
     void assign(const sl::Expr &target) {
@@ -90,10 +114,9 @@ private:
             addOnce(assigned_, symbol);
     }
     void assignOutputs(const sl::Expr &call) {
-        draws |= call.overload->function->id == sl::BuiltinId::random;
-        const auto &parameters = call.overload->parameters;
-        for (size_t i = 0; i < call.operands.size() && i < parameters.size(); ++i)
-            if (parameters[i].output)
+        draws |= drawsRandom(*call.overload->function);
+        for (size_t i = 0; i < call.operands.size(); ++i)
+            if (sl::setsOperand(call, i))
                 assign(*call.operands[i]);
     }
     void enter(const sl::Expr &call) {
@@ -152,18 +175,36 @@ protected:
         if (expr.kind == sl::ExprKind::FromSpace)
             cost += 10;
         if (expr.kind == sl::ExprKind::Builtin)
-            visitBuiltin(*expr.overload);
+            visitBuiltin(expr);
     }
 
 private:
-    void visitBuiltin(const sl::BuiltinOverload &overload) {
-        for (const sl::BuiltinParameter &parameter : overload.parameters)
-            effects = effects || parameter.output;
-        const sl::Lowering lowering = overload.function->lowering;
-        effects = effects || overload.function->id == sl::BuiltinId::random ||
+    void visitBuiltin(const sl::Expr &call) {
+        for (size_t i = 0; i < call.operands.size(); ++i)
+            effects = effects || sl::setsOperand(call, i);
+        const sl::Builtin &function = *call.overload->function;
+        const sl::Lowering lowering = function.lowering;
+        effects = effects || function.id == sl::BuiltinId::random ||
                   (lowering != sl::Lowering::Inline && lowering != sl::Lowering::Runtime &&
                    lowering != sl::Lowering::Context);
         cost += lowering == sl::Lowering::Inline ? 3 : 10;
+    }
+};
+
+class GatheringWalker : public Walker {
+public:
+    bool gathers = false;
+
+protected:
+    void visit(const sl::Stmt &statement) override {
+        gathers |= statement.kind == sl::StmtKind::Illuminance;
+    }
+    void visit(const sl::Expr &expr) override {
+        using enum sl::BuiltinId;
+        if (expr.kind != sl::ExprKind::Builtin)
+            return;
+        const sl::BuiltinId id = expr.overload->function->id;
+        gathers |= id == diffuse || id == specular || id == phong || id == irradiance;
     }
 };
 
@@ -204,6 +245,8 @@ LoopEffects loopEffects(const sl::Stmt &loop) {
         assignments.walk(loop); // The condition and the steps run each round, too.
     else
         assignments.walk(loop.body);
+    if (loop.light)
+        assignments.receive(*loop.light);
     effects.assigned = assignments.outside();
     effects.drawsAnew = assignments.draws && assignments.loops;
     JumpWalker jumps(effects);
@@ -216,6 +259,14 @@ bool isCheapAndPure(const sl::Expr &expr) {
     CostWalker walker;
     walker.walk(&expr);
     return !walker.effects && walker.cost < 16;
+}
+
+bool gathersLight(const sl::TypedShader &shader) {
+    GatheringWalker walker;
+    walker.walk(shader.body);
+    for (const auto &function : shader.functions)
+        walker.walk(function->body);
+    return walker.gathers;
 }
 
 std::set<const sl::Symbol *> computedArrays(const sl::TypedShader &shader) {

@@ -29,6 +29,9 @@ LoopEffects loopEffects(const sl::Stmt &);
 /// requests, and less work than a branch is worth.
 bool isCheapAndPure(const sl::Expr &);
 
+/// Whether the shader gets light by loops, diffuse() and its kin, or irradiance().
+bool gathersLight(const sl::TypedShader &);
+
 /// Arrays that are somewhere indexed by computed indices, or passed on to a formal that is.
 std::set<const sl::Symbol *> computedArrays(const sl::TypedShader &);
 

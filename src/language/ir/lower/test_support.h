@@ -34,6 +34,9 @@ public:
             return;
         EXPECT_EQ(verify(lowered->whole), "") << print(lowered->whole);
         batch.emplace(lowered->whole, count, 7u);
+        for (const ShaderParameter &parameter : lowered->parameters)
+            if (parameter.computed)
+                setParameter(givenName(parameter.name), {0});
         for (int lane = 0; lane < batch->padded(); ++lane)
             for (const ShaderParameter &parameter : lowered->parameters)
                 if (parameter.firstSlot >= 0)

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "apps/compiler_passes.h"
+#include "apps/shader_text.h"
+#include "apps/verbs.h"
+
+#include "language/ir/core/regions.h"
+#include "language/runtime/services.h"
+#include "language/semantics/front.h"
+#include "render/console.h"
+#include "render/shader_folders.h"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <fmt/format.h>
+#include <memory>
+#include <sstream>
+
+namespace candela {
+
+namespace {
+
+struct Arguments {
+    std::vector<std::string> shaders, shaderPath, defines;
+    sl::FrontOptions front;
+    std::string integrator = "path";
+};
+
+const char *yesNo(bool holds) { return holds ? "yes" : "no"; }
+
+std::string numberText(float number) { return fmt::format("{}", number); }
+
+/// "0.5", "(1, 0, 0)", "\"shader\" (0, 0, 0)", "{ 1, 2 }"
+std::string defaultText(const ir::ShaderParameter &parameter) {
+    if (parameter.computed)
+        return "computed where the shader starts";
+    const size_t elements = size_t(parameter.arraySize);
+    std::string list;
+    const auto add = [&](const std::string &text) { list += (list.empty() ? "" : ", ") + text; };
+    for (const std::string &text : parameter.stringDefaults)
+        add('"' + text + '"');
+    const size_t width = parameter.defaults.size() / elements;
+    for (size_t at = 0; at < parameter.defaults.size(); at += std::max<size_t>(1, width)) {
+        std::string element;
+        for (size_t c = 0; c < width; ++c)
+            element += (c ? ", " : "") + numberText(parameter.defaults[at + c]);
+        add(width == 1 ? element : "(" + element + ")");
+    }
+    const bool isGeometric = parameter.type == "point" || parameter.type == "vector" ||
+                             parameter.type == "normal";
+    const std::string space = isGeometric ? '"' + parameter.defaultSpace + "\" " : "";
+    return space + (elements > 1 ? "{ " + list + " }" : list);
+}
+
+/// The comment in one line.
+std::string inOneLine(const std::string &doc) {
+    std::istringstream words(doc);
+    std::string line;
+    for (std::string word; words >> word;)
+        if (word.find("SPDX-") == word.npos && word != "Apache-2.0")
+            line += (line.empty() ? "" : " ") + word;
+    return line;
+}
+
+void printParameters(const CompiledShader &compiled) {
+    if (!compiled.parameters.empty())
+        fmt::print("  parameters\n");
+    for (size_t i = 0; i < compiled.parameters.size(); ++i) {
+        const ir::ShaderParameter &p = compiled.parameters[i];
+        const std::string size = p.arraySize > 1 ? fmt::format("[{}]", p.arraySize) : "";
+        const std::string doc = inOneLine(compiled.parameterDocs[i]);
+        fmt::print("    {}{}{} {}{} = {}{}\n", p.output ? "output " : "",
+                   p.varying ? "varying " : "", p.type, p.name, size, defaultText(p),
+                   doc.empty() ? "" : "  -- " + doc);
+    }
+}
+
+void printProofs(const sl::TypedShader &shader, const CompiledShader &compiled) {
+    if (shader.kind == sl::ShaderKind::Surface) {
+        const ir::SurfaceFacts &facts = compiled.facts;
+        fmt::print("  proofs\n    affine in the light: {}\n", yesNo(facts.affine) +
+                   (facts.affine ? std::string() : fmt::format(" (line {})", facts.notAffineLine)));
+        fmt::print("    light requests static: {}\n", yesNo(facts.staticRequests) +
+                   (facts.staticRequests ? std::string()
+                                         : fmt::format(" (line {})", facts.notStaticLine)));
+        fmt::print("    opaque where Os is 1: {}\n    black without light: {}\n",
+                   yesNo(facts.opaqueIfOsIs1), yesNo(!facts.emits));
+        fmt::print("    cones of importance: {}\n", facts.cones.size());
+    } else if (shader.kind == sl::ShaderKind::Light) {
+        fmt::print("  proofs\n    cones of emission: {}{}\n", compiled.lightFacts.cones.size(),
+                   compiled.lightFacts.conesAreTheLights ? "" : ", which differ by what is lit");
+        fmt::print("    falls off with the square of the distance: {}\n",
+                   yesNo(compiled.inverseSquare));
+    }
+}
+
+/// What a lane costs: instructions as written, services by services.def.
+void printEntryPoints(const CompiledShader &compiled) {
+    fmt::print("  entry points\n");
+    for (const CompiledShader::Answer &answer : compiled.answers) {
+        const ir::Function &function = answer.function;
+        std::string asks;
+        for (const ir::ServiceUse &use : function.services)
+            asks += (asks.empty() ? ", asks " : ", ") + std::string(use.info->name);
+        fmt::print("    {:<9} {:>6} instructions, {:>3} + {:>3} saved numbers{}\n",
+                   ir::nameOf(answer.question), ir::instructionCount(function.body),
+                   function.surfaceSlots, function.viewSlots, asks);
+    }
+}
+
+class InfoRun {
+public:
+    explicit InfoRun(const Arguments &arguments)
+        : arguments_(arguments), console_(false),
+          folders_(shaderFolders("", arguments.shaderPath, console_)) {}
+
+    int status() {
+        for (const std::string &shader : arguments_.shaders)
+            describeFile(shader);
+        return console_.failed() ? 1 : 0;
+    }
+
+private:
+    void describeFile(const std::string &name) {
+        std::string problem;
+        const auto source = readShader(name, folders_.all, problem);
+        if (!source)
+            return console_.error({}, problem);
+        sl::FrontOptions options = arguments_.front;
+        options.hints = false;
+        options.includeDirectories.insert(options.includeDirectories.end(), folders_.all.begin(),
+                                          folders_.all.end());
+        const auto front = sl::analyzeSource(*source, options, console_);
+        for (size_t k = 0; front && k < front->shaders.size(); ++k)
+            describe(*front->shaders[k], source->name);
+    }
+
+    void describe(const sl::TypedShader &shader, const std::string &file) {
+        const std::string about = inOneLine(shader.doc);
+        fmt::print("{} {}  ({}:{})\n", sl::nameOf(shader.kind), shader.name, file,
+                   shader.where.line);
+        if (!about.empty())
+            fmt::print("  {}\n", about);
+        const auto rule =
+            arguments_.integrator == "path" ? ir::LightRule::Path : ir::LightRule::Classic;
+        const auto compiled =
+            compileShader(shader, rule, [](const char *, const ir::Function &) {}, console_);
+        if (!compiled)
+            return;
+        printParameters(*compiled);
+        printProofs(shader, *compiled);
+        printEntryPoints(*compiled);
+    }
+
+    const Arguments &arguments_;
+    Console console_;
+    ShaderFolders folders_;
+};
+
+} // namespace
+
+void addInfo(CLI::App &app, int &status) {
+    auto arguments = std::make_shared<Arguments>();
+    Arguments &a = *arguments;
+    CLI::App *info = app.add_subcommand(
+        "info", "Tell of shaders: parameters, defaults, what is proved, entry points, cost");
+    info->footer("Exit status: 0 all went well, 1 something was wrong and has been reported, 2 the "
+                 "command line cannot be understood.");
+    info->add_option("shaders", a.shaders,
+                     "Files, or names that are looked for on the shader path and in the library")
+        ->required();
+    info->add_option("-I", a.front.includeDirectories, "Folder that #include searches")
+        ->type_name("FOLDER")
+        ->allow_extra_args(false);
+    info->add_option("-D", a.defines, "Define a macro; without a value as 1")
+        ->type_name("NAME[=VALUE]")
+        ->check(CLI::Validator(flawOfDefine, ""))
+        ->allow_extra_args(false);
+    info->add_option("--shader-path", a.shaderPath, "Folders to look for shaders in: a:b:c")
+        ->delimiter(':')
+        ->allow_extra_args(false);
+    info->add_option("--integrator", a.integrator,
+                     "path or classic: which light a shader's ambient() stands for; default path")
+        ->check(CLI::IsMember({"path", "classic"}));
+    info->callback([arguments, &status] {
+        for (const std::string &define : arguments->defines)
+            arguments->front.defines.push_back(defineOf(define));
+        status = InfoRun(*arguments).status();
+    });
+}
+
+} // namespace candela

@@ -1,0 +1,1 @@
+displacement a(void) { }

@@ -1,0 +1,3 @@
+float f(float x);
+surface a() { Ci = f(1); Oi = 1; }
+float f(float x) { return x; }

@@ -1,0 +1,3 @@
+float f(float x) { return x; }
+float f(float x) { return 2*x; }
+surface a() { Ci = f(s); Oi = 1; }

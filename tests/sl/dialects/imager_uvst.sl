@@ -1,0 +1,1 @@
+imager a() { Ci = mix(color(s,t,0), color(u,v,1), alpha); }

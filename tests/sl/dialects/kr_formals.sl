@@ -1,0 +1,4 @@
+surface a(Ka, Kd, c)
+  float Ka = 1, Kd = .5;
+  color c = 1;
+{ Ci = Ka*Kd*c; Oi = Os; }

@@ -1,0 +1,3 @@
+light a(float intensity=1; point from = point "shader" (0,0,0);) {
+  illuminate(from) { Cl = intensity/(L.L); L = normalize(L); }
+}

@@ -1,0 +1,1 @@
+light a() { N = normalize(N); illuminate(P, N, PI/2) { Cl = 1/(L.L); } }

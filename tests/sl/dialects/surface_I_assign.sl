@@ -1,0 +1,1 @@
+surface a() { I = normalize(I); Ci = specular(normalize(N), -I, .1); }

@@ -1,0 +1,1 @@
+surface a() { point PP = Ps; Ci = noise(PP); Oi = 1; }

@@ -1,0 +1,3 @@
+surface a() { Ci = 1; Oi = 1; }
+displacement b() { P += N; N = calculatenormal(P); }
+light c() { solar() Cl = 1; }
