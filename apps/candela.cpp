@@ -26,7 +26,8 @@ int main(int argc, char **argv) {
     app.footer(
         "Exit status: 0 all went well; 1 something was wrong and has been reported, the rest "
         "was rendered; 2 the command line cannot be understood.\n"
-        "See also: candela compile --help, candela info --help, candela run --help, candela diff --help, "
+        "See also: candela compile --help, candela info --help, candela run --help, candela diff "
+        "--help, "
         "candela filter --help");
     app.get_formatter()->column_width(34);
 

@@ -169,7 +169,9 @@ private:
         const auto escaped = [](const std::string &name) {
             std::string text;
             for (char c : name)
-                text += (c == ' ' || c == '#' || c == '\\' ? "\\" : c == '$' ? "$" : "") +
+                text += (c == ' ' || c == '#' || c == '\\' ? "\\"
+                         : c == '$'                        ? "$"
+                                                           : "") +
                         std::string(1, c);
             return text;
         };

@@ -45,8 +45,8 @@ std::string defaultText(const ir::ShaderParameter &parameter) {
             element += (c ? ", " : "") + numberText(parameter.defaults[at + c]);
         add(width == 1 ? element : "(" + element + ")");
     }
-    const bool isGeometric = parameter.type == "point" || parameter.type == "vector" ||
-                             parameter.type == "normal";
+    const bool isGeometric =
+        parameter.type == "point" || parameter.type == "vector" || parameter.type == "normal";
     const std::string space = isGeometric ? '"' + parameter.defaultSpace + "\" " : "";
     return space + (elements > 1 ? "{ " + list + " }" : list);
 }
@@ -77,11 +77,14 @@ void printParameters(const CompiledShader &compiled) {
 void printProofs(const sl::TypedShader &shader, const CompiledShader &compiled) {
     if (shader.kind == sl::ShaderKind::Surface) {
         const ir::SurfaceFacts &facts = compiled.facts;
-        fmt::print("  proofs\n    affine in the light: {}\n", yesNo(facts.affine) +
-                   (facts.affine ? std::string() : fmt::format(" (line {})", facts.notAffineLine)));
-        fmt::print("    light requests static: {}\n", yesNo(facts.staticRequests) +
-                   (facts.staticRequests ? std::string()
-                                         : fmt::format(" (line {})", facts.notStaticLine)));
+        fmt::print("  proofs\n    affine in the light: {}\n",
+                   yesNo(facts.affine) + (facts.affine
+                                              ? std::string()
+                                              : fmt::format(" (line {})", facts.notAffineLine)));
+        fmt::print("    light requests static: {}\n",
+                   yesNo(facts.staticRequests) +
+                       (facts.staticRequests ? std::string()
+                                             : fmt::format(" (line {})", facts.notStaticLine)));
         fmt::print("    opaque where Os is 1: {}\n    black without light: {}\n",
                    yesNo(facts.opaqueIfOsIs1), yesNo(!facts.emits));
         fmt::print("    cones of importance: {}\n", facts.cones.size());
@@ -142,8 +145,8 @@ private:
             fmt::print("  {}\n", about);
         const auto rule =
             arguments_.integrator == "path" ? ir::LightRule::Path : ir::LightRule::Classic;
-        const auto compiled =
-            compileShader(shader, rule, [](const char *, const ir::Function &) {}, console_);
+        const auto compiled = compileShader(
+            shader, rule, [](const char *, const ir::Function &) {}, console_);
         if (!compiled)
             return;
         printParameters(*compiled);

@@ -27,16 +27,16 @@ std::optional<std::string> readSource(const std::string &name, std::string &prob
     return text;
 }
 
-std::optional<sl::SourceText> readShader(const std::string &name,
-                                         const std::vector<std::string> &folders,
-                                         std::string &problem) {
+std::optional<sl::SourceText>
+readShader(const std::string &name, const std::vector<std::string> &folders, std::string &problem) {
     std::error_code none;
     std::string path = name;
     if (name != "-" && !std::filesystem::exists(name, none)) {
         const auto found = findFile(plainShaderName(name) + ".sl", folders);
         if (!found) {
-            problem = "no shader \"" + name + "\": it is no file, and no such .sl file lies on the "
-                                              "shader path or in the library";
+            problem = "no shader \"" + name +
+                      "\": it is no file, and no such .sl file lies on the "
+                      "shader path or in the library";
             return std::nullopt;
         }
         path = *found;

@@ -14,9 +14,8 @@ namespace candela {
 /// The text of a file or pipe, or of standard input ("-").
 std::optional<std::string> readSource(const std::string &name, std::string &problem);
 /// The same; a name that is no file is looked for, with ".sl" behind it, in the folders.
-std::optional<sl::SourceText> readShader(const std::string &name,
-                                         const std::vector<std::string> &folders,
-                                         std::string &problem);
+std::optional<sl::SourceText>
+readShader(const std::string &name, const std::vector<std::string> &folders, std::string &problem);
 
 /// What is wrong with the argument of -D; empty if nothing is.
 std::string flawOfDefine(const std::string &text);

@@ -26,7 +26,7 @@ std::vector<float> planeOf(const DisplaySources &sources, const DisplayPlane &pl
 /// What the imager is given of the picture, and gives back.
 struct PixelPlanes {
     PlaneSize size;
-    int x0 = 0, y0 = 0; ///< Raster position of the first pixel.
+    int x0 = 0, y0 = 0;             ///< Raster position of the first pixel.
     std::array<int, 2> frame{1, 1}; ///< Pixels of the whole frame, of which these are a window.
     /// The colour samples, then the opacity's, then alpha.
     std::vector<std::vector<float>> planes;

@@ -7,6 +7,7 @@
 #include "image/png_file.h"
 #include "render/console.h"
 #include "render/filter_words.h"
+#include "render/point_grid.h"
 #include "render/shader_folders.h"
 #include "world/shading/shader_library.h"
 #include "world/shading/shader_source.h"
@@ -19,8 +20,6 @@
 namespace candela {
 
 namespace {
-
-constexpr int batchSize = 512;
 
 /// The kind of the interface that stands for one of the language.
 ShaderKind interfaceKind(sl::ShaderKind kind) {
@@ -39,106 +38,6 @@ ShaderKind interfaceKind(sl::ShaderKind kind) {
 struct NamedPlanes {
     std::string name;
     std::vector<std::vector<float>> planes;
-};
-
-/// A batch of points of the grid.
-class GridBatch {
-public:
-    GridBatch(const RunSettings &settings, const QuestionCode &question)
-        : settings_(settings), inputs_(int(ShaderInput::Count), batchSize),
-          outputs_(int(question.function.outputs.size()), batchSize), integers_(2, batchSize),
-          light_(3 + colorSamples, batchSize) {
-        for (int plane = 0; plane < inputs_.planes(); ++plane)
-            inputTable_.push_back(inputs_[plane]);
-        for (int plane = 0; plane < outputs_.planes(); ++plane)
-            outputTable_.push_back(outputs_[plane]);
-        for (int plane = 0; plane < light_.planes(); ++plane)
-            lightTable_.push_back(light_[plane]);
-        std::fill_n(light_[2], light_.lanes(), -1.0f);
-        for (int c = 0; c < colorSamples; ++c)
-            std::fill_n(light_[3 + c], light_.lanes(), 1.0f);
-    }
-
-    void place(bool isImager, bool isLight, std::size_t first, int count) {
-        for (int i = 0; i < count; ++i) {
-            const std::size_t pixel = first + std::size_t(i);
-            const float x = float(pixel % std::size_t(settings_.width)) + 0.5f;
-            const float y = float(pixel / std::size_t(settings_.width)) + 0.5f;
-            const float u = x / float(settings_.width), v = y / float(settings_.height);
-            for (ShaderInput across : {ShaderInput::u, ShaderInput::s})
-                set(across, i, {u});
-            for (ShaderInput down : {ShaderInput::v, ShaderInput::t})
-                set(down, i, {v});
-            const std::initializer_list<float> square = {2 * u - 1, 1 - 2 * v, 0};
-            set(isLight ? ShaderInput::Ps : ShaderInput::P, i, square);
-            if (isImager)
-                set(ShaderInput::P, i, {x, y, 0});
-        }
-        fillTheRest(count);
-    }
-
-    void ask(const QuestionCode &question, const ShaderInstance &instance, int count) {
-        static const std::vector<float> identity = [] {
-            std::vector<float> two(32, 0);
-            for (int k = 0; k < 32; k += 16)
-                for (int i = 0; i < 4; ++i)
-                    two[std::size_t(k + 5 * i)] = 1;
-            return two;
-        }();
-        ShaderArgs args;
-        args.count = count;
-        args.inputs = inputTable_.data();
-        std::fill_n(integers_[0], integers_.lanes(), instance.parameterOffset);
-        args.parameterOffset = integers_[0];
-        args.objectIndex = integers_[1];
-        args.objectMatrices = identity.data();
-        args.outputs = outputTable_.data();
-        args.sampleCount = 1;
-        args.sampleStride = light_.lanes();
-        args.sampleL = lightTable_.data();
-        args.sampleCl = lightTable_.data() + 3;
-        for (int plane = 0; plane < outputs_.planes(); ++plane)
-            std::fill_n(outputs_[plane], outputs_.lanes(), 0.0f);
-        instance.code->bind(args);
-        args.sampleLight = nullptr, args.categoryAccepts = nullptr; // The light is heard by all.
-        question.ask(args);
-    }
-
-    const float *output(int plane) const { return outputs_[plane]; }
-
-private:
-    void set(ShaderInput input, int lane, std::initializer_list<float> values) {
-        int c = 0;
-        for (float value : values)
-            inputs_[int(input) + c++][lane] = value;
-    }
-    void fill(ShaderInput input, int count, std::initializer_list<float> values) {
-        int c = 0;
-        for (float value : values)
-            std::fill_n(inputs_[int(input) + c++], count, value);
-    }
-    void fillTheRest(int count) {
-        fill(ShaderInput::N, count, {0, 0, -1});
-        fill(ShaderInput::Ng, count, {0, 0, -1});
-        fill(ShaderInput::I, count, {0, 0, 1});
-        fill(ShaderInput::dPdu, count, {2, 0, 0});
-        fill(ShaderInput::dPdv, count, {0, -2, 0});
-        fill(ShaderInput::orientation, count, {1});
-        fill(ShaderInput::du, count, {1 / float(settings_.width)});
-        fill(ShaderInput::dv, count, {1 / float(settings_.height)});
-        fill(ShaderInput::dsdu, count, {1});
-        fill(ShaderInput::dtdv, count, {1});
-        for (ShaderInput white : {ShaderInput::Cs, ShaderInput::Os, ShaderInput::pixelOi})
-            fill(white, count, {1, 1, 1});
-        fill(ShaderInput::pixelAlpha, count, {1});
-    }
-
-    const RunSettings &settings_;
-    Planes<float> inputs_, outputs_;
-    Planes<std::int32_t> integers_;
-    Planes<float> light_; ///< L and Cl.
-    std::vector<const float *> inputTable_, lightTable_;
-    std::vector<float *> outputTable_;
 };
 
 class ShaderRun {
@@ -183,8 +82,8 @@ private:
         }
         if (!types || console_.failed())
             return std::nullopt;
-        auto instance = shaders_.instance(interfaceKind(kind_), record, Options(),
-                                          ir::LightRule::Classic, {});
+        auto instance =
+            shaders_.instance(interfaceKind(kind_), record, Options(), ir::LightRule::Classic, {});
         if (instance)
             instance->code->bindSpaces({}, console_);
         return instance;
@@ -201,7 +100,8 @@ private:
             const auto text = readWholeFile(path, problem, std::size_t(1) << 26);
             if (!text)
                 break;
-            const auto front = sl::analyzeSource({path, *text}, {folders_.all, {}, false}, console_);
+            const auto front =
+                sl::analyzeSource({path, *text}, {folders_.all, {}, false}, console_);
             for (std::size_t k = 0; front && k < front->shaders.size(); ++k)
                 if (front->shaders[k]->name == name || front->shaders.size() == 1)
                     return front->shaders[k]->kind;
@@ -214,8 +114,7 @@ private:
     }
 
     std::vector<NamedPlanes> run(const ShaderInstance &instance) {
-        const QuestionCode &question =
-            instance.code->question(ir::questionsOf(kind_).front());
+        const QuestionCode &question = instance.code->question(ir::questionsOf(kind_).front());
         const std::size_t points = std::size_t(settings_.width) * std::size_t(settings_.height);
         std::vector<NamedPlanes> found;
         for (const ir::OutputSlot &slot : question.function.outputs) {
@@ -224,16 +123,16 @@ private:
                 found.push_back({name, {}});
             found.back().planes.emplace_back(points);
         }
-        GridBatch batch(settings_, question);
-        for (std::size_t first = 0; first < points; first += batchSize) {
-            const int count = int(std::min<std::size_t>(batchSize, points - first));
-            batch.place(kind_ == sl::ShaderKind::Imager, kind_ == sl::ShaderKind::Light, first,
-                        count);
+        PointGrid batch(settings_.width, settings_.height, question);
+        for (std::size_t first = 0; first < points; first += PointGrid::batchSize) {
+            const int count = int(std::min<std::size_t>(PointGrid::batchSize, points - first));
+            batch.place(kind_, first, count);
             batch.ask(question, instance, count);
             int plane = 0;
             for (NamedPlanes &named : found)
                 for (std::vector<float> &values : named.planes)
-                    std::copy_n(batch.output(plane++), count, values.begin() + std::ptrdiff_t(first));
+                    std::copy_n(batch.output(plane++), count,
+                                values.begin() + std::ptrdiff_t(first));
         }
         return found;
     }
@@ -255,12 +154,12 @@ private:
     }
 
     void write(const std::vector<NamedPlanes> &found) {
-        const std::string shown = !settings_.shown.empty()            ? settings_.shown
+        const std::string shown = !settings_.shown.empty()         ? settings_.shown
                                   : kind_ == sl::ShaderKind::Light ? "Cl"
                                                                    : "Ci";
         Picture picture;
-        picture.window = {settings_.width, settings_.height, 0, settings_.width,
-                          0,               settings_.height};
+        picture.window = {settings_.width, settings_.height, 0, settings_.width, 0,
+                          settings_.height};
         for (const NamedPlanes &named : found)
             addChannels(named, named.name == shown, picture);
         if (!picture.find("R"))

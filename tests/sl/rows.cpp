@@ -70,8 +70,7 @@ std::vector<Row> readRows(const std::string &path) {
 
 std::vector<std::string> rowFiles() {
     std::vector<std::string> files;
-    for (const auto &entry :
-         std::filesystem::directory_iterator(CANDELA_SOURCE_DIR "/tests/sl"))
+    for (const auto &entry : std::filesystem::directory_iterator(CANDELA_SOURCE_DIR "/tests/sl"))
         if (entry.path().extension() == ".rows")
             files.push_back(entry.path().string());
     std::ranges::sort(files);

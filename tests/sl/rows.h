@@ -8,10 +8,10 @@
 namespace candela::sl::test {
 
 struct Row {
-    std::string where;   ///< "maths.rows:12"
-    std::string type;    ///< Of `result`: "float", "color"...
-    std::string code;    ///< An expression, or statements that set `result`.
-    std::string before;  ///< Functions that stand before the shader.
+    std::string where;  ///< "maths.rows:12"
+    std::string type;   ///< Of `result`: "float", "color"...
+    std::string code;   ///< An expression, or statements that set `result`.
+    std::string before; ///< Functions that stand before the shader.
     std::vector<float> expected;
     float tolerance = 2e-6f; ///< Relative above 1, absolute below.
 

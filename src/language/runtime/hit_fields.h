@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the service nearestHit tells of what a ray meets: numbers in this order, and then the samples
-// of the colours Cs and Os.
+// What the service nearestHit tells of what a ray meets: numbers in this order, and then the
+// samples of the colours Cs and Os.
 #pragma once
 
 namespace candela {

@@ -64,7 +64,8 @@ TEST(Builtins, WhatMustBeAvailableIs) {
         ASSERT_NE(findBuiltin(name), nullptr) << name;
         EXPECT_EQ(findBuiltin(name)->available, Available::Now) << name;
     }
-    for (const char *name : {"texture", "environment", "shadow", "bump", "surface", "lightsource"}) {
+    for (const char *name :
+         {"texture", "environment", "shadow", "bump", "surface", "lightsource"}) {
         ASSERT_NE(findBuiltin(name), nullptr) << name;
         EXPECT_EQ(findBuiltin(name)->available, Available::Later) << name;
     }

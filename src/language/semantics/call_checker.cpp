@@ -51,8 +51,8 @@ ExprPtr CallChecker::unknown(const ast::Expr &e, ExpressionChecker::Wanted wante
 }
 
 ExprPtr CallChecker::zero(const ast::Expr &e, const BuiltinOverload &overload) {
-    here_.reporter.warnOnce(e.where, "function " + e.text + "() is known and gives 0: " +
-                                         overload.function->doc);
+    here_.reporter.warnOnce(e.where, "function " + e.text +
+                                         "() is known and gives 0: " + overload.function->doc);
     return makeZero(overload.result, e.where);
 }
 

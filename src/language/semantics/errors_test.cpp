@@ -111,8 +111,9 @@ TEST(Errors, NamesAndTypes) {
                          "shadow() or bump()"},
         {"printf(\"%f %f\", f);", "1: warning: the pattern of printf asks for 2 values, but 1 are "
                                   "given; it prints nothing"},
-        {"printf(\"%s\", f);", "14: warning: '%s' in the pattern of printf cannot print a float; it "
-                               "prints nothing"},
+        {"printf(\"%s\", f);",
+         "14: warning: '%s' in the pattern of printf cannot print a float; it "
+         "prints nothing"},
         {"extern float zz;", "14: error: extern variable zz is not known outside of here"},
         {"extern color P;", "14: error: extern variable P is a point where it is defined"},
         {"c = (1, w, 2);", "9: error: a component of a tuple must be a float, not a vector; did "
@@ -230,8 +231,9 @@ TEST(Errors, LightStatements) {
         {"f = comp(Cl, 0);",
          "10: warning: Cl has a value only inside an illuminance, illuminate or "
          "solar statement; here it is 0"},
-        {"illuminance(P, N, 45) { }", "19: warning: the angle of illuminance is half of the cone in "
-                                      "radians; this looks like degrees"},
+        {"illuminance(P, N, 45) { }",
+         "19: warning: the angle of illuminance is half of the cone in "
+         "radians; this looks like degrees"},
         {"f = sin(45);", "9: warning: the angle of sin() is in radians; this looks like degrees"},
         {"q = rotate(q, degrees(1), P, P + N);",
          "15: warning: the angle of rotate() is in radians; this looks like degrees"},

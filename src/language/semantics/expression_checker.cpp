@@ -49,9 +49,8 @@ ExprPtr ExpressionChecker::name(const ast::Expr &e) {
     bool lightValue = symbol->predefined && symbol->predefined->scope == PredefinedScope::Light;
     // A function may be called from inside a loop, and a light may read back what it set.
     if (lightValue && !here_.lightStatement && !here_.function && !symbol->written)
-        here_.reporter.hint(e.where, e.text +
-                                            " has a value only inside an illuminance, illuminate "
-                                            "or solar statement; here it is 0");
+        here_.reporter.hint(e.where, e.text + " has a value only inside an illuminance, illuminate "
+                                              "or solar statement; here it is 0");
     if (symbol->type.isArray())
         return here_.error(e.where, "array " + e.text + " needs an index here");
     return makeVariable(*symbol, e.where);

@@ -36,8 +36,7 @@ bool addOptional(Arguments given, ExpressionChecker &expressions, const Surround
 
 /// In [0, 1), the same in all turns.
 ExprPtr randomNumber(const Place &where) {
-    ExprPtr result =
-        makeNode(ExprKind::Builtin, {BaseType::Float, Detail::Varying, 0}, where);
+    ExprPtr result = makeNode(ExprKind::Builtin, {BaseType::Float, Detail::Varying, 0}, where);
     result->overload = &builtin(BuiltinId::random).overloads[0];
     return result;
 }
@@ -48,8 +47,8 @@ Symbol &addLocal(const char *name, ExprPtr value, const ast::Stmt &s, Surroundin
     ast::Variable variable;
     variable.name = name;
     variable.where = s.where;
-    Symbol &symbol = here.names.declare(Symbol::Kind::Local, variable,
-                                        {BaseType::Float, Detail::Varying, 0});
+    Symbol &symbol =
+        here.names.declare(Symbol::Kind::Local, variable, {BaseType::Float, Detail::Varying, 0});
     symbol.read = symbol.written = true;
     StmtPtr declaration = makeNode(StmtKind::Declare, s.where);
     declaration->symbol = &symbol;
@@ -73,7 +72,7 @@ std::optional<GatherLoop> checkGather(const ast::Stmt &s, Surroundings &here,
     GatherLoop loop;
     Symbol &turn = addLocal("gather turn", makeNumber(0, s.where), s, here, loop);
     Symbol *shift[] = {&addLocal("gather x", randomNumber(s.where), s, here, loop),
-                             &addLocal("gather y", randomNumber(s.where), s, here, loop)};
+                       &addLocal("gather y", randomNumber(s.where), s, here, loop)};
     std::vector<ExprPtr> operands;
     operands.push_back(expressions.checkAs(*given[0], BaseType::Point, "the position of gather"));
     operands.push_back(expressions.checkAs(*given[1], BaseType::Vector, "the axis of gather"));

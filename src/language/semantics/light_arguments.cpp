@@ -179,9 +179,8 @@ Cone LightArgumentChecker::cone(Arguments given) {
     result.importance =
         as(color ? BaseType::Color : BaseType::Float, given[3], "the importance of a cone");
     if (looksLikeRadians(*given[1]))
-        here_.reporter.hint(given[1]->where,
-                               "the angle of a cone is its full opening in degrees; "
-                               "this looks like radians");
+        here_.reporter.hint(given[1]->where, "the angle of a cone is its full opening in degrees; "
+                                             "this looks like radians");
     return result;
 }
 

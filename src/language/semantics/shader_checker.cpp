@@ -59,7 +59,7 @@ Parameter ShaderChecker::parameter(const ast::Variable &v, Surroundings &here) {
     result.defaults = initialValues(v, type, expressions, reporter_);
     if (!v.initialised)
         reporter_.hint(v.where, "parameter " + v.name + " has no default; it is " +
-                                       (v.type == BaseType::String ? "\"\"" : "0"));
+                                    (v.type == BaseType::String ? "\"\"" : "0"));
     result.symbol = &here.names.declare(Symbol::Kind::Parameter, v, type);
     Symbol *ignored = nullptr;
     externScope_.declare(v.name, result.symbol, &ignored);
@@ -104,8 +104,8 @@ void hintAtUnused(const TypedShader &shader, const SourceFile &mainFile, Reporte
 } // namespace
 
 std::unique_ptr<TypedShader> checkShader(const ast::Shader &syntax, const ast::File &file,
-                                         const SourceFile &mainFile,
-                                         const std::string &headersRead, Reporter &reporter) {
+                                         const SourceFile &mainFile, const std::string &headersRead,
+                                         Reporter &reporter) {
     auto shader = std::make_unique<TypedShader>();
     shader->kind = syntax.kind;
     shader->name = syntax.name;

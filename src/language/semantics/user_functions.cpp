@@ -103,8 +103,8 @@ void UserFunctions::check(FunctionDefinition &definition, const std::vector<Type
     bool promises = definition.result.value_or(BaseType::Void) != BaseType::Void;
     if (promises && !body.returned().any)
         reporter_.hint(syntax.where, "function " + syntax.name +
-                                            " returns no value; its "
-                                            "result is 0");
+                                         " returns no value; its "
+                                         "result is 0");
     instance.result.base = definition.result.value_or(BaseType::Void);
     instance.result.detail = body.returned().detail;
 }

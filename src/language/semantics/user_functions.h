@@ -22,8 +22,8 @@ public:
         : shader_(shader), symbols_(symbols), reporter_(reporter),
           headersRead_(std::move(headersRead)) {}
 
-    /// What a message about an unknown function adds: "; headers that were read: ..."; empty if none
-    /// was.
+    /// What a message about an unknown function adds: "; headers that were read: ..."; empty if
+    /// none was.
     const std::string &headersRead() const { return headersRead_; }
 
     /// Makes the function known in the scope. A second one with the same arguments

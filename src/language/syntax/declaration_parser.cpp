@@ -70,10 +70,10 @@ void DeclarationParser::declarator(ast::Variable &variable, bool isFormal) {
     ahead_.declare(variable.name);
     bool lengthless = variable.isArray && !variable.length && !variable.initialised;
     if (lengthless && !isFormal && !variable.external)
-        tokens_.fail(variable.where,
-                     "array " + variable.name + " needs a length or initial values; an array "
-                                                "that grows is of RSL 2.0, which Candela does "
-                                                "not support");
+        tokens_.fail(variable.where, "array " + variable.name +
+                                         " needs a length or initial values; an array "
+                                         "that grows is of RSL 2.0, which Candela does "
+                                         "not support");
 }
 
 void DeclarationParser::initialiser(ast::Variable &variable) {

@@ -136,7 +136,8 @@ ast::ExprPtr ExpressionParser::counted(ast::ExprPtr variable, BinaryOp op, const
 ast::ExprPtr ExpressionParser::step(ast::ExprPtr value, BinaryOp op, const Place &where) {
     ast::ExprPtr one = make(ast::ExprKind::Number, where);
     one->number = 1;
-    ast::ExprPtr result = make(ast::ExprKind::Binary, where, list(std::move(value), std::move(one)));
+    ast::ExprPtr result =
+        make(ast::ExprKind::Binary, where, list(std::move(value), std::move(one)));
     result->op = op;
     return result;
 }

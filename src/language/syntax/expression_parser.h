@@ -19,8 +19,8 @@ public:
 
     /// Up to the first operator that binds looser than `least`.
     ast::ExprPtr expression(Precedence least = Precedence::Assignment);
-    /// What is evaluated for its effect, in a statement or a step of `for`: ++i and --i count up and
-    /// down there, as in C.
+    /// What is evaluated for its effect, in a statement or a step of `for`: ++i and --i count up
+    /// and down there, as in C.
     ast::ExprPtr effect();
     /// From the '(' of a call of `name` to its ')'.
     std::vector<ast::ExprPtr> arguments(const std::string &name);

@@ -12,9 +12,9 @@ namespace {
 
 // Longest first, so that the first that fits is the right one. Some serve the preprocessor alone.
 constexpr const char *punctuators[] = {
-    "==", "!=", "<=", ">=", "&&", "||", "+=", "-=", "*=", "/=", "->", "##", "<<", ">>",
-    "(",  ")",  "[",  "]",  "{",  "}",  ",",  ";",  ":",  "?",  ".",  "+",  "-",
-    "*",  "/",  "^",  "=",  "<",  ">",  "!",  "#",  "%",  "&",  "|",  "~"};
+    "==", "!=", "<=", ">=", "&&", "||", "+=", "-=", "*=", "/=", "->", "##", "<<",
+    ">>", "(",  ")",  "[",  "]",  "{",  "}",  ",",  ";",  ":",  "?",  ".",  "+",
+    "-",  "*",  "/",  "^",  "=",  "<",  ">",  "!",  "#",  "%",  "&",  "|",  "~"};
 
 /// Beyond so many flaws this is no text; the rest is not looked at.
 constexpr int flawLimit = 10'000;

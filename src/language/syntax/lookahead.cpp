@@ -70,8 +70,8 @@ size_t Lookahead::behindDetail() const {
 size_t Lookahead::behindHead() const {
     const size_t type = behindDetail(), name = type + isTypeWord(type);
     const Token &word = tokens_.peek(name);
-    const bool isHead = word.isIdentifier() && !isReserved(word) && !isTypeWord(name) &&
-                        tokens_.at("(", name + 1);
+    const bool isHead =
+        word.isIdentifier() && !isReserved(word) && !isTypeWord(name) && tokens_.at("(", name + 1);
     return isHead ? behindBrackets(name + 1) : 0;
 }
 

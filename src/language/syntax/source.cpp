@@ -5,7 +5,8 @@
 
 namespace candela::sl {
 
-/// Without the mark that some editors put before a text and the end marks (Ctrl-Z) of DOS behind it.
+/// Without the mark that some editors put before a text and the end marks (Ctrl-Z) of DOS behind
+/// it.
 static std::string_view withoutMarks(std::string_view text) {
     constexpr std::string_view byteOrderMark = "\xef\xbb\xbf", padding = "\x1a\0 \t\r\n";
     constexpr char endMark = '\x1a';
@@ -29,7 +30,8 @@ static std::string withUnixLineEnds(std::string_view text) {
 }
 
 SourceFile::SourceFile(std::string name, std::string_view text)
-    : name_(std::make_shared<const std::string>(std::move(name))), text_(withUnixLineEnds(withoutMarks(text))) {
+    : name_(std::make_shared<const std::string>(std::move(name))),
+      text_(withUnixLineEnds(withoutMarks(text))) {
     lineStarts_.push_back(0);
     for (size_t i = 0; i < text_.size(); ++i)
         if (text_[i] == '\n')

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays that shaders ask for, followed in batches: occlusion(), transmission(), rayhittest(), gather.
+// Rays that shaders ask for, followed in batches: occlusion(), transmission(), rayhittest(),
+// gather.
 #pragma once
 
 #include "world/scene/scene.h"

@@ -1,1 +1,4 @@
-surface a() {}
+/* SPDX-License-Identifier: Apache-2.0 */
+surface a()
+{
+}

@@ -1,1 +1,4 @@
-displacement a(void) { }
+/* SPDX-License-Identifier: Apache-2.0 */
+displacement a(void)
+{
+}

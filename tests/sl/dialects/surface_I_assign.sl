@@ -1,1 +1,6 @@
-surface a() { I = normalize(I); Ci = specular(normalize(N), -I, .1); }
+/* SPDX-License-Identifier: Apache-2.0 */
+surface a()
+{
+    I = normalize(I);
+    Ci = specular(normalize(N), -I, .1);
+}

@@ -1,1 +1,7 @@
-surface a() { point PP = Ps; Ci = noise(PP); Oi = 1; }
+/* SPDX-License-Identifier: Apache-2.0 */
+surface a()
+{
+    point PP = Ps;
+    Ci = noise(PP);
+    Oi = 1;
+}

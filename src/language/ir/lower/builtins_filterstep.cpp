@@ -27,8 +27,7 @@ ValueId triangle(Builder &b, ValueId t) {
 ValueId catmullRom(Builder &b, ValueId t) {
     const ValueId x = min(b, t, number(b, 2));
     const ValueId square = mul(b, x, x), cube = mul(b, square, x), fourth = mul(b, square, square);
-    const ValueId inner =
-        add(b, sub(b, x, times(b, 5.0f / 6, cube)), times(b, 3.0f / 8, fourth));
+    const ValueId inner = add(b, sub(b, x, times(b, 5.0f / 6, cube)), times(b, 3.0f / 8, fourth));
     const ValueId outer = sub(b, add(b, times(b, 2, sub(b, x, square)), times(b, 5.0f / 6, cube)),
                               times(b, 1.0f / 8, fourth));
     // 13/24 up to x = 1, from where the outer part begins at 17/24.
@@ -97,8 +96,7 @@ Components filterstep(BuiltinCall &call) {
     const ValueId beyond = sub(b, x, call.number(0));
     const ValueId part = integral(b, div(b, unary(b, Op::Abs, beyond), extent));
     const ValueId isBefore = less(b, beyond, zero);
-    const ValueId filtered =
-        add(b, half, select(b, isBefore, neg(b, part), part));
+    const ValueId filtered = add(b, half, select(b, isBefore, neg(b, part), part));
     return {select(b, less(b, zero, extent), filtered, select(b, isBefore, zero, one))};
 }
 

@@ -83,8 +83,8 @@ Components zero(BuiltinCall &call) { return zero(call.b, call.result()); }
 /// The name is known of this shader alone.
 Components shadername(BuiltinCall &call) {
     const sl::TypedShader &shader = call.lowering.shader;
-    const bool own = call.count() == 0 ||
-                     call.text(0, "a kind of shader") == sl::nameOf(shader.kind);
+    const bool own =
+        call.count() == 0 || call.text(0, "a kind of shader") == sl::nameOf(shader.kind);
     return {text(call.b, own ? shader.name : "")};
 }
 

@@ -62,8 +62,7 @@ Components occlusion(BuiltinCall &call) {
     const size_t point = call.isText(0) ? 1 : 0, more = point + 2;
     const size_t optional = firstOptional(call, more);
     const size_t distribution = named(call, optional, "distribution");
-    const bool uniform =
-        distribution > 0 && call.text(distribution, "a distribution") == "uniform";
+    const bool uniform = distribution > 0 && call.text(distribution, "a distribution") == "uniform";
     Values operands;
     append(operands, call.triple(point));
     append(operands, normalize(b, call.triple(point + 1)));
@@ -109,8 +108,7 @@ Values nearestHit(BuiltinCall &call, const Triple &origin, const Triple &directi
     appendStart(call, operands);
     operands.insert(operands.end(), {least, greatest, input(b, ShaderInput::time)});
     const PlaceScope place(b, call.expr.where);
-    return query(b, info(Service::nearestHit), {}, operands,
-                 HitField::count(b.colors().samples));
+    return query(b, info(Service::nearestHit), {}, operands, HitField::count(b.colors().samples));
 }
 
 Components tripleAt(const Values &hit, int field) {
@@ -137,6 +135,14 @@ Components rayhittest(BuiltinCall &call) {
     return {distanceOf(call.b, hit)};
 }
 
+/// The radiance that arrives from a direction, as trace() has it.
+Components traced(BuiltinCall &call, const Triple &origin, const Triple &direction) {
+    LightRequest request;
+    request.kind = LightRequest::Kind::Trace;
+    request.line = call.b.line();
+    return trace(call.b, addRequest(call.lowering, request, call.expr.where), origin, direction);
+}
+
 Components fulltrace(BuiltinCall &call) {
     const Values hit = hitOf(call);
     call.assign(2, {distanceOf(call.b, hit)});
@@ -144,11 +150,7 @@ Components fulltrace(BuiltinCall &call) {
     call.assign(4, tripleAt(hit, HitField::N));
     call.assign(5, call.arguments[0]);
     call.assign(6, call.arguments[1]);
-    LightRequest request;
-    request.kind = LightRequest::Kind::Trace;
-    request.line = call.b.line();
-    return trace(call.b, addRequest(call.lowering, request, call.expr.where), call.triple(0),
-                 call.triple(1));
+    return traced(call, call.triple(0), call.triple(1));
 }
 
 /// Where the named answers of gather stand among the results of the service.
@@ -174,6 +176,8 @@ Components gathered(BuiltinCall &call, std::string_view name, const Triple &dire
         return componentsOf(direction);
     if (name == "ray:origin")
         return call.arguments[0];
+    if (name == "surface:Ci")
+        return traced(call, call.triple(0), direction);
     const auto samples = b.colors().samples;
     const auto colorAt = [&](int field) {
         return Components(hit.begin() + field, hit.begin() + field + samples);

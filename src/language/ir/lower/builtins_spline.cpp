@@ -143,17 +143,15 @@ ValueId solve(Builder &b, const Spline &spline, ValueId value) {
     constexpr float halvings = 26;
     const ValueId zero = number(b, 0), one = number(b, 1), half = number(b, 0.5f);
     const ValueId rises = lessEqual(b, spline.at(b, zero)[0], spline.at(b, one)[0]);
-    const Values found =
-        loop(b, {boolean(b, true), zero, one, zero}, [&](const Values &carried) {
-            const ValueId low = carried[1], high = carried[2];
-            const ValueId middle = mul(b, half, add(b, low, high));
-            const ValueId there = spline.at(b, middle)[0];
-            const ValueId before =
-                select(b, rises, less(b, there, value), less(b, value, there));
-            const ValueId turns = add(b, carried[3], one);
-            return Values{less(b, turns, number(b, halvings)), select(b, before, middle, low),
-                          select(b, before, high, middle), turns};
-        });
+    const Values found = loop(b, {boolean(b, true), zero, one, zero}, [&](const Values &carried) {
+        const ValueId low = carried[1], high = carried[2];
+        const ValueId middle = mul(b, half, add(b, low, high));
+        const ValueId there = spline.at(b, middle)[0];
+        const ValueId before = select(b, rises, less(b, there, value), less(b, value, there));
+        const ValueId turns = add(b, carried[3], one);
+        return Values{less(b, turns, number(b, halvings)), select(b, before, middle, low),
+                      select(b, before, high, middle), turns};
+    });
     const ValueId x = mul(b, half, add(b, found[1], found[2]));
     const ValueId end = number(b, 0x1p-25f);
     return select(b, less(b, x, end), zero, select(b, less(b, sub(b, one, end), x), one, x));

@@ -242,7 +242,7 @@ std::optional<LoweredShader> lower(const sl::TypedShader &shader,
     tell("lower");
     // A light that says L without illuminate() or solar() shines from a place of its own.
     lowered.lightClass = setsL && lowering.light.kind == LightClass::Ambient ? LightClass::Local
-                                                                            : lowering.light.kind;
+                                                                             : lowering.light.kind;
     if (const auto power = lowering.light.direction && !setsL
                                ? powerOfDistance(lowered.whole, *lowering.light.direction)
                                : std::nullopt) {

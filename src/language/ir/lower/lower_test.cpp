@@ -121,7 +121,8 @@ TEST(Lower, ComputedDefaultsHaveSpaces) {
     twice[15] = twice[31] = 1;
     run.setParameter("shader", twice);
     const auto result = run.run().at("result");
-    EXPECT_EQ((std::array{result[0][0], result[1][0], result[2][0]}), (std::array{2.0f, 4.0f, 4.0f}));
+    EXPECT_EQ((std::array{result[0][0], result[1][0], result[2][0]}),
+              (std::array{2.0f, 4.0f, 4.0f}));
 }
 
 TEST(Lower, StringsAreFolded) {

@@ -20,7 +20,7 @@ struct Start {
     float number = 0;
     char kind = 0;
     PictureFact fact{};
-    std::optional<ShaderInput> ofPixel{}; ///< In imagers this input, whatever it is elsewhere.
+    std::optional<ShaderInput> ofPixel{};    ///< In imagers this input, whatever it is elsewhere.
     std::shared_ptr<const Start> inLights{}; ///< Instead, in lights.
 };
 
