@@ -184,7 +184,23 @@ ast::ExprPtr ExpressionParser::text() {
     return result;
 }
 
+/// (float) x, as in C.
+bool ExpressionParser::atBracketedType() const {
+    const Token &operand = tokens_.peek(3);
+    const bool isOperand = operand.isIdentifier() || operand.kind == TokenKind::Number ||
+                           operand.kind == TokenKind::Text || operand.is("(");
+    return baseTypeNamed(tokens_.peek(1).spelling) && tokens_.at(")", 2) && isOperand;
+}
+
 ast::ExprPtr ExpressionParser::brackets() {
+    if (atBracketedType()) {
+        tokens_.take();
+        const Token &type = tokens_.take();
+        tokens_.take();
+        ast::ExprPtr result = make(ast::ExprKind::Cast, type.where, list(unary()));
+        result->type = *baseTypeNamed(type.spelling);
+        return result;
+    }
     Place where = tokens_.take().where;
     std::vector<ast::ExprPtr> parts;
     do

@@ -35,6 +35,7 @@ private:
     ast::ExprPtr counted(ast::ExprPtr variable, BinaryOp, const Place &);
     ast::ExprPtr primary();
     ast::ExprPtr text();
+    bool atBracketedType() const;
     ast::ExprPtr brackets();
     ast::ExprPtr make(ast::ExprKind, const Place &, std::vector<ast::ExprPtr> operands = {});
 

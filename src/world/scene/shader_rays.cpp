@@ -3,11 +3,11 @@
 
 #include "foundation/base/vec3.h"
 #include "language/runtime/hit_fields.h"
+#include "world/scene/cone_samples.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -16,7 +16,6 @@ namespace candela {
 namespace {
 
 constexpr int batchSize = 256;
-constexpr float pi = std::numbers::pi_v<float>;
 
 /// A service's operands of one lane, one after the other.
 class Operands {
@@ -44,37 +43,6 @@ struct Start {
         return P + normalize(direction) * (2 * offset);
     }
 };
-
-int sampleCount(float wanted) { return int(std::clamp(wanted, 1.0f, 4096.0f)); }
-
-/// Two numbers in [0,1) that fill the square evenly with `turn` (Roberts' sequence).
-struct Pair {
-    float x, y;
-};
-Pair pairOf(int turn, float shiftX, float shiftY) {
-    const auto fraction = [](double value) {
-        return std::min(float(value - std::floor(value)), 0x1.fffffep-1f);
-    };
-    return {fraction(shiftX + turn * 0.7548776662466927),
-            fraction(shiftY + turn * 0.5698402909980532)};
-}
-
-/// A unit direction at `cosine` from the unit axis, turned by `turn` of a full circle.
-Vec3 directionAbout(Vec3 axis, float cosine, float turn) {
-    const float sign = axis.z < 0 ? -1.0f : 1.0f, a = -1 / (sign + axis.z), b = axis.x * axis.y * a;
-    const Vec3 x{1 + sign * axis.x * axis.x * a, sign * b, -sign * axis.x};
-    const Vec3 y{b, sign + axis.y * axis.y * a, -axis.y};
-    const float sine = std::sqrt(std::max(0.0f, 1 - cosine * cosine));
-    return axis * cosine + x * (sine * std::cos(2 * pi * turn)) +
-           y * (sine * std::sin(2 * pi * turn));
-}
-
-float cosineInCone(float x, float angle, bool weighted) {
-    if (!weighted)
-        return 1 - x * (1 - std::cos(angle));
-    const float rim = std::sin(std::min(angle, pi / 2));
-    return std::sqrt(std::max(0.0f, 1 - x * rim * rim));
-}
 
 using Through = std::array<float, colorSamples>;
 
@@ -140,7 +108,7 @@ void ShaderRays::transmission(const ServiceCall &call) const {
         for (int k = 0; k < samples; ++k) {
             Vec3 direction = way * (1 / distance);
             if (angle > 0) {
-                const Pair pair = pairOf(k, shiftX, shiftY);
+                const ConeSample pair = coneSample(k, shiftX, shiftY);
                 direction = directionAbout(direction, cosineInCone(pair.x, angle, false), pair.y);
             }
             // The way ends before the zone of a surface that the other point may lie on.
@@ -171,7 +139,7 @@ struct Hemisphere {
         time = in.number(), shiftX = in.number(), shiftY = in.number();
     }
     Vec3 direction(int k) const {
-        const Pair pair = pairOf(k, shiftX, shiftY);
+        const ConeSample pair = coneSample(k, shiftX, shiftY);
         return directionAbout(axis, cosineInCone(pair.x, angle, weighted), pair.y);
     }
     /// Directions into the surface itself, as it turns away from the axis, are hidden.

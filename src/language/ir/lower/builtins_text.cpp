@@ -102,13 +102,11 @@ Components format(BuiltinCall &call) {
     std::vector<PrintArgument> arguments;
     for (ValueId value : expansion->values) {
         const float *known = constantFloat(call.b, value);
-        if (!known) {
-            call.lowering.messages.error(call.expr.where,
-                                         "format() makes its string when the shader is "
-                                         "compiled, so its arguments must be constants");
-            return {text(call.b, "")};
-        }
-        arguments.push_back({*known, nullptr});
+        if (!known)
+            call.lowering.messages.warning(call.expr.where,
+                                           "format() makes its string when the shader is compiled; "
+                                           "0 stands for what is not known then");
+        arguments.push_back({known ? *known : 0, nullptr});
     }
     return madeText(call, formatPrint(expansion->pattern, arguments));
 }

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lights that assign L, as files of the nineties do.
+#include "tests/light/pictures.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace candela::test {
+namespace {
+
+const std::string receiver = "Surface \"matte\"\nColor [1 1 1]\n" + squareAt(3);
+const std::string classic = "Option \"render\" \"string integrator\" [\"classic\"]\n";
+const std::string path = "Option \"render\" \"string integrator\" [\"path\"]\n";
+
+/// The picture of a receiver that faces the eye.
+SmallPicture litBy(const std::string &integrator, const std::string &lamp) {
+    return takePicture(integrator, lamp + receiver, 1);
+}
+
+TEST(LightVariables, LWithoutIlluminateIsALightThere) {
+    const std::string place = " \"intensity\" [9] \"point from\" [.05 0 1]\n";
+    for (const std::string &integrator : {classic, path}) {
+        const SmallPicture usual = litBy(integrator, "LightSource \"pointlight\" 1" + place);
+        const SmallPicture own = litBy(integrator, "LightSource \"pointing\" 1" + place);
+        ASSERT_EQ(usual.red.size(), own.red.size());
+        for (size_t i = 0; i < own.red.size(); ++i)
+            EXPECT_NEAR(own.red[i], usual.red[i], 1e-6 * usual.red[i]) << integrator << i;
+        EXPECT_GT(usual.red[0], 1);
+    }
+}
+
+/// From 60 degrees off the normal, wherever the lamp is.
+TEST(LightVariables, ANewLIsWhatSurfacesSee) {
+    for (const std::string &integrator : {classic, path})
+        for (const char *distant : {"0", "1"})
+            for (const char *before : {"", "Scale -1 1 1\n"}) {
+                const SmallPicture picture =
+                    litBy(integrator, "AttributeBegin\n" + std::string(before) +
+                                          "LightSource \"bent\" 1 \"distant\" [" + distant +
+                                          "] \"point from\" [9 9 -9] \"vector along\" "
+                                          "[1.7320508 0 1]\nAttributeEnd\nIlluminate 1 1\n");
+                for (float red : picture.red)
+                    EXPECT_NEAR(red, .5, 1e-6) << integrator << distant << before;
+            }
+}
+
+} // namespace
+} // namespace candela::test
