@@ -109,8 +109,8 @@ TEST_F(Shown, partsOfDistantLightAddUpToAllOfIt) {
 TEST_F(Shown, partsOfGatheredLightHaveTheMeanOfTheWhole) {
     const std::string world =
         "WorldBegin\nAttributeBegin\nTranslate 0 1.9 3\n"
-        "AreaLightSource \"arealight\" 1 \"radiance\" [30]\nSurface \"constant\"\n"
-        "Polygon \"P\" [-.4 0 .4 .4 0 .4 .4 0 -.4 -.4 0 -.4]\nAttributeEnd\n"
+        "AreaLightSource \"arealight\" 1 \"radiance\" [10]\nSurface \"constant\"\n"
+        "Polygon \"P\" [-.4 0 -.4 .4 0 -.4 .4 0 .4 -.4 0 .4]\nAttributeEnd\n"
         "Illuminate 1 1\nSurface \"parts\" \"roughness\" [.5]\nColor .6 .5 .3\n"
         "Polygon \"P\" [-2 -1 1  -2 -1 5  2 -1 5  2 -1 1]\n"
         "Polygon \"P\" [-2 -1 4  -2 2 4  2 2 4  2 -1 4]\n"

@@ -72,6 +72,11 @@ inline std::size_t fixedOperands(const Instruction &loop) {
 inline std::size_t givenArguments(const Instruction &loop) {
     return loop.regions[0].arguments.size() - loop.results.size();
 }
+/// Of a light loop: which sample of Cl its k-th argument is; nothing if it is L or a number.
+inline std::optional<int> sampleOfCl(const Function &function, std::size_t k) {
+    const int sample = int(k) - 3;
+    return sample >= 0 && sample < function.colors.samples ? std::optional(sample) : std::nullopt;
+}
 /// The k-th value that a Loop or LightLoop carries: at first, and in each turn.
 inline ValueId initialOf(const Instruction &loop, std::size_t k) {
     return loop.operands[fixedOperands(loop) + k];
