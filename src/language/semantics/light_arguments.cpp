@@ -7,6 +7,7 @@
 
 #include "language/semantics/lint.h"
 #include "language/semantics/type_inference.h"
+#include "language/semantics/typed_nodes.h"
 
 namespace candela::sl {
 namespace {
@@ -24,7 +25,7 @@ public:
         : statement_(statement), word_(wordFor(statement.kind)), here_(here),
           expressions_(expressions) {}
 
-    std::unique_ptr<LightArguments> check();
+    CheckedLight check();
 
 private:
     using Arguments = std::span<const ast::ExprPtr>;
@@ -48,9 +49,10 @@ private:
     const Surroundings &here_;
     ExpressionChecker &expressions_;
     LightArguments result_;
+    std::vector<ExprPtr> received_;
 };
 
-std::unique_ptr<LightArguments> LightArgumentChecker::check() {
+CheckedLight LightArgumentChecker::check() {
     Arguments rest = statement_.arguments;
     bool gathers = statement_.kind == ast::StmtKind::Illuminance;
     if (gathers && !rest.empty() && types(rest[0]).isOnly(BaseType::String)) {
@@ -60,7 +62,7 @@ std::unique_ptr<LightArguments> LightArgumentChecker::check() {
     bool positioned = statement_.kind != ast::StmtKind::Solar;
     if (positioned && rest.empty()) {
         here_.reporter.error(statement_.where, word_ + " needs a position");
-        return std::make_unique<LightArguments>(std::move(result_));
+        return {std::make_unique<LightArguments>(std::move(result_)), std::move(received_)};
     }
     if (positioned) {
         result_.position = as(BaseType::Point, rest[0], "the position of " + word_);
@@ -70,7 +72,7 @@ std::unique_ptr<LightArguments> LightArgumentChecker::check() {
         rest = messages(rest);
     if (!rest.empty())
         cones(rest);
-    return std::make_unique<LightArguments>(std::move(result_));
+    return {std::make_unique<LightArguments>(std::move(result_)), std::move(received_)};
 }
 
 ExprPtr LightArgumentChecker::category(const ast::Expr &e) {
@@ -98,23 +100,21 @@ LightArgumentChecker::Arguments LightArgumentChecker::messages(Arguments given) 
 
 void LightArgumentChecker::message(const ast::Expr &name, const ast::Expr &value) {
     constexpr std::string_view from = "light:", to = "send:light:";
-    using Way = LightMessage::Way;
-    const std::string_view text = name.text;
-    LightMessage result;
-    result.way = text.starts_with(from) ? Way::FromLight
-                 : text.starts_with(to) ? Way::ToLight
-                                        : Way::ToRenderer;
-    const size_t prefix = result.way == Way::FromLight ? from.size()
-                          : result.way == Way::ToLight ? to.size()
-                                                       : 0;
-    result.name = text.substr(prefix);
+    const bool isSet = name.text.starts_with(from);
     const bool isArray = typesOf(value, here_).arrayLength > 0;
-    const bool isSet = result.way == Way::FromLight;
-    result.value = isArray ? expressions_.checkWholeArray(value, isSet)
-                   : isSet ? expressions_.checkTarget(value)
-                           : expressions_.check(value);
-    if (result.value)
-        result_.messages.push_back(std::move(result));
+    ExprPtr checked = isArray ? expressions_.checkWholeArray(value, isSet)
+                      : isSet ? expressions_.checkTarget(value)
+                              : expressions_.check(value);
+    if (name.text.starts_with(to))
+        here_.reporter.warnOnce(name.where, "messages to lights (\"send:light:...\") are not "
+                                            "delivered: the light's own values count");
+    if (!checked || !isSet)
+        return;
+    ExprPtr call =
+        makeNode(ExprKind::Builtin, {BaseType::Float, Detail::Varying, 0}, name.where,
+                 list(makeText(name.text.substr(from.size()), name.where), std::move(checked)));
+    call->overload = &builtin(BuiltinId::lightsource).overloads[isArray ? 1 : 0];
+    received_.push_back(std::move(call));
 }
 
 // The type of the argument behind the position decides: a float announces cones. What may be either
@@ -203,8 +203,8 @@ bool lightStatementAllowed(const ast::Stmt &s, const Surroundings &here) {
     return true;
 }
 
-std::unique_ptr<LightArguments> checkLightArguments(const ast::Stmt &s, const Surroundings &here,
-                                                    ExpressionChecker &expressions) {
+CheckedLight checkLightArguments(const ast::Stmt &s, const Surroundings &here,
+                                 ExpressionChecker &expressions) {
     return LightArgumentChecker(s, here, expressions).check();
 }
 

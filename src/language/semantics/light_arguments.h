@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "language/semantics/expression_checker.h"
 #include "language/semantics/surroundings.h"
@@ -14,8 +15,13 @@ namespace candela::sl {
 
 /// Whether the statement may stand here; reported if not.
 bool lightStatementAllowed(const ast::Stmt &, const Surroundings &);
+
+struct CheckedLight {
+    std::unique_ptr<LightArguments> light;
+    /// Calls of lightsource() for arguments such as "light:q", q: they begin the body.
+    std::vector<ExprPtr> received;
+};
 /// Wrong arguments are reported and left out.
-std::unique_ptr<LightArguments> checkLightArguments(const ast::Stmt &, const Surroundings &,
-                                                    ExpressionChecker &);
+CheckedLight checkLightArguments(const ast::Stmt &, const Surroundings &, ExpressionChecker &);
 
 } // namespace candela::sl

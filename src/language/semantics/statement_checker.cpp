@@ -222,7 +222,13 @@ void StatementChecker::lightStatement(const ast::Stmt &s, Statements &out) {
                     : s.kind == ast::StmtKind::Illuminate ? StmtKind::Illuminate
                                                           : StmtKind::Solar;
     StmtPtr result = makeNode(kind, s.where);
-    result->light = checkLightArguments(s, here_, expressions_);
+    CheckedLight checked = checkLightArguments(s, here_, expressions_);
+    result->light = std::move(checked.light);
+    for (ExprPtr &call : checked.received) {
+        StmtPtr received = makeNode(StmtKind::Evaluate, call->where);
+        received->value = std::move(call);
+        result->body.push_back(std::move(received));
+    }
     if (here_.function)
         here_.function->hasLightStatement = true;
     bool outer = varyingControl_;

@@ -117,6 +117,9 @@ enum class StmtKind {
     Solar        ///< `light`; light shaders: a distant emitter; the body sets Cl
 };
 
+// Behind its cones illuminance has names and values: "light:NAME", v has become a call of
+// lightsource("NAME", v) that begins the body; others are advice to a renderer, and gone.
+//
 // gather(category, p, axis, angle, samples, ...) has become a Loop of `samples` turns around an If
 // whose condition is a call of the built-in function gather, which follows a ray.
 
@@ -134,18 +137,6 @@ enum class ConeForm {
     Extended    ///< coneCount and cones: full angles in degrees, exponents, importances.
 };
 
-/// An optional argument of illuminance, behind the cones: illuminance(P, "light:q", q).
-struct LightMessage {
-    enum class Way {
-        FromLight, ///< "light:NAME": `value`, a variable, gets the light's parameter NAME.
-        ToLight,   ///< "send:light:NAME": the light's parameter NAME gets `value`.
-        ToRenderer ///< Other names ("lightcache"): advice to a renderer.
-    };
-    Way way = Way::ToRenderer;
-    std::string name; ///< Of the light's parameter, or as it stands.
-    ExprPtr value;    ///< FromLight: Variable, Element or Component, or a whole array.
-};
-
 /// What stands in the parentheses of illuminance, illuminate and solar.
 struct LightArguments {
     ConeForm form = ConeForm::Everywhere;
@@ -155,7 +146,6 @@ struct LightArguments {
     ExprPtr angle;     ///< float, radians; Classic
     ExprPtr coneCount; ///< float; Extended. At run time, may be fewer than cones.size()
     std::vector<Cone> cones;
-    std::vector<LightMessage> messages; ///< In the order of the text; illuminance only.
 };
 
 struct Stmt {

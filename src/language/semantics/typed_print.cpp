@@ -74,9 +74,6 @@ private:
         for (const Cone &cone : light.cones)
             result += " [" + print(*cone.axis) + " " + print(*cone.angle) + " " +
                       print(*cone.exponent) + " " + print(*cone.importance) + "]";
-        for (const LightMessage &message : light.messages)
-            result += (message.way == LightMessage::Way::ToLight ? " send " : " ") + message.name +
-                      "=" + print(*message.value);
         return result;
     }
 

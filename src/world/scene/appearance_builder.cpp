@@ -44,21 +44,23 @@ int AppearanceBuilder::numberOf(std::shared_ptr<ShaderCode> code) {
 AppearanceBuilder::Shading AppearanceBuilder::shadingOf(const Attributes &attributes,
                                                         const std::set<std::string> &variables) {
     const ShaderRecord &record = attributes.surface ? *attributes.surface : defaultSurface();
+    const OtherShaders all{&record, attributes.displacement.get(), attributes.atmosphere.get(),
+                           attributes.interior.get(), attributes.exterior.get()};
     for (const Attributes *asked : {static_cast<const Attributes *>(nullptr), &attributes}) {
-        const auto known = shadings_.find({&record, variables, asked});
+        const auto known = shadings_.find({all, variables, asked});
         if (known != shadings_.end())
             return known->second;
     }
     auto rule = state_.classic ? ir::LightRule::Classic : ir::LightRule::Path;
     auto instance = library_.instance(ShaderKind::Surface, record, state_.options, rule, variables,
-                                      &attributes);
+                                      all, &attributes);
     Shading shading{-1, 0};
     const Attributes *asked = nullptr;
     if (instance) {
         shading = {numberOf(instance->code), instance->parameterOffset};
         asked = asksForAttributes(instance->code->shader()) ? &attributes : nullptr;
     }
-    shadings_[{&record, variables, asked}] = shading;
+    shadings_[{all, variables, asked}] = shading;
     return shading;
 }
 

@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <tuple>
 
 namespace candela {
 
@@ -40,8 +41,8 @@ private:
     SceneState &state_;
     ShaderLibrary &library_;
     std::vector<std::uint32_t> shapes_;
-    /// By shader, overriding variables and, of shaders that ask for them, attributes.
-    std::map<std::tuple<const ShaderRecord *, std::set<std::string>, const Attributes *>, Shading>
+    /// By shaders, overriding variables and, of shaders that ask for them, attributes.
+    std::map<std::tuple<OtherShaders, std::set<std::string>, const Attributes *>, Shading>
         shadings_;
     std::map<const ShaderCode *, int> codeNumbers_;
     std::map<std::vector<int>, int> lightSets_;

@@ -168,7 +168,7 @@ ShaderLibrary::parametersOf(ShaderKind, const std::string &, const Options &,
 std::optional<ShaderInstance> ShaderLibrary::instance(ShaderKind, const ShaderRecord &record,
                                                       const Options &, ir::LightRule rule,
                                                       const std::set<std::string> &variables,
-                                                      const Attributes *) {
+                                                      const OtherShaders &, const Attributes *) {
     if (record.name == "missing")
         return std::nullopt;
     std::string key = record.name;

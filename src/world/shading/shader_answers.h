@@ -4,7 +4,11 @@
 
 #include "interface/ri/options.h"
 #include "language/runtime/services.h"
+#include "world/shading/instance_values.h"
 #include "world/shading/ray_answers.h"
+
+#include <utility>
+#include <vector>
 
 namespace candela {
 
@@ -23,14 +27,18 @@ public:
     void bindOptions(const Options &options) { options_ = options; }
     /// Who follows rays; null: nobody, and they meet nothing. Not while a shader runs.
     void bindRays(const RayAnswers *rays) { rays_ = rays; }
+    /// The parameters of the lights, by their index; likewise.
+    void bindLights(std::vector<std::vector<ToldParameter>> lights) { lights_ = std::move(lights); }
 
 private:
     void transmission(const ServiceCall &) const;
     void option(const ServiceCall &) const;
+    void lightsource(const ServiceCall &) const;
 
     ShaderServices services_, silent_; ///< silent_ hears print and says nothing.
     Options options_;
     const RayAnswers *rays_ = nullptr;
+    std::vector<std::vector<ToldParameter>> lights_;
 };
 
 /// The numbers of an option as option() names it, "Ri:" before it or not: those of RI 3.2, section

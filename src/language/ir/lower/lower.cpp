@@ -226,7 +226,7 @@ std::optional<LoweredShader> lower(const sl::TypedShader &shader,
         return std::nullopt;
     lowered.parameters = std::move(*parameters);
 
-    Lowering lowering(shader, options, lowered.whole, sink);
+    Lowering lowering(shader, options, strings, lowered.whole, sink);
     enter(lowering, nullptr);
     declareParameters(lowering, lowered, strings, variables);
     lower(lowering, shader.body);

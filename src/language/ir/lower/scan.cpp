@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/ir/lower/scan.h"
 
+#include "language/ir/lower/lower.h"
 #include "language/semantics/named_arguments.h"
 
 #include <algorithm>
@@ -40,7 +41,6 @@ public:
 protected:
     virtual void visit(const sl::Expr &) {}
     virtual void visit(const sl::Stmt &) {}
-    virtual void visit(const sl::LightMessage &) {}
 
 private:
     void walk(const sl::LightArguments &light) {
@@ -51,10 +51,6 @@ private:
             for (const sl::ExprPtr *part :
                  {&cone.axis, &cone.angle, &cone.exponent, &cone.importance})
                 walk(part->get());
-        for (const sl::LightMessage &message : light.messages) {
-            visit(message);
-            walk(message.value.get());
-        }
     }
 };
 
@@ -81,12 +77,6 @@ public:
         return result;
     }
 
-    /// What a light statement does in each of its rounds before its body.
-    void receive(const sl::LightArguments &light) {
-        for (const sl::LightMessage &message : light.messages)
-            visit(message);
-    }
-
     bool draws = false, loops = false;
 
 protected:
@@ -102,10 +92,6 @@ protected:
             assignOutputs(expr);
         else if (expr.kind == sl::ExprKind::Call)
             enter(expr);
-    }
-    void visit(const sl::LightMessage &message) override {
-        if (message.way == sl::LightMessage::Way::FromLight)
-            assign(*message.value);
     }
 
 private:
@@ -229,7 +215,59 @@ protected:
     }
 };
 
+class TextWalker : public Walker {
+public:
+    std::vector<std::string> texts;
+
+protected:
+    void visit(const sl::Expr &expr) override {
+        if (expr.kind == sl::ExprKind::Text)
+            addOnce(texts, expr.text);
+    }
+};
+
+class AskingWalker : public Walker {
+public:
+    bool asks = false;
+
+protected:
+    void visit(const sl::Expr &expr) override {
+        if (expr.kind != sl::ExprKind::Builtin)
+            return;
+        switch (expr.overload->function->id) {
+        case sl::BuiltinId::surface:
+        case sl::BuiltinId::displacement:
+        case sl::BuiltinId::atmosphere:
+        case sl::BuiltinId::incident:
+        case sl::BuiltinId::opposite: asks = true; break;
+        default: break;
+        }
+    }
+};
+
+/// Everything that the shader runs, but for its parameters' defaults.
+void walkAll(const sl::TypedShader &shader, Walker &walker) {
+    walker.walk(shader.body);
+    for (const auto &function : shader.functions)
+        walker.walk(function->body);
+}
+
 } // namespace
+
+std::vector<std::string> textsOf(const sl::TypedShader &shader) {
+    TextWalker walker;
+    walkAll(shader, walker);
+    for (const sl::Parameter &parameter : shader.parameters)
+        for (const sl::ExprPtr &value : parameter.defaults)
+            walker.walk(value.get());
+    return walker.texts;
+}
+
+bool asksOtherShaders(const sl::TypedShader &shader) {
+    AskingWalker walker;
+    walkAll(shader, walker);
+    return walker.asks;
+}
 
 const sl::Symbol *rootSymbol(const sl::Expr &expr) {
     const sl::Expr *root = &expr;
@@ -245,8 +283,6 @@ LoopEffects loopEffects(const sl::Stmt &loop) {
         assignments.walk(loop); // The condition and the steps run each round, too.
     else
         assignments.walk(loop.body);
-    if (loop.light)
-        assignments.receive(*loop.light);
     effects.assigned = assignments.outside();
     effects.drawsAnew = assignments.draws && assignments.loops;
     JumpWalker jumps(effects);
