@@ -89,6 +89,7 @@ void VolumeLights::sample(const ServiceCall &call) const {
             call.result(1 + c, k) = sample.L[c];
         for (int c = 0; c < colorSamples; ++c)
             call.result(4 + c, k) = sample.Cl[std::size_t(c)];
+        call.result(4 + colorSamples, k) = float(sample.light);
     }
 }
 

@@ -130,6 +130,7 @@ void answerLight(ShaderServices &services) {
             call.result(0, k) = heard && lamp.Cl[1] != 0;
             for (int c = 0; c < 3; ++c)
                 call.result(1 + c, k) = lamp.L[c], call.result(4 + c, k) = lamp.Cl[c];
+            call.result(7, k) = float(lamp.light);
         }
     };
 }

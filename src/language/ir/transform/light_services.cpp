@@ -57,8 +57,8 @@ private:
         const Values light = query(b_, info(Service::gatherlight), {},
                                    {old.operands[0], old.operands[1], old.operands[2]}, 2);
         const ValueId which = light[0], count = light[1];
+        const int given = int(givenArguments(old));
         Region body = std::move(old.regions[0]);
-        const int samples = b_.colors().samples, given = 3 + samples;
         const Values carried(body.arguments.begin() + given, body.arguments.end());
         const ValueId goesOn = b_.newValue(Type::Bool, Uniformity::Varying);
         const ValueId turn = b_.newValue(Type::Float, Uniformity::Varying);
@@ -91,7 +91,7 @@ private:
         b_.append(std::move(now));
     }
 
-    /// The body's L and Cl become those of the sample.
+    /// The body's L, Cl and number of the light become those of the sample.
     static void give(Region &body, const Values &sample) {
         std::vector<std::pair<ValueId, ValueId>> names;
         for (std::size_t k = 1; k < sample.size(); ++k)
