@@ -51,6 +51,8 @@ std::optional<CompiledShader> compileShader(const sl::TypedShader &shader, ir::L
         compiled.facts = ir::surfaceFacts(*plan);
     } else if (lowered->kind == sl::ShaderKind::Light) {
         compiled.lightFacts = ir::lightFacts(whole);
+    } else if (lowered->kind == sl::ShaderKind::Volume) {
+        compiled.volumeFacts = ir::volumeFacts(whole);
     }
     for (const ir::Question question : ir::questionsOf(lowered->kind)) {
         ir::Function answer = plan ? ir::slice(*plan, question) : ir::slice(whole, question);

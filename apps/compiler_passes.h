@@ -20,8 +20,9 @@ struct CompiledShader {
         ir::Question question;
         ir::Function function;
     };
-    ir::SurfaceFacts facts;    ///< Of surfaces.
-    ir::LightFacts lightFacts; ///< Of lights.
+    ir::SurfaceFacts facts;      ///< Of surfaces.
+    ir::LightFacts lightFacts;   ///< Of lights.
+    ir::VolumeFacts volumeFacts; ///< Of volumes.
     std::vector<Answer> answers;
     std::vector<ir::ShaderParameter> parameters;
     std::vector<std::string> parameterDocs; ///< The comment beside each.

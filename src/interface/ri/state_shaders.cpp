@@ -23,6 +23,32 @@ void StateHandlers::surface(const SourceLocation &where, const std::string &name
         shader(where, "Surface", ShaderKind::Surface, name, tokens));
 }
 
+/// RI 3.2, 5.6: the null shader is none at all.
+std::shared_ptr<const ShaderRecord> StateHandlers::volume(const SourceLocation &where,
+                                                          const char *request,
+                                                          const std::string &name,
+                                                          const TokenList &tokens) {
+    if (name.empty() || name == "null")
+        return nullptr;
+    return std::make_shared<const ShaderRecord>(
+        shader(where, request, ShaderKind::Volume, name, tokens));
+}
+
+void StateHandlers::atmosphere(const SourceLocation &where, const std::string &name,
+                               const TokenList &tokens) {
+    state_.edit().atmosphere = volume(where, "Atmosphere", name, tokens);
+}
+
+void StateHandlers::interior(const SourceLocation &where, const std::string &name,
+                             const TokenList &tokens) {
+    state_.edit().interior = volume(where, "Interior", name, tokens);
+}
+
+void StateHandlers::exterior(const SourceLocation &where, const std::string &name,
+                             const TokenList &tokens) {
+    state_.edit().exterior = volume(where, "Exterior", name, tokens);
+}
+
 /// Of a picture, which lies in no space.
 ShaderRecord StateHandlers::pictureShader(const SourceLocation &where, const char *request,
                                           ShaderKind kind, const std::string &name,

@@ -32,6 +32,11 @@ SurfaceCode surfaceCode(std::shared_ptr<ShaderCode> code) {
     return result;
 }
 
+void addNeeds(const ShaderCode &other, SurfaceCode &surface) {
+    surface.wanted.add(other);
+    surface.readsObjectSpace |= usesObjectSpace(other.shader().whole.body);
+}
+
 void WantedInputs::add(const ShaderCode &code) {
     // Any component of consecutive inputs.
     auto reads = [&](ShaderInput first, ShaderInput last) {

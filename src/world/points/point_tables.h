@@ -76,6 +76,8 @@ struct SurfaceCode {
 };
 
 SurfaceCode surfaceCode(std::shared_ptr<ShaderCode>);
+/// The surface's points are to tell what another shader that is asked there reads, too.
+void addNeeds(const ShaderCode &, SurfaceCode &);
 
 struct PointTables {
     std::vector<Shape> shapes; ///< First those of the world, then those of objects.

@@ -5,6 +5,9 @@
 
 #include "interface/ri/declarations.h"
 #include "language/ir/core/print_format.h"
+#include "language/runtime/shader_abi.h"
+
+#include "world/shading/volume_lights.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -76,6 +79,14 @@ ShaderAnswers::ShaderAnswers() {
     services_[Service::nearestHit] = [](void *context, const ServiceCall &call) {
         if (const RayAnswers *rays = static_cast<const ShaderAnswers *>(context)->rays_)
             rays->nearestHit(call);
+    };
+    services_[Service::gatherlight] = [](void *, const ServiceCall &call) {
+        if (VolumeLights *lights = call.args->volumeLights)
+            lights->gather(call);
+    };
+    services_[Service::lightsample] = [](void *, const ServiceCall &call) {
+        if (VolumeLights *lights = call.args->volumeLights)
+            lights->sample(call);
     };
     services_[Service::lightsource] = [](void *context, const ServiceCall &call) {
         static_cast<const ShaderAnswers *>(context)->lightsource(call);

@@ -21,6 +21,8 @@ void ShaderCode::readText() {
         plan_ = ir::makePlan(shader_.whole);
         facts_ = ir::surfaceFacts(*plan_);
     }
+    if (shader_.kind == sl::ShaderKind::Volume)
+        volumeFacts_ = ir::volumeFacts(shader_.whole);
     categories_ = LightCategories(shader_.whole.requests);
 }
 
@@ -46,6 +48,8 @@ const QuestionCode &ShaderCode::question(ir::Question which) const {
 /// As the stages of integrators ask them (light/path/stages.h).
 std::vector<ir::Question> ShaderCode::questionsAsked() const {
     using ir::Question;
+    if (shader_.kind == sl::ShaderKind::Volume && volumeFacts_.affine)
+        return {Question::Segment, Question::Transmission};
     if (!plan_)
         return {ir::questionsOf(shader_.kind).front()};
     std::vector<Question> asked{Question::Prepare, Question::Scatter, Question::Opacity};

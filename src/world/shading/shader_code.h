@@ -55,6 +55,8 @@ public:
     ir::LightRule lightRule() const { return rule_; }
     /// Surface shaders only.
     const ir::SurfaceFacts &facts() const { return facts_; }
+    /// Volume shaders only.
+    const ir::VolumeFacts &volumeFacts() const { return volumeFacts_; }
     /// Compiled on first use, once; thread-safe.
     const QuestionCode &question(ir::Question) const;
 
@@ -74,6 +76,9 @@ public:
     /// Adds an instance's parameter block; its offset for ShaderArgs::parameterOffset. Not to be
     /// called once rendering has begun.
     std::int32_t addBlock(const std::vector<float> &values);
+    std::span<const float> block(std::int32_t offset) const {
+        return std::span(blocks_).subspan(std::size_t(offset), shader_.whole.parameters.size());
+    }
     /// Named coordinate systems; with a warning for those that are not there.
     void bindSpaces(const std::map<std::string, Matrix4> &systems, DiagnosticSink &);
     /// As LightCategories::bind().
@@ -97,6 +102,7 @@ private:
     ir::LightRule rule_;
     std::shared_ptr<const ir::Plan> plan_; ///< Of surfaces.
     ir::SurfaceFacts facts_;
+    ir::VolumeFacts volumeFacts_;
     bool isStandIn_ = false;
     std::shared_ptr<Jit> jit_;
     std::shared_ptr<const ShaderMessages> messages_;

@@ -20,7 +20,8 @@ struct Start {
     float number = 0;
     char kind = 0;
     PictureFact fact{};
-    std::optional<ShaderInput> ofPixel{};    ///< In imagers this input, whatever it is elsewhere.
+    /// In imagers and volumes this input, whatever it is elsewhere.
+    std::optional<ShaderInput> ofPixel{};
     std::shared_ptr<const Start> inLights{}; ///< Instead, in lights.
 };
 
@@ -70,7 +71,8 @@ Start startOf(sl::PredefinedId id) {
 Components startOf(Builder &b, sl::ShaderKind kind, const sl::PredefinedVariable &variable) {
     const auto count = size_t(componentCount(b, variable.type.base));
     Start start = startOf(variable.id);
-    if (kind == sl::ShaderKind::Imager && start.ofPixel)
+    const bool changesLight = kind == sl::ShaderKind::Imager || kind == sl::ShaderKind::Volume;
+    if (changesLight && start.ofPixel)
         start = {Start::From::Input, *start.ofPixel};
     if (kind == sl::ShaderKind::Light && start.inLights)
         start = Start(*start.inLights);
