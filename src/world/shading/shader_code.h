@@ -55,6 +55,8 @@ public:
     ir::LightRule lightRule() const { return rule_; }
     /// Surface shaders only.
     const ir::SurfaceFacts &facts() const { return facts_; }
+    /// Whether it displaces: displacement shaders, and surface shaders that set P.
+    const ir::DisplacementFacts &displacement() const { return displacement_; }
     /// Compiled on first use, once; thread-safe.
     const QuestionCode &question(ir::Question) const;
 
@@ -97,6 +99,7 @@ private:
     ir::LightRule rule_;
     std::shared_ptr<const ir::Plan> plan_; ///< Of surfaces.
     ir::SurfaceFacts facts_;
+    ir::DisplacementFacts displacement_;
     bool isStandIn_ = false;
     std::shared_ptr<Jit> jit_;
     std::shared_ptr<const ShaderMessages> messages_;

@@ -86,6 +86,8 @@ private:
     std::vector<Names> ownOutputs() const {
         if (kind_ == sl::ShaderKind::Light)
             return {{"L", "L"}, {"Cl", "Cl"}};
+        if (kind_ == sl::ShaderKind::Displacement)
+            return {{"P", "P"}, {"N", "N"}};
         return {{"Ci", "Ci"}, {"Oi", "Oi"}, {"alpha", "alpha"}};
     }
 

@@ -75,7 +75,7 @@ static Function answerWhole(const Function &whole) {
     return result;
 }
 
-Function answerShade(const Function &whole) { return answerWhole(whole); }
+Function answerShade(const Function &whole) { return answerWhole(withoutDisplacement(whole)); }
 
 Function answerLight(const Function &whole) { return answerWhole(whole); }
 
