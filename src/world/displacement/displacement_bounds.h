@@ -10,7 +10,9 @@
 
 #include <atomic>
 #include <map>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 namespace candela {
@@ -19,7 +21,8 @@ class DisplacementBounds {
 public:
     /// Of what one shader displaces under these attributes. `systems`: named coordinate systems,
     /// currentFromSpace; "object" is the shape's own space.
-    DisplacementBounds(const Attributes &, const ShaderRecord &, const Matrix4 &currentFromShape,
+    DisplacementBounds(const Attributes &, std::shared_ptr<const ShaderRecord>,
+                       const Matrix4 &currentFromShape,
                        const std::map<std::string, Matrix4> &systems);
 
     /// A point has been moved so far, current space: from any thread.
@@ -27,12 +30,11 @@ public:
     /// A point was to go where no point is.
     void wentNowhere() { astray_.store(true, std::memory_order_relaxed); }
 
-    /// Tells what is wrong, once.
-    void report(DiagnosticSink &) const;
+    /// Tells what is wrong of all together, once for each request that is at fault.
+    static void report(std::span<const std::shared_ptr<DisplacementBounds>>, DiagnosticSink &);
 
 private:
-    std::string shader_;
-    SourceLocation where_;
+    std::shared_ptr<const ShaderRecord> record_;
     std::optional<float> bound_; ///< What the file says, if it does,
     std::string space_;          ///< in this space.
     Matrix4 spaceFromCurrent_;

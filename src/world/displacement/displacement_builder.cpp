@@ -34,9 +34,10 @@ DisplacementBuilder::instanceOf(const std::shared_ptr<const ShaderRecord> &recor
     return place->second ? &*place->second : nullptr;
 }
 
-std::shared_ptr<const ShaderDisplacement> DisplacementBuilder::make(const ShaderInstance &shader,
-                                                                    const ShaderRecord &record,
-                                                                    const DisplacedThing &thing) {
+std::shared_ptr<const ShaderDisplacement>
+DisplacementBuilder::make(const ShaderInstance &shader,
+                          const std::shared_ptr<const ShaderRecord> &record,
+                          const DisplacedThing &thing) {
     bounds_.push_back(std::make_shared<DisplacementBounds>(*thing.attributes, record,
                                                            thing.currentFromShape, systems_));
     return std::make_shared<const ShaderDisplacement>(shader, thing, camera_, bounds_.back());
@@ -50,19 +51,18 @@ DisplacementBuilder::byDisplacement(const DisplacedThing &thing) {
     const ShaderInstance *shader = instanceOf(record, overridingNames(*thing.surface));
     if (!shader || (!shader->code->displacement().movesP && !shader->code->displacement().setsN))
         return nullptr;
-    return make(*shader, *record, thing);
+    return make(*shader, record, thing);
 }
 
 std::shared_ptr<const ShaderDisplacement>
 DisplacementBuilder::bySurface(const DisplacedThing &thing, const ShaderInstance &shader) {
     if (prepared_.insert(shader.code.get()).second)
         prepare(*shader.code);
-    return make(shader, *thing.attributes->surface, thing);
+    return make(shader, thing.attributes->surface, thing);
 }
 
 void DisplacementBuilder::report(DiagnosticSink &sink) const {
-    for (const auto &bounds : bounds_)
-        bounds->report(sink);
+    DisplacementBounds::report(bounds_, sink);
 }
 
 bool displaceAlike(const Surface &surface, const ShaderDisplacement &one,

@@ -31,7 +31,8 @@ private:
     const ShaderInstance *instanceOf(const std::shared_ptr<const ShaderRecord> &,
                                      const std::set<std::string> &variables);
     void prepare(const ShaderCode &);
-    std::shared_ptr<const ShaderDisplacement> make(const ShaderInstance &, const ShaderRecord &,
+    std::shared_ptr<const ShaderDisplacement> make(const ShaderInstance &,
+                                                   const std::shared_ptr<const ShaderRecord> &,
                                                    const DisplacedThing &);
 
     ShaderLibrary &library_;

@@ -66,7 +66,7 @@ ShaderDisplacement::ShaderDisplacement(const ShaderInstance &shader, const Displ
     const ir::Function &asked = shader.code->question(ir::Question::Displaced).function;
     tables_.codes.push_back(surfaceCode(shader.code, &asked));
     Shape shape = *makeShape(thing.surface, thing.currentFromShape);
-    shape.naming = Naming::Direct, shape.curved = true; // Queries name its points as they are.
+    shape.naming = Naming::Direct, shape.curved = shape.away = true; // Queries name points.
     for (const Matrix4 *matrix : {&shape.outerFromShape, &shape.shapeFromOuter})
         tables_.shapeMatrices.insert(tables_.shapeMatrices.end(), matrix->m.begin(),
                                      matrix->m.end());

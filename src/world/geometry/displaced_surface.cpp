@@ -185,11 +185,8 @@ void DisplacedSurface::keepToTriangles(const SurfaceQuery &query,
         const float longest = std::max({dot(edgeA, edgeA), dot(edgeB, edgeB), dot(edgeC, edgeC)});
         const float tolerance = displacedTolerance * std::sqrt(longest);
         const Vec3 met = p + edgeA * query.u[k] + edgeB * query.v[k];
-        const Vec3 off = answer.P.get(k) - met;
-        const float far = length(off);
-        const bool isClose = far <= tolerance;
-        if (!isClose)
-            answer.P.set(k, std::isfinite(far) ? met + off * (tolerance / far) : met);
+        const bool isClose = length(answer.P.get(k) - met) <= tolerance;
+        answer.P.set(k, met);
         const Vec3 element = cross(edgeA, edgeB) * mesh_.sign;
         const Vec3 Ng = cross(answer.dPdu.get(k), answer.dPdv.get(k));
         const bool isSurface = !isClose || !(cosine(Ng, element) >= displacedCosine);

@@ -2,10 +2,11 @@
 // A surface whose points a displacement shader has moved, as it was diced. Its pieces are the
 // triangles of that dicing, its query coordinates their barycentrics.
 //
-// P and what follows from it are what the shader says of the point, as long as that lies close to
-// the triangle. Where it does not (a step of the shader's between two vertices; an edge at which
-// two faces were joined) the triangle is the surface: rays have met it, and other rays start there;
-// its normal is Ng, and N if the shader sets that.
+// P is the point of the triangle: rays meet it there, and others start there, so that nothing leaks
+// where faces fold. Its normals and derivatives are what the shader says of the point of that name,
+// as long as that lies close to the triangle. Where it does not (a step of the shader's between two
+// vertices; an edge at which two faces were joined) the triangle is the surface, its normal is Ng,
+// and N if the shader sets that.
 #pragma once
 
 #include "world/geometry/displacement.h"
@@ -24,9 +25,9 @@ struct DisplacedMesh {
     float sign = 1;
 };
 
-/// P is told to lie within this share of a triangle's longest edge from the triangle.
+/// Close is within this share of a triangle's longest edge.
 inline constexpr float displacedTolerance = 1.0f / 16;
-/// Normals are told if they are no farther than this from the triangle's.
+/// And no farther turned than so from the triangle's normal.
 inline constexpr float displacedCosine = 0.7f;
 
 class DisplacedSurface final : public SurfaceView {

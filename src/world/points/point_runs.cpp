@@ -116,7 +116,7 @@ private:
         const Vec3Planes P = vec3(0), Ng = vec3(3), N = vec3(6), dPdu = vec3(9), dPdv = vec3(12);
         const Vec3Planes dNdu = vec3(15), dNdv = vec3(18), dNgdu = vec3(21), dNgdv = vec3(24);
         SurfaceAnswer answer;
-        if (curved)
+        if (run_.shape.away || unmoved)
             answer.P = P;
         if (curved || wanted.dNg)
             answer.Ng = Ng;

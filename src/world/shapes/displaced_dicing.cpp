@@ -3,7 +3,6 @@
 
 #include "foundation/base/parallel.h"
 #include "world/geometry/displaced_surface.h"
-#include "world/shapes/dice_rate.h"
 #include "world/shapes/displaced_points.h"
 #include "world/shapes/elements.h"
 
@@ -209,32 +208,15 @@ private:
                 mesh.pieces.push_back(all_.vertices[t[0]].piece);
         }
         met.triangles = mesh.triangles;
-        shape.naming = Naming::Direct, shape.curved = true, shape.flat = false;
+        shape.naming = Naming::Direct;
+        shape.curved = true, shape.away = false, shape.flat = false;
         shape.elements = std::uint32_t(met.triangles.size());
         shape.elementSign = signOf(dicing);
         mesh.sign = shape.elementSign * shape.handedness;
-        setOffset(met, shape);
+        shape.offset = elementRounding * reachOf(met).slender;
         shape.surface =
             std::make_shared<DisplacedSurface>(shape.surface, shape.displacement, std::move(mesh));
         return met;
-    }
-
-    /// Points are told within a share of their triangle from it; see displacedTolerance.
-    void setOffset(const RayShape &mesh, Shape &shape) const {
-        const float stretch =
-            largestStretch(shape.outerFromShape) * largestStretch(shape.shapeFromOuter);
-        float most = 0, share = 0;
-        for (const auto &[a, b, c] : mesh.triangles) {
-            const Vec3 &pa = mesh.positions[a], &pb = mesh.positions[b], &pc = mesh.positions[c];
-            const float longest = std::max({length(pb - pa), length(pc - pb), length(pa - pc)});
-            const float away = std::max(length(pa + pb + pc) / 3 - longest, 0.0f);
-            most = std::max(most, longest), share = std::max(share, longest / away);
-        }
-        const float rounding = elementRounding * reachOf(mesh).slender;
-        const float tolerance = displacedTolerance / displacedCosine * stretch;
-        shape.offset = tolerance * most + rounding;
-        if (camera_)
-            shape.offsetShare = tolerance * share + (most > 0 ? rounding * share / most : 0);
     }
 
     std::span<DisplacedDicing> shapes_;

@@ -94,7 +94,7 @@ RayShape dice(Shape &shape, const DiceRate &rate, const Vec3 *eye) {
     for (Vec3 &position : diced.positions)
         position = transformPoint(shape.outerFromShape, position);
     shape.flat = hasFlatNormals(*shape.surface, diced);
-    shape.curved = !diced.vertexUv.empty();
+    shape.curved = shape.away = !diced.vertexUv.empty();
     if (!shape.curved)
         shape.pieces = cutTriangles(diced, eye);
     shape.naming = diced.vertexUv.empty() ? Naming::Direct : Naming::Corners;

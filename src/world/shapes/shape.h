@@ -31,8 +31,10 @@ struct Shape {
     bool mayBeSphere = true;
     /// Every normal that shaders see is that of the element.
     bool flat = false;
-    /// Elements only come near the surface: positions and normals are the surface's to tell.
+    /// Normals are the surface's to tell, not the elements'.
     bool curved = false;
+    /// Elements only come near the surface: positions are the surface's to tell too.
+    bool away = false;
     /// Times (p1 - p0) x (p2 - p0) of an element's corners in the outer space (of a sphere, times
     /// the outward normal): along the natural normal, carried along as a covector.
     float elementSign = 1;
