@@ -33,6 +33,15 @@ void StateHandlers::displacement(const SourceLocation &where, const std::string 
             shader(where, "Displacement", ShaderKind::Displacement, name, tokens));
 }
 
+void StateHandlers::deformation(const SourceLocation &where, const std::string &name,
+                                const TokenList &tokens) {
+    if (name.empty() || name == "null")
+        state_.edit().deformation.reset();
+    else
+        state_.edit().deformation = std::make_shared<const ShaderRecord>(
+            shader(where, "Deformation", ShaderKind::Transformation, name, tokens));
+}
+
 /// Of a picture, which lies in no space.
 ShaderRecord StateHandlers::pictureShader(const SourceLocation &where, const char *request,
                                           ShaderKind kind, const std::string &name,

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/displacement/displacement_builder.h"
 
+#include "world/geometry/moved_displacement.h"
+#include "world/geometry/moved_surface.h"
+
 #include <algorithm>
 
 namespace candela {
@@ -21,52 +24,80 @@ void DisplacementBuilder::prepare(const ShaderCode &code) {
         }
 }
 
-const ShaderInstance *
-DisplacementBuilder::instanceOf(const std::shared_ptr<const ShaderRecord> &record,
-                                const std::set<std::string> &variables) {
-    auto [place, isNew] = instances_.try_emplace({record.get(), variables});
-    if (isNew) {
-        place->second =
-            library_.instance(ShaderKind::Displacement, *record, options_, rule_, variables);
-        if (place->second && prepared_.insert(place->second->code.get()).second)
-            prepare(*place->second->code);
-    }
-    return place->second ? &*place->second : nullptr;
-}
-
-std::shared_ptr<const ShaderDisplacement>
-DisplacementBuilder::make(const ShaderInstance &shader,
-                          const std::shared_ptr<const ShaderRecord> &record,
-                          const DisplacedThing &thing) {
-    bounds_.push_back(std::make_shared<DisplacementBounds>(*thing.attributes, record,
-                                                           thing.currentFromShape, systems_));
-    return std::make_shared<const ShaderDisplacement>(shader, thing, camera_, bounds_.back());
-}
-
-std::shared_ptr<const ShaderDisplacement>
-DisplacementBuilder::byDisplacement(const DisplacedThing &thing) {
-    const std::shared_ptr<const ShaderRecord> &record = thing.attributes->displacement;
+const ShaderInstance *DisplacementBuilder::instanceOf(ShaderKind kind, const ShaderRecord *record,
+                                                      const DisplacedThing &thing) {
     if (!record)
         return nullptr;
-    const ShaderInstance *shader = instanceOf(record, overridingNames(*thing.surface));
-    if (!shader || (!shader->code->displacement().movesP && !shader->code->displacement().setsN))
-        return nullptr;
-    return make(*shader, record, thing);
+    const Attributes &attributes = *thing.attributes;
+    const OtherShaders others{attributes.surface.get(), attributes.displacement.get(),
+                              attributes.atmosphere.get(), attributes.interior.get(),
+                              attributes.exterior.get()};
+    const std::set<std::string> variables = overridingNames(*thing.surface);
+    auto [place, isNew] = instances_.try_emplace({record, others, variables});
+    std::optional<ShaderInstance> &instance = place->second;
+    if (isNew) {
+        instance = library_.instance(kind, *record, options_, rule_, variables, others);
+        if (instance) {
+            const ir::DisplacementFacts &facts = instance->code->displacement();
+            if (!facts.movesP && !facts.setsN)
+                instance.reset();
+        }
+    }
+    return instance ? &*instance : nullptr;
 }
 
-std::shared_ptr<const ShaderDisplacement>
-DisplacementBuilder::bySurface(const DisplacedThing &thing, const ShaderInstance &shader) {
+/// The next stage, which sees what those before have made of the thing.
+void DisplacementBuilder::add(const ShaderInstance &shader,
+                              const std::shared_ptr<const ShaderRecord> &record,
+                              DisplacedThing thing, DisplacedStages &displaced) {
     if (prepared_.insert(shader.code.get()).second)
         prepare(*shader.code);
-    return make(shader, thing.attributes->surface, thing);
+    bounds_.push_back(std::make_shared<DisplacementBounds>(*thing.attributes, record,
+                                                           thing.currentFromShape, systems_));
+    thing.surface = displaced.surface;
+    displaced.stages.push_back(
+        std::make_shared<const ShaderDisplacement>(shader, thing, camera_, bounds_.back()));
+    displaced.surface = std::make_shared<MovedSurface>(displaced.surface, displaced.stages.back());
+}
+
+DisplacedStages DisplacementBuilder::displace(const DisplacedThing &thing,
+                                              const std::optional<ShaderInstance> &moving) {
+    DisplacedStages displaced{thing.surface, thing.surface, nullptr, {}};
+    std::shared_ptr<const Surface> beforeLast = thing.surface;
+    const Attributes &attributes = *thing.attributes;
+    for (const auto &[kind, record] :
+         {std::pair{ShaderKind::Transformation, attributes.deformation},
+          std::pair{ShaderKind::Displacement, attributes.displacement}})
+        if (const ShaderInstance *shader = instanceOf(kind, record.get(), thing)) {
+            beforeLast = displaced.surface;
+            add(*shader, record, thing, displaced);
+        }
+    if (moving) {
+        beforeLast = displaced.surface;
+        add(*moving, attributes.surface, thing, displaced);
+    }
+    const auto moves = [](const auto &stage) { return stage->movesPoints(); };
+    if (std::ranges::none_of(displaced.stages, moves))
+        return displaced;
+    const auto &last = displaced.stages.back();
+    if (last->movesPoints()) {
+        displaced.surface = beforeLast, displaced.mover = last;
+        return displaced;
+    }
+    const bool knowsSlopes = std::ranges::all_of(displaced.stages, [&](const auto &stage) {
+        return !stage->movesPoints() || stage->knowsSlopes();
+    });
+    displaced.mover = std::make_shared<MovedDisplacement>(displaced.surface, last, knowsSlopes);
+    displaced.surface = displaced.own;
+    return displaced;
 }
 
 void DisplacementBuilder::report(DiagnosticSink &sink) const {
     DisplacementBounds::report(bounds_, sink);
 }
 
-bool displaceAlike(const Surface &surface, const ShaderDisplacement &one,
-                   const ShaderDisplacement &other) {
+static bool displaceAlike(const Surface &surface, const ShaderDisplacement &one,
+                          const ShaderDisplacement &other) {
     if (one.readsOtherSpaces() || other.readsOtherSpaces())
         return false;
     const Vec3 extent = surface.bound().extent();
@@ -105,6 +136,15 @@ bool displaceAlike(const Surface &surface, const ShaderDisplacement &one,
         if (!(length(N) <= 10 * share))
             return false;
     }
+    return true;
+}
+
+bool displaceAlike(const DisplacedStages &one, const DisplacedStages &other) {
+    if (one.stages.size() != other.stages.size())
+        return false;
+    for (std::size_t k = 0; k < one.stages.size(); ++k)
+        if (!displaceAlike(*one.own, *one.stages[k], *other.stages[k]))
+            return false;
     return true;
 }
 

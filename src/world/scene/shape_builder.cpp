@@ -2,7 +2,6 @@
 #include "world/scene/shape_builder.h"
 
 #include "world/displacement/displacement_builder.h"
-#include "world/geometry/moved_surface.h"
 #include "world/scene/appearance_builder.h"
 #include "world/scene/placement_details.h"
 #include "world/scene/ray_geometry.h"
@@ -64,31 +63,11 @@ private:
         float pixel = 0;
     };
 
-    /// What displacement makes of a surface.
-    struct Displaced {
-        std::shared_ptr<const Surface> own, surface; ///< Before; before its points are moved.
-        /// By its displacement shader, its surface shader; null where they do not displace it.
-        std::shared_ptr<const ShaderDisplacement> byDisplacement, bySurface;
-        std::shared_ptr<const ShaderDisplacement> mover; ///< That of them that moves points last.
-    };
-
-    Displaced displacedBy(const std::shared_ptr<const Surface> &surface,
-                          const Matrix4 &outerFromShape, const Displacing &how) {
-        Displaced result{surface, surface, {}, {}, {}};
-        DisplacedThing thing{surface, outerFromShape * how.currentFromOuter, how.attributes,
-                             how.turned, how.pixel};
-        const auto moving = looks_.movingShader(*how.attributes, overridingNames(*surface));
-        result.byDisplacement = displacements_.byDisplacement(thing);
-        const bool moves = result.byDisplacement && result.byDisplacement->movesPoints();
-        if (moves)
-            result.mover = result.byDisplacement;
-        if (result.byDisplacement && (!moves || moving))
-            result.surface = std::make_shared<MovedSurface>(surface, result.byDisplacement);
-        if (moving) {
-            thing.surface = result.surface;
-            result.mover = result.bySurface = displacements_.bySurface(thing, *moving);
-        }
-        return result;
+    DisplacedStages displacedBy(const std::shared_ptr<const Surface> &surface,
+                                const Matrix4 &outerFromShape, const Displacing &how) {
+        return displacements_.displace(
+            {surface, outerFromShape * how.currentFromOuter, how.attributes, how.turned, how.pixel},
+            looks_.movingShader(*how.attributes, overridingNames(*surface)));
     }
 
     /// Adds the shapes of one primitive; `then` is told of each, and may take it back.
@@ -102,7 +81,7 @@ private:
                                                        "singular; it is left out");
                 return;
             }
-            Displaced displaced = displacedBy(surface, outerFromPrimitive, displacing);
+            DisplacedStages displaced = displacedBy(surface, outerFromPrimitive, displacing);
             shape->surface = displaced.surface, shape->displacement = displaced.mover;
             points_.shapes.push_back(std::move(*shape));
             displaced_.push_back(std::move(displaced));
@@ -168,7 +147,7 @@ private:
                 for (const auto &surface : surfacesOf(primitive))
                     known->second |=
                         looks_.movingShader(attributes, overridingNames(*surface)).has_value();
-        return attributes.displacement || known->second;
+        return attributes.deformation || attributes.displacement || known->second;
     }
 
     bool fits(const Variant &variant, std::size_t number) {
@@ -178,13 +157,10 @@ private:
             return true;
         const auto [first, count] = variant.shapes;
         for (std::uint32_t shape = first; shape < first + count; ++shape) {
-            const Displaced &there = displaced_[shape];
-            const Displaced here = displacedBy(there.own, points_.shapes[shape].outerFromShape,
-                                               displacingOf(number, turnedShapes_[shape]));
-            for (auto by : {&Displaced::byDisplacement, &Displaced::bySurface})
-                if (!(there.*by) != !(here.*by) ||
-                    (there.*by && !displaceAlike(*there.own, *(there.*by), *(here.*by))))
-                    return false;
+            const DisplacedStages &there = displaced_[shape];
+            if (!displaceAlike(there, displacedBy(there.own, points_.shapes[shape].outerFromShape,
+                                                  displacingOf(number, turnedShapes_[shape]))))
+                return false;
         }
         return true;
     }
@@ -204,6 +180,7 @@ private:
             objectShapes_[{object, exact ? 0 : details_[placement].level,
                            displaced ? attributes.displacement.get() : nullptr,
                            displaced ? attributes.surface.get() : nullptr,
+                           displaced ? attributes.deformation.get() : nullptr,
                            displaced && placements_[placement].turned}];
         // Where no two are alike nobody looks through all of them.
         constexpr std::size_t looks = 8;
@@ -305,12 +282,13 @@ private:
     std::vector<PlacementDetail> details_;   ///< By placement.
     std::vector<std::uint32_t> shapeCounts_; ///< By instance.
     std::vector<bool> turnedShapes_;         ///< By shape: its definition reverses the orientation.
-    std::vector<Displaced> displaced_;       ///< By shape.
+    std::vector<DisplacedStages> displaced_; ///< By shape.
     std::map<const DeclaredPrimitive *, Surfaces> surfaces_;              ///< Of objects.
     std::map<std::pair<int, const ShaderRecord *>, bool> movedBySurface_; ///< By object.
-    /// By object and level; where it is displaced by displacement and surface shader, and whether
-    /// they see normals turned round.
-    std::map<std::tuple<int, int, const ShaderRecord *, const ShaderRecord *, bool>,
+    /// By object and level; where it is displaced by displacement and surface shader and by
+    /// deformation, and whether they see normals turned round.
+    std::map<std::tuple<int, int, const ShaderRecord *, const ShaderRecord *, const ShaderRecord *,
+                        bool>,
              std::deque<Variant>>
         objectShapes_;
     std::uint32_t objects_ = 0; ///< Sets of shapes that stand together.

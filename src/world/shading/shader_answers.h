@@ -4,6 +4,10 @@
 
 #include "interface/ri/options.h"
 #include "language/runtime/services.h"
+#include "world/shading/instance_values.h"
+
+#include <utility>
+#include <vector>
 
 namespace candela {
 
@@ -20,12 +24,16 @@ public:
     }
     /// The options of the frame; not while a shader runs.
     void bindOptions(const Options &options) { options_ = options; }
+    /// The parameters of the lights, by their index; likewise.
+    void bindLights(std::vector<std::vector<ToldParameter>> lights) { lights_ = std::move(lights); }
 
 private:
     void option(const ServiceCall &) const;
+    void lightsource(const ServiceCall &) const;
 
     ShaderServices services_, silent_; ///< silent_ hears print and says nothing.
     Options options_;
+    std::vector<std::vector<ToldParameter>> lights_;
 };
 
 /// The numbers of an option as option() names it, "Ri:" before it or not: those of RI 3.2, section

@@ -52,7 +52,8 @@ std::vector<ir::Question> ShaderCode::questionsAsked() const {
         asked.push_back(Question::Displace);
     if (displacement_.movesP || displacement_.setsN)
         asked.push_back(Question::Displaced);
-    if (shader_.kind == sl::ShaderKind::Displacement)
+    if (shader_.kind == sl::ShaderKind::Displacement ||
+        shader_.kind == sl::ShaderKind::Transformation)
         return asked;
     if (!plan_)
         return {ir::questionsOf(shader_.kind).front()};

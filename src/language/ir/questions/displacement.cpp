@@ -13,29 +13,9 @@ namespace candela::ir {
 
 namespace {
 
-void removeOutputs(const std::vector<int> &newSlot, Region &region) {
-    std::erase_if(region.body, [&](const Instruction &i) {
-        return i.op == Op::Output && newSlot[size_t(i.immediate)] < 0;
-    });
-    for (Instruction &i : region.body) {
-        if (i.op == Op::Output)
-            i.immediate = newSlot[size_t(i.immediate)];
-        for (Region &inner : i.regions)
-            removeOutputs(newSlot, inner);
-    }
-}
-
-/// The function with those outputs alone that `keeps` says.
+/// The function with those outputs alone of which the test holds.
 template <class Keeps> Function reduced(Function function, Keeps keeps) {
-    std::vector<OutputSlot> kept;
-    std::vector<int> newSlot;
-    for (const OutputSlot &slot : function.outputs) {
-        newSlot.push_back(keeps(slot.name.kind) ? int(kept.size()) : -1);
-        if (newSlot.back() >= 0)
-            kept.push_back(slot);
-    }
-    removeOutputs(newSlot, function.body);
-    function.outputs = std::move(kept);
+    keepOutputs(function, [&](const OutputName &name) { return keeps(name.kind); });
     removeDeadCode(function);
     return function;
 }
@@ -87,6 +67,8 @@ Function displaced(const Function &whole, SlopeReport &report) {
 Function answerDisplace(const Function &whole) {
     return reduced(whole, [](OutputKind kind) { return kind == OutputKind::P; });
 }
+
+Function answerTransform(const Function &whole) { return reduced(whole, isOfDisplacement); }
 
 Function answerDisplaced(const Function &whole) {
     SlopeReport report;

@@ -78,6 +78,9 @@ struct SurfaceFacts {
     int printsLightLine = 0;
 };
 
+/// Something in the function is computed from light that is given to it.
+bool asksForLight(const Function &);
+
 /// The function without its services with effects.
 Function silenced(Function);
 
@@ -97,11 +100,11 @@ LightFacts lightFacts(const Function &whole);
 
 SurfaceFacts surfaceFacts(const Plan &);
 
-/// What is known of a text that displaces: of displacement shaders, and of surface shaders that set
-/// P.
+/// What is known of a text that displaces: of displacement and transformation shaders, and of
+/// surface shaders that set P.
 struct DisplacementFacts {
     bool movesP = false;      ///< P is not provably as it was.
-    bool setsN = false;       ///< Displacement shaders: N likewise.
+    bool setsN = false;       ///< N likewise; surface shaders never do.
     bool slopesKnown = false; ///< The derivatives in Displaced are there, and rest on no guess.
     /// What it makes of P and N may depend on where the object is placed beyond what its own space
     /// says: named spaces, "shader" space, the eye and the like are read.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/ir/analyse/affine.h"
 #include "language/ir/analyse/opacity.h"
+#include "language/ir/core/op_info.h"
 #include "language/ir/core/regions.h"
 #include "language/ir/questions/answers.h"
 #include "language/ir/questions/emission.h"
@@ -76,6 +77,20 @@ static Function answerWhole(const Function &whole) {
 }
 
 Function answerShade(const Function &whole) { return answerWhole(withoutDisplacement(whole)); }
+
+/// Whoever asks what a shader leaves behind has heard what it says already.
+Function answerOutputs(const Function &whole) {
+    Function result = whole;
+    keepOutputs(result, [](const OutputName &name) { return name.kind == OutputKind::Parameter; });
+    removeAll(Op::Command, result.body);
+    return answerWhole(result);
+}
+
+bool asksForLight(const Function &function) {
+    return anyInstruction(function.body, [](const Instruction &i) {
+        return i.op == Op::LightLoop || info(i.op).kind == OpClass::Light;
+    });
+}
 
 Function answerLight(const Function &whole) { return answerWhole(whole); }
 
