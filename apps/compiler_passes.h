@@ -21,6 +21,7 @@ struct CompiledShader {
     };
     ir::SurfaceFacts facts;    ///< Of surfaces.
     ir::LightFacts lightFacts; ///< Of lights.
+    ir::DisplacementFacts displacement;
     std::vector<Answer> answers;
 };
 

@@ -215,6 +215,53 @@ TEST(MovingSurfaces, LookAsIfDisplaced) {
         expectSamePicture(pictures[i], pictures[i + 1], .005f);
 }
 
+std::vector<FramePixels> renderThings(const std::vector<std::string> &worlds) {
+    std::vector<Frame> frames;
+    for (const std::string &world : worlds)
+        frames.push_back({world,
+                          "Option \"render\" \"string integrator\" [\"classic\"]\n"
+                          "Format 64 64 1\nProjection \"perspective\" \"fov\" [40]\n"
+                          "Translate 0 0 4\n",
+                          world});
+    return render(frames, {1, 1, "displacement/shaders"});
+}
+
+/// N alone is changed: the surface stays the very same one.
+TEST(Bumps, TurnNormalsAndMoveNothing) {
+    const std::string things[] = {"Sphere 1 -1 1 360\n",
+                                  "Polygon \"P\" [-1 -1 0 1 -1 0 1 1 .5 -1 1 .5]\n",
+                                  "Patch \"bilinear\" \"P\" [-1 -1 0 1 -1 0 -1 1 1 1 1 0]\n"};
+    for (const std::string &thing : things)
+        for (const char *place : {"Rotate 30 1 2 0\n", "Scale -1 1 .7\n"}) {
+            const std::string plain = std::string(place) + "Surface \"tellbumps\"\n" + thing;
+            const std::string bumped = std::string(place) +
+                                       "Surface \"tellplace\" \"float what\" [1]\n"
+                                       "Displacement \"bumps\"\n" +
+                                       thing;
+            const auto pictures = renderThings({plain, bumped});
+            ASSERT_EQ(pictures.size(), 2u);
+            EXPECT_EQ(pictures[0].alpha, pictures[1].alpha);
+            for (std::size_t k = 0; k < pictures[0].red.size(); ++k) {
+                EXPECT_NEAR(pictures[0].red[k], pictures[1].red[k], 1e-5);
+                EXPECT_NEAR(pictures[0].green[k], pictures[1].green[k], 1e-5);
+            }
+        }
+}
+
+/// A transformation shader that shears is a shear; displacement comes after it.
+TEST(Deformations, MovePointsBeforeDisplacementDoes) {
+    const std::string shear = "ConcatTransform [1 .5 0 0  0 1 0 0  0 0 1 0  0 0 0 1]\n";
+    const std::string tells = "Surface \"tellplace\" \"float what\" [2]\n";
+    for (const char *thing :
+         {"Sphere 1 -1 1 360\n", "Polygon \"P\" [-1 -1 0 1 -1 0 1 1 .5 -1 1 .5]\n"})
+        for (const char *also : {"", "Displacement \"bumps\"\n"}) {
+            const auto pictures = renderThings(
+                {tells + also + shear + thing, tells + also + "Deformation \"bend\"\n" + thing});
+            ASSERT_EQ(pictures.size(), 2u);
+            expectSamePicture(pictures[0], pictures[1], .01f);
+        }
+}
+
 /// A displaced lamp gives the light of the lamp that it has become.
 TEST(DisplacedLamps, ShineAsDisplaced) {
     std::vector<Frame> frames;

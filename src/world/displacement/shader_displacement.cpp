@@ -62,9 +62,10 @@ ShaderDisplacement::ShaderDisplacement(const ShaderInstance &shader, const Displ
     : shapeFromCurrent_(inverse(thing.currentFromShape).value_or(Matrix4{})), camera_(camera),
       pixel_(thing.pixel), rate_(std::sqrt(thing.attributes->shadingRate)),
       sign_(thing.turned ? -1.0f : 1.0f), bounds_(std::move(bounds)) {
-    // "displaced" reads what "displace" does and more.
-    const ir::Function &asked = shader.code->question(ir::Question::Displaced).function;
-    tables_.codes.push_back(surfaceCode(shader.code, &asked));
+    for (ir::Question which : {ir::Question::Displaced, ir::Question::Displace})
+        if (which == ir::Question::Displaced || shader.code->displacement().movesP)
+            tables_.codes.push_back(
+                surfaceCode(shader.code, &shader.code->question(which).function));
     Shape shape = *makeShape(thing.surface, thing.currentFromShape);
     shape.naming = Naming::Direct, shape.curved = shape.away = true; // Queries name points.
     for (const Matrix4 *matrix : {&shape.outerFromShape, &shape.shapeFromOuter})
@@ -90,7 +91,8 @@ float ShaderDisplacement::width(Vec3 P) const {
 }
 
 /// Makes shading points of the surface's points; seen from the eye.
-void ShaderDisplacement::locate(const SurfaceQuery &query, ShadingPoints &points) const {
+void ShaderDisplacement::locate(const SurfaceQuery &query, const SurfaceCode &code,
+                                ShadingPoints &points) const {
     const int n = points.count = query.count;
     std::fill_n(points.instance, n, noHit);
     std::fill_n(points.shape, n, 0u);
@@ -102,7 +104,6 @@ void ShaderDisplacement::locate(const SurfaceQuery &query, ShadingPoints &points
     for (Vec3Planes planes : {P, I, planesOf(points, ShaderInput::Ng)})
         for (int k = 0; k < n; ++k)
             planes.set(k, {});
-    const SurfaceCode &code = tables_.codes.front();
     if (pixel_ > 0) {
         const std::vector<float> footprint(std::size_t(n), pixel_ * rate_);
         evaluatePoints(tables_, camera_, code, footprint.data(), points);
@@ -143,7 +144,7 @@ void ShaderDisplacement::move(const SurfaceQuery &query, Vec3Planes P) const {
 void ShaderDisplacement::movePart(const SurfaceQuery &query, Vec3Planes P) const {
     thread_local ScratchLevels<Asked> levels;
     const ScratchLevels<Asked>::Level own(levels);
-    locate(query, own->points);
+    locate(query, tables_.codes.back(), own->points);
     ask(ir::Question::Displace, own->points, *own);
     const Vec3Planes start = planesOf(own->points, ShaderInput::P);
     for (int k = 0; k < query.count; ++k) {
@@ -171,7 +172,7 @@ void ShaderDisplacement::displacePart(const SurfaceQuery &query,
     const ScratchLevels<Asked>::Level own(levels);
     ShadingPoints &points = own->points;
     const int n = query.count;
-    locate(query, points);
+    locate(query, tables_.codes.front(), points);
     ask(ir::Question::Displaced, points, *own);
     auto give = [&](Vec3Planes to, Vec3Planes from) {
         for (int k = 0; k < n; ++k)

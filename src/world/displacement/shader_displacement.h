@@ -40,12 +40,14 @@ public:
 private:
     struct Asked;
     const ShaderCode &code() const { return *tables_.codes.front().code; }
-    void locate(const SurfaceQuery &, ShadingPoints &) const;
+    void locate(const SurfaceQuery &, const SurfaceCode &, ShadingPoints &) const;
     void ask(ir::Question, ShadingPoints &, Asked &) const;
     void movePart(const SurfaceQuery &, Vec3Planes P) const;
     void displacePart(const SurfaceQuery &, const SurfaceAnswer &) const;
 
-    PointTables tables_; ///< Of one shape, with one appearance.
+    /// Of one shape, with one appearance. Codes: what Displaced reads; and what Displace does,
+    /// which is less.
+    PointTables tables_;
     Matrix4 shapeFromCurrent_;
     const Camera &camera_;
     float pixel_, rate_; ///< As DisplacedThing has it; the root of ShadingRate.
