@@ -63,6 +63,7 @@ std::string summaryOf(const sl::TypedShader &shader, const CompiledShader &compi
     } else if (shader.kind == sl::ShaderKind::Filter) {
         line += countOf(pixelLoops, "pixel loop") + ", ";
     }
+    line += compiled.displacement.movesP ? "moves points, " : "";
     char figures[64];
     std::snprintf(figures, sizeof figures, ", %zu instructions, %.0f ms", instructions,
                   seconds * 1000);

@@ -54,8 +54,15 @@ std::optional<CompiledShader> compileShader(const sl::TypedShader &shader, ir::L
     } else if (lowered->kind == sl::ShaderKind::Volume) {
         compiled.volumeFacts = ir::volumeFacts(whole);
     }
-    for (const ir::Question question : ir::questionsOf(lowered->kind)) {
-        ir::Function answer = plan ? ir::slice(*plan, question) : ir::slice(whole, question);
+    compiled.displacement = ir::displacementFacts(whole);
+    std::vector<ir::Question> questions = ir::questionsOf(lowered->kind);
+    const std::size_t ownQuestions = questions.size();
+    if (lowered->kind == sl::ShaderKind::Surface && compiled.displacement.movesP)
+        questions.insert(questions.end(), {ir::Question::Displaced, ir::Question::Displace});
+    for (std::size_t k = 0; k < questions.size(); ++k) {
+        const ir::Question question = questions[k];
+        ir::Function answer =
+            plan && k < ownQuestions ? ir::slice(*plan, question) : ir::slice(whole, question);
         if (question == ir::Question::Filter)
             answer = ir::extractPixelLoops(std::move(answer));
         compiled.answers.push_back({question, std::move(answer)});

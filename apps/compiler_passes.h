@@ -23,6 +23,7 @@ struct CompiledShader {
     ir::SurfaceFacts facts;      ///< Of surfaces.
     ir::LightFacts lightFacts;   ///< Of lights.
     ir::VolumeFacts volumeFacts; ///< Of volumes.
+    ir::DisplacementFacts displacement;
     std::vector<Answer> answers;
     std::vector<ir::ShaderParameter> parameters;
     std::vector<std::string> parameterDocs; ///< The comment beside each.

@@ -4,6 +4,7 @@
 
 #include "foundation/base/planes.h"
 
+#include <deque>
 #include <vector>
 
 namespace candela {
@@ -32,6 +33,32 @@ public:
 
 private:
     Planes<float> storage_{1, laneBlock};
+};
+
+/// Of a thread's own, one for each level at which code that needs it is called from within itself.
+template <class T> class ScratchLevels {
+public:
+    /// Holds one for as long as it lives.
+    class Level {
+    public:
+        explicit Level(ScratchLevels &all) : all_(all) {
+            if (all_.depth_ == all_.levels_.size())
+                all_.levels_.emplace_back();
+            value_ = &all_.levels_[all_.depth_++];
+        }
+        ~Level() { --all_.depth_; }
+        Level(const Level &) = delete;
+        T &operator*() const { return *value_; }
+        T *operator->() const { return value_; }
+
+    private:
+        ScratchLevels &all_;
+        T *value_;
+    };
+
+private:
+    std::deque<T> levels_; // They stay where they are.
+    std::size_t depth_ = 0;
 };
 
 } // namespace candela

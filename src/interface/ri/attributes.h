@@ -57,6 +57,7 @@ struct Attributes {
     std::array<float, 8> textureCoordinates{0, 0, 1, 0, 0, 1, 1, 1};
     std::shared_ptr<const ShaderRecord> surface; ///< Null = "defaultsurface".
     std::shared_ptr<const ShaderRecord> displacement, atmosphere, interior, exterior;
+    std::shared_ptr<const ShaderRecord> deformation; ///< Moves points before displacement does.
     std::shared_ptr<const LightRecord> areaLight; ///< Non-null: the primitive emits.
     std::vector<int> lightsOn;                    ///< Indices of LightRecord, ascending.
     float shadingRate = 1;

@@ -49,6 +49,25 @@ void StateHandlers::exterior(const SourceLocation &where, const std::string &nam
     state_.edit().exterior = volume(where, "Exterior", name, tokens);
 }
 
+void StateHandlers::displacement(const SourceLocation &where, const std::string &name,
+                                 const TokenList &tokens) {
+    // RI 3.2, 4.2.1: the null shader is none at all.
+    if (name.empty() || name == "null")
+        state_.edit().displacement.reset();
+    else
+        state_.edit().displacement = std::make_shared<const ShaderRecord>(
+            shader(where, "Displacement", ShaderKind::Displacement, name, tokens));
+}
+
+void StateHandlers::deformation(const SourceLocation &where, const std::string &name,
+                                const TokenList &tokens) {
+    if (name.empty() || name == "null")
+        state_.edit().deformation.reset();
+    else
+        state_.edit().deformation = std::make_shared<const ShaderRecord>(
+            shader(where, "Deformation", ShaderKind::Transformation, name, tokens));
+}
+
 /// Of a picture, which lies in no space.
 ShaderRecord StateHandlers::pictureShader(const SourceLocation &where, const char *request,
                                           ShaderKind kind, const std::string &name,

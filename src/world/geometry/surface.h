@@ -99,6 +99,11 @@ public:
     /// Total area in object units; quadrics in closed form, others as their dicing has it.
     virtual float area() const = 0;
     virtual void evaluate(const SurfaceQuery &, const SurfaceAnswer &) const = 0;
+    /// What the surface's own shader is given, which moves the points itself: they and all about
+    /// them as they were before. False: the shader is given what evaluate() says.
+    virtual bool evaluateUnmoved(const SurfaceQuery &, const SurfaceAnswer &) const {
+        return false;
+    }
 
     /// The radius, positive, if this is a whole sphere about the origin: then a ray may meet
     /// x^2 + y^2 + z^2 = radius^2 instead of triangles, and sphereCoordinates() names the hits.

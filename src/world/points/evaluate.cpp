@@ -157,11 +157,12 @@ void keepSides(const float *const *elementNg, ShadingPoints &points) {
 /// Asks the surfaces, where elements don't tell all.
 void askSurfaces(const PointTables &tables, const SurfaceCode &code, const float *normalSign,
                  ShadingPoints &points) {
-    thread_local AlignedScratch own;
+    thread_local ScratchLevels<AlignedScratch> levels; // Displaced surfaces evaluate what is below.
+    const ScratchLevels<AlignedScratch>::Level own(levels);
     const int stride = paddedLanes(points.count);
     float *elementNg[3];
     for (int c = 0; c < 3; ++c) {
-        elementNg[c] = own.get(3 * std::size_t(stride)) + c * stride;
+        elementNg[c] = own->get(3 * std::size_t(stride)) + c * stride;
         std::copy_n(points.input(ShaderInput::Ng, c), points.count, elementNg[c]);
     }
     evaluateRuns(tables, code, normalSign, points);
@@ -187,9 +188,11 @@ void evaluatePoints(const PointTables &tables, const Camera &camera, const Surfa
     if (points.count == 0)
         return;
     points.makeRoomForVariables(int(code.variableName.size()));
+    points.useUnmoved(code.movesPoints);
     const int stride = paddedLanes(points.count);
-    thread_local AlignedScratch own;
-    float *signs = own.get(3 * stride), *normalSign = signs, *elementSign = signs + stride;
+    thread_local ScratchLevels<AlignedScratch> levels;
+    const ScratchLevels<AlignedScratch>::Level own(levels);
+    float *signs = own->get(3 * stride), *normalSign = signs, *elementSign = signs + stride;
     float *offsetShare = elementSign + stride;
     locate(tables, code, normalSign, elementSign, offsetShare, points);
     makeUnit(points.count, elementSign, vec3(points, ShaderInput::Ng));
@@ -218,7 +221,8 @@ void placeElementNormals(const PointTables &tables, int count, const std::uint32
 void bindPoints(const PointTables &tables, int code, const ShadingPoints &points,
                 ShaderArgs &args) {
     args.count = points.count;
-    args.inputs = points.inputTable.data();
+    args.inputs =
+        points.unmovedTable.empty() ? points.inputTable.data() : points.unmovedTable.data();
     args.parameterOffset = points.parameterOffset;
     args.objectIndex = points.objectIndex;
     args.objectMatrices =

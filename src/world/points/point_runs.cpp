@@ -75,7 +75,9 @@ public:
 
     void ask() {
         planes_ = own_.planes.get(planeCount * std::size_t(run_.stride));
-        geometry();
+        geometry(false);
+        if (!points_.unmovedTable.empty())
+            geometry(true);
         const Shape &shape = run_.shape;
         if (code_.wanted.st) {
             texture(shape.s, ShaderInput::s, ShaderInput::dsdu, ShaderInput::dsdv);
@@ -97,20 +99,24 @@ private:
 
     float *plane(int index) const { return planes_ + std::size_t(index) * run_.stride; }
     Vec3Planes vec3(int index) const { return {plane(index), plane(index + 1), plane(index + 2)}; }
-    void tell(Vec3Planes from, ShaderInput to) const { deliver(run_, from, points_, to); }
+    void tell(Vec3Planes from, ShaderInput to) const {
+        tell(from.x, to, 0), tell(from.y, to, 1), tell(from.z, to, 2);
+    }
     void tell(const float *from, ShaderInput to, int component = 0) const {
-        deliver(run_, from, points_.input(to, component));
+        const auto &table = unmoved_ ? points_.unmovedTable : points_.inputTable;
+        deliver(run_, from, table[std::size_t(int(to) + component)]);
     }
 
-    /// Positions, normals and derivatives.
-    void geometry() {
+    /// Positions, normals and derivatives; or what they were before the shader moves the points.
+    void geometry(bool unmoved) {
+        unmoved_ = unmoved;
         const WantedInputs &wanted = code_.wanted;
-        const bool curved = run_.shape.naming == Naming::Corners && run_.shape.pieces.empty();
+        const bool curved = run_.shape.curved;
         const bool ownNormals = surface_.hasOwnNormals();
         const Vec3Planes P = vec3(0), Ng = vec3(3), N = vec3(6), dPdu = vec3(9), dPdv = vec3(12);
         const Vec3Planes dNdu = vec3(15), dNdv = vec3(18), dNgdu = vec3(21), dNgdv = vec3(24);
         SurfaceAnswer answer;
-        if (curved)
+        if (run_.shape.away || unmoved)
             answer.P = P;
         if (curved || wanted.dNg)
             answer.Ng = Ng;
@@ -124,7 +130,8 @@ private:
             answer.dNgdu = dNgdu, answer.dNgdv = dNgdv;
         if (wanted.uv)
             answer.u = plane(27), answer.v = plane(28);
-        surface_.evaluate(run_.query(), answer);
+        if (!unmoved || !surface_.evaluateUnmoved(run_.query(), answer))
+            surface_.evaluate(run_.query(), answer);
         if (answer.P.x)
             placePoints(run_, P), tell(P, ShaderInput::P);
         if (wanted.dNg)
@@ -145,6 +152,7 @@ private:
         }
         if (wanted.uv)
             tell(answer.u, ShaderInput::u), tell(answer.v, ShaderInput::v);
+        unmoved_ = false;
     }
 
     /// The unit normal in current space is that of the transformed one, and so are its changes. The
@@ -235,21 +243,27 @@ private:
     ShadingPoints &points_;
     RunScratch &own_;
     float *planes_ = nullptr;
+    bool unmoved_ = false; ///< Which of the tables is told.
 };
 
 } // namespace
 
 void evaluateRuns(const PointTables &tables, const SurfaceCode &code, const float *normalSign,
                   ShadingPoints &points) {
-    thread_local SortScratch sorting;
-    thread_local RunScratch own;
-    const std::int32_t *order = sortByShape(points, tables.shapes.size(), sorting);
+    struct Own {
+        SortScratch sorting;
+        RunScratch runs;
+    };
+    thread_local ScratchLevels<Own> levels; // Displaced surfaces evaluate what is below them.
+    const ScratchLevels<Own>::Level own(levels);
+    const std::int32_t *order = sortByShape(points, tables.shapes.size(), own->sorting);
     for (int first = 0, last; first < points.count; first = last) {
         const std::uint32_t shape = points.shape[order[first]];
         for (last = first + 1; last < points.count && points.shape[order[last]] == shape;)
             ++last;
-        const ShapeRun run = makeRun(tables, points, order + first, last - first, normalSign, own);
-        SurfaceQuestions(run, code, points, own).ask();
+        const ShapeRun run =
+            makeRun(tables, points, order + first, last - first, normalSign, own->runs);
+        SurfaceQuestions(run, code, points, own->runs).ask();
     }
 }
 

@@ -16,9 +16,10 @@ bool usesObjectSpace(const ir::Region &region) {
 
 } // namespace
 
-SurfaceCode surfaceCode(std::shared_ptr<ShaderCode> code) {
+SurfaceCode surfaceCode(std::shared_ptr<ShaderCode> code, const ir::Function *asked) {
     SurfaceCode result;
-    for (const ir::ParameterSlot &slot : code->variables()) {
+    const ir::Function &function = asked ? *asked : code->shader().whole;
+    for (const ir::ParameterSlot &slot : function.variables) {
         auto known = std::ranges::find(result.variableNames, slot.name);
         result.variableName.push_back(int(known - result.variableNames.begin()));
         result.variableComponent.push_back(slot.component);
@@ -26,23 +27,33 @@ SurfaceCode surfaceCode(std::shared_ptr<ShaderCode> code) {
         if (known == result.variableNames.end())
             result.variableNames.push_back(slot.name);
     }
-    result.wanted.add(*code);
-    result.readsObjectSpace = usesObjectSpace(code->shader().whole.body);
+    result.wanted.add(function.inputsRead);
+    result.readsObjectSpace = usesObjectSpace(function.body);
+    result.movesPoints = !asked && code->displacement().movesP;
     result.code = std::move(code);
     return result;
 }
 
 void addNeeds(const ShaderCode &other, SurfaceCode &surface) {
-    surface.wanted.add(other);
+    surface.wanted.add(other.shader().whole.inputsRead);
     surface.readsObjectSpace |= usesObjectSpace(other.shader().whole.body);
 }
 
-void WantedInputs::add(const ShaderCode &code) {
+std::set<std::string> overridingNames(const Surface &surface) {
+    const std::set<std::string> inputs{"Cs", "Os", "s", "t"};
+    std::set<std::string> names;
+    for (const VariableInfo &variable : surface.variables())
+        if (variable.declaration.type != ValueType::String && !inputs.contains(variable.name))
+            names.insert(variable.name);
+    return names;
+}
+
+void WantedInputs::add(const std::vector<bool> &inputsRead) {
     // Any component of consecutive inputs.
     auto reads = [&](ShaderInput first, ShaderInput last) {
         bool any = false;
         for (int plane = int(first); plane <= int(last); ++plane)
-            any |= code.reads(ShaderInput(plane));
+            any |= inputsRead[std::size_t(plane)];
         return any;
     };
     dPd |= reads(ShaderInput::dPdu, ShaderInput::dPdvLast_);

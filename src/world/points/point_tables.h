@@ -11,6 +11,8 @@
 
 #include <array>
 #include <memory>
+#include <set>
+#include <string>
 #include <vector>
 
 namespace candela {
@@ -54,8 +56,8 @@ struct WantedInputs {
     bool Os = false, stDerivatives = false, orientation = false, E = false;
     bool dNg = false, dCs = false, dOs = false;
 
-    /// Adds what a shader reads.
-    void add(const ShaderCode &);
+    /// Adds what a shader reads, as ir::Function::inputsRead has it.
+    void add(const std::vector<bool> &inputsRead);
     /// Nothing but position, normals and colours: elements that are flat tell all.
     bool isPlain() const { return !(dPd || dNd || dNg || dCs || dOs || uv || footprint || st); }
 };
@@ -71,13 +73,20 @@ struct SurfaceCode {
     /// What this code reads, and the shaders of area lights on its shapes.
     WantedInputs wanted;
     bool readsObjectSpace = false;
+    /// It shades what it has displaced itself: ShadingPoints::unmovedTable.
+    bool movesPoints = false;
     /// All points of it are told by the elements alone, without asking surfaces.
     bool fromElements = false;
 };
 
-SurfaceCode surfaceCode(std::shared_ptr<ShaderCode>);
 /// The surface's points are to tell what another shader that is asked there reads, too.
 void addNeeds(const ShaderCode &, SurfaceCode &);
+/// `asked`: the functions that are asked read no more than this one; by default the whole text.
+SurfaceCode surfaceCode(std::shared_ptr<ShaderCode>, const ir::Function *asked = nullptr);
+
+/// Names of the surface's variables that override parameters of their name: those that are no
+/// shader inputs.
+std::set<std::string> overridingNames(const Surface &);
 
 struct PointTables {
     std::vector<Shape> shapes; ///< First those of the world, then those of objects.

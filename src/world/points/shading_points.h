@@ -19,6 +19,10 @@ struct ShadingPoints {
     /// and Ng are of unit length.
     Planes<float> inputs;
     std::vector<float *> inputTable; ///< inputs as ShaderArgs wants it.
+    /// The same for shaders that move the points themselves: they are given those that they move.
+    /// Empty otherwise.
+    std::vector<float *> unmovedTable;
+    Planes<float> unmoved; ///< The planes that differ.
     Planes<std::int32_t> integers;
     std::int32_t *parameterOffset, *objectIndex;
     std::int32_t *lightSet; ///< Which lights shine on it: index for Lights::isOn.
@@ -40,6 +44,8 @@ struct ShadingPoints {
     /// How many planes override parameters is known only when a shader is at hand. What the planes
     /// held is lost.
     void makeRoomForVariables(int planes);
+    /// Whether the shader moves the points itself.
+    void useUnmoved(bool);
     float *input(int shaderInput) { return inputTable[shaderInput]; }
     float *input(ShaderInput first, int component) { return inputTable[int(first) + component]; }
 };

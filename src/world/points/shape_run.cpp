@@ -92,10 +92,4 @@ void deliver(const ShapeRun &run, const float *from, float *to) {
     scatter(run.count, run.order, from, to);
 }
 
-void deliver(const ShapeRun &run, Vec3Planes from, ShadingPoints &points, ShaderInput to) {
-    deliver(run, from.x, points.input(to, 0));
-    deliver(run, from.y, points.input(to, 1));
-    deliver(run, from.z, points.input(to, 2));
-}
-
 } // namespace candela

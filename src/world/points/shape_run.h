@@ -39,6 +39,5 @@ void placeNormals(const ShapeRun &, Vec3Planes); ///< As covectors; of any lengt
 
 /// To the batch's order.
 void deliver(const ShapeRun &, const float *from, float *to);
-void deliver(const ShapeRun &, Vec3Planes from, ShadingPoints &, ShaderInput to);
 
 } // namespace candela

@@ -15,19 +15,6 @@ const ShaderRecord &defaultSurface() {
     return record;
 }
 
-/// Variables that are shader inputs, and so override no parameter.
-bool isInput(const std::string &name) {
-    return name == "Cs" || name == "Os" || name == "s" || name == "t";
-}
-
-std::set<std::string> overridingNames(const Surface &surface) {
-    std::set<std::string> names;
-    for (const VariableInfo &variable : surface.variables())
-        if (variable.declaration.type != ValueType::String && !isInput(variable.name))
-            names.insert(variable.name);
-    return names;
-}
-
 } // namespace
 
 AppearanceBuilder::AppearanceBuilder(SceneState &state, ShaderLibrary &library)
@@ -64,6 +51,15 @@ AppearanceBuilder::Shading AppearanceBuilder::shadingOf(const Attributes &attrib
     }
     shadings_[{all, variables, asked}] = shading;
     return shading;
+}
+
+std::optional<ShaderInstance>
+AppearanceBuilder::movingShader(const Attributes &attributes,
+                                const std::set<std::string> &variables) {
+    const Shading shading = shadingOf(attributes, variables);
+    if (shading.code < 0 || !state_.points.codes[shading.code].movesPoints)
+        return std::nullopt;
+    return ShaderInstance{state_.points.codes[shading.code].code, shading.parameterOffset};
 }
 
 int AppearanceBuilder::lightSetOf(const Attributes &attributes) {

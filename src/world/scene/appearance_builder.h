@@ -21,6 +21,11 @@ public:
     /// Its offset and signs follow once it is diced. False if its shader can't be had.
     bool add(std::uint32_t shape, const std::shared_ptr<const Attributes> &, bool turned);
 
+    /// The surface shader of what has these attributes, if it moves points: a surface shader that
+    /// sets P displaces too.
+    std::optional<ShaderInstance> movingShader(const Attributes &,
+                                               const std::set<std::string> &variables);
+
     /// What is known before dicing: by appearance, its shape.
     const std::vector<std::uint32_t> &shapes() const { return shapes_; }
     /// The surface shines by itself, or has an area light.

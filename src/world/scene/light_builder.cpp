@@ -144,7 +144,7 @@ void LightBuilder::attach(const PlacedShape &placed) {
     const int declared = areaLight ? areaLight->index : -1;
     if (declared >= 0 && declared < int(tags_.size()) && lights[declared].hasGeometry()) {
         addElements(declared, placed);
-        code.wanted.add(*lights[declared].shader.code);
+        code.wanted.add(lights[declared].shader.code->shader().whole.inputsRead);
         if (!code.wanted.isPlain())
             code.fromElements = false;
         if (lights[declared].kind == LightKind::Area)

@@ -259,7 +259,7 @@ void sampleDelta(const SceneState &state, const SourceBin &bin, const Block &blo
     if (bin.asked == SourceBin::Asked::ClassicArea) {
         // The geometry alone matters; the shapes may have any surface shaders.
         SurfaceCode geometryOnly;
-        geometryOnly.wanted.add(*bin.shader);
+        geometryOnly.wanted.add(bin.shader->shader().whole.inputsRead);
         meetSources(state, block, geometryOnly, own);
         batch.readFrom(ShaderInput::P, int(ShaderInput::Count), own.points.inputTable.data());
         for (auto [input, components] :

@@ -96,7 +96,7 @@ static void makeReady(ShaderLibrary &library, PointTables &points) {
     library.makeReady();
     for (SurfaceCode &code : points.codes)
         if (code.code->isStandIn()) {
-            code.wanted.add(*code.code);
+            code.wanted.add(code.code->shader().whole.inputsRead);
             code.fromElements = false;
         }
 }
@@ -107,6 +107,8 @@ void SceneCompiler::worldEnd() {
     auto state = std::make_unique<SceneState>(declared.options);
     state->classic = isClassic(declared);
 
+    addCameraSystems(state->camera, declared.options.camera, declared.systems);
+    state_->library.bindOptions(declared.options);
     auto start = std::chrono::steady_clock::now();
     RayGeometry geometry = buildShapes(declared, *state, state_->library, state_->sink);
     // Lights without geometry have some "object" space too.
@@ -129,8 +131,6 @@ void SceneCompiler::worldEnd() {
         state_->sink.error({}, failure + "; the frame is not rendered");
         return;
     }
-    addCameraSystems(state->camera, declared.options.camera, declared.systems);
-    state_->library.bindOptions(declared.options);
     for (const auto &code : state_->library.all())
         code->bindSpaces(declared.systems, state_->sink);
     lights.prepareChoices();

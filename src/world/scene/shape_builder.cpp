@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/scene/shape_builder.h"
 
+#include "world/displacement/displacement_builder.h"
 #include "world/scene/appearance_builder.h"
 #include "world/scene/placement_details.h"
 #include "world/scene/ray_geometry.h"
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <map>
 
 namespace candela {
@@ -24,8 +26,11 @@ public:
     ShapeBuilder(const DeclaredWorld &declared, SceneState &state, ShaderLibrary &library,
                  DiagnosticSink &sink)
         : declared_(declared), state_(state), points_(state.points), sink_(sink),
-          looks_(state, library), plan_(state.camera), placements_(placementsOf(declared)),
-          timesPlaced_(declared.objects.size()) {}
+          looks_(state, library), plan_(state.camera),
+          displacements_(library, state.options,
+                         state.classic ? ir::LightRule::Classic : ir::LightRule::Path,
+                         declared.systems, state.camera),
+          placements_(placementsOf(declared)), timesPlaced_(declared.objects.size()) {}
 
     RayGeometry build() {
         for (const Placement &placement : placements_)
@@ -41,32 +46,55 @@ public:
         addInstances();
         markShining();
         std::vector<RayShape> meshes = plan_.dice(points_.shapes);
+        displacements_.report(sink_);
         looks_.finish();
         measure(meshes, shapeCounts_, state_);
         return arrange(std::move(meshes), shapeCounts_, points_, looks_);
     }
 
 private:
+    using Surfaces = std::vector<std::shared_ptr<const Surface>>;
+
+    /// Who looks how at what is to be displaced.
+    struct Displacing {
+        std::shared_ptr<const Attributes> attributes;
+        Matrix4 currentFromOuter;
+        bool turned = false;
+        float pixel = 0;
+    };
+
+    DisplacedStages displacedBy(const std::shared_ptr<const Surface> &surface,
+                                const Matrix4 &outerFromShape, const Displacing &how) {
+        return displacements_.displace(
+            {surface, outerFromShape * how.currentFromOuter, how.attributes, how.turned, how.pixel},
+            looks_.movingShader(*how.attributes, overridingNames(*surface)));
+    }
+
     /// Adds the shapes of one primitive; `then` is told of each, and may take it back.
     template <class Then>
     void addShapes(const DeclaredPrimitive &primitive, const Matrix4 &outerFromPrimitive,
-                   const Attributes &shaping, Then then) {
-        for (auto &surface : makeSurfaces(primitive.record, shaping, sink_)) {
+                   const Surfaces &surfaces, const Displacing &displacing, Then then) {
+        for (const auto &surface : surfaces) {
             std::optional<Shape> shape = makeShape(surface, outerFromPrimitive);
             if (!shape) {
                 sink_.warning(primitive.record->where, "the transformation of this primitive is "
                                                        "singular; it is left out");
                 return;
             }
+            DisplacedStages displaced = displacedBy(surface, outerFromPrimitive, displacing);
+            shape->surface = displaced.surface, shape->displacement = displaced.mover;
             points_.shapes.push_back(std::move(*shape));
+            displaced_.push_back(std::move(displaced));
             if (!then(std::uint32_t(points_.shapes.size() - 1)))
-                points_.shapes.pop_back();
+                points_.shapes.pop_back(), displaced_.pop_back();
         }
     }
 
     void addToWorld(const DeclaredPrimitive &primitive, const Matrix4 &currentFromPrimitive,
                     const std::shared_ptr<const Attributes> &attributes, bool turned) {
-        addShapes(primitive, currentFromPrimitive, *primitive.attributes, [&](std::uint32_t shape) {
+        const Displacing displacing{attributes, {}, turned, 0};
+        const Surfaces surfaces = makeSurfaces(primitive.record, *primitive.attributes, sink_);
+        addShapes(primitive, currentFromPrimitive, surfaces, displacing, [&](std::uint32_t shape) {
             if (!looks_.add(shape, attributes, turned))
                 return false;
             plan_.add(points_.shapes[shape], attributes->shadingRate);
@@ -86,25 +114,89 @@ private:
                        placement.attributes, primitive.attributes->flipNormal != placement.turned);
     }
 
+    /// Of a placement's primitive, which its definition may turn round.
+    Displacing displacingOf(std::size_t number, bool turned) const {
+        const Placement &placement = placements_[number];
+        const Matrix4 &currentFromObject = placement.currentFromObject;
+        return {placement.attributes, currentFromObject, turned != placement.turned,
+                details_[number].pixel * largestStretch(currentFromObject)};
+    }
+
+    /// What stands in two places is one shape unless displacement makes two things of it.
+    struct Variant {
+        std::size_t placement;
+        ObjectShapes shapes;
+    };
+
+    /// Of objects, made once.
+    const Surfaces &surfacesOf(const DeclaredPrimitive &of) {
+        auto [place, isNew] = surfaces_.try_emplace(&of);
+        if (isNew)
+            place->second = makeSurfaces(of.record, *of.attributes, sink_);
+        return place->second;
+    }
+
+    /// What a placement shows is displaced, by a displacement shader or by its surface shader.
+    bool isDisplaced(const Placement &placement) {
+        const Attributes &attributes = *placement.attributes;
+        auto [known, isNew] =
+            movedBySurface_.try_emplace({placement.object, attributes.surface.get()}, false);
+        if (isNew && attributes.surface)
+            for (const DeclaredPrimitive &primitive :
+                 declared_.objects[placement.object].primitives)
+                for (const auto &surface : surfacesOf(primitive))
+                    known->second |=
+                        looks_.movingShader(attributes, overridingNames(*surface)).has_value();
+        return attributes.deformation || attributes.displacement || known->second;
+    }
+
+    bool fits(const Variant &variant, std::size_t number) {
+        const Placement &placement = placements_[number];
+        if (!isDisplaced(placement) ||
+            placements_[variant.placement].currentFromObject.m == placement.currentFromObject.m)
+            return true;
+        const auto [first, count] = variant.shapes;
+        for (std::uint32_t shape = first; shape < first + count; ++shape) {
+            const DisplacedStages &there = displaced_[shape];
+            if (!displaceAlike(there, displacedBy(there.own, points_.shapes[shape].outerFromShape,
+                                                  displacingOf(number, turnedShapes_[shape]))))
+                return false;
+        }
+        return true;
+    }
+
     /// The shapes of a placed object, made when they are first wanted.
     const ObjectShapes &shapesOf(std::size_t placement) {
         const int object = placements_[placement].object;
-        const bool exact = std::ranges::all_of(
-            declared_.objects[object].primitives, [](const DeclaredPrimitive &primitive) {
-                return std::holds_alternative<PolygonsRecord>(primitive.record->shape);
-            });
-        auto [place, isNew] =
-            objectShapes_.try_emplace({object, exact ? 0 : details_[placement].level});
-        ObjectShapes &shapes = place->second;
-        if (!isNew)
-            return shapes;
+        const Attributes &attributes = *placements_[placement].attributes;
+        const bool displaced = isDisplaced(placements_[placement]);
+        const bool exact =
+            !displaced &&
+            std::ranges::all_of(
+                declared_.objects[object].primitives, [](const DeclaredPrimitive &primitive) {
+                    return std::holds_alternative<PolygonsRecord>(primitive.record->shape);
+                });
+        std::deque<Variant> &variants =
+            objectShapes_[{object, exact ? 0 : details_[placement].level,
+                           displaced ? attributes.displacement.get() : nullptr,
+                           displaced ? attributes.surface.get() : nullptr,
+                           displaced ? attributes.deformation.get() : nullptr,
+                           displaced && placements_[placement].turned}];
+        // Where no two are alike nobody looks through all of them.
+        constexpr std::size_t looks = 8;
+        for (std::size_t k = 0; k < std::min(looks, variants.size()); ++k)
+            if (const Variant &known = variants[variants.size() - 1 - k]; fits(known, placement))
+                return known.shapes;
+        ObjectShapes &shapes = variants.emplace_back(Variant{placement, {}}).shapes;
         shapes.first = std::uint32_t(points_.shapes.size());
         turnedShapes_.resize(shapes.first, false);
         const float rate = placements_[placement].attributes->shadingRate;
+        const std::uint32_t number = ++objects_;
         for (const DeclaredPrimitive &primitive : declared_.objects[object].primitives)
-            addShapes(primitive, primitive.outerFromPrimitive, *primitive.attributes,
+            addShapes(primitive, primitive.outerFromPrimitive, surfacesOf(primitive),
+                      displacingOf(placement, primitive.attributes->flipNormal),
                       [&](std::uint32_t shape) {
-                          plan_.add(points_.shapes[shape], rate, details_[placement].pixel);
+                          plan_.add(points_.shapes[shape], rate, details_[placement].pixel, number);
                           turnedShapes_.push_back(primitive.attributes->flipNormal);
                           return true;
                       });
@@ -184,12 +276,22 @@ private:
     DiagnosticSink &sink_;
     AppearanceBuilder looks_;
     DicingPlan plan_;
+    DisplacementBuilder displacements_;
     std::vector<Placement> placements_;
     std::vector<int> timesPlaced_;           ///< By object.
     std::vector<PlacementDetail> details_;   ///< By placement.
     std::vector<std::uint32_t> shapeCounts_; ///< By instance.
     std::vector<bool> turnedShapes_;         ///< By shape: its definition reverses the orientation.
-    std::map<std::pair<int, int>, ObjectShapes> objectShapes_; ///< By object and level.
+    std::vector<DisplacedStages> displaced_; ///< By shape.
+    std::map<const DeclaredPrimitive *, Surfaces> surfaces_;              ///< Of objects.
+    std::map<std::pair<int, const ShaderRecord *>, bool> movedBySurface_; ///< By object.
+    /// By object and level; where it is displaced by displacement and surface shader and by
+    /// deformation, and whether they see normals turned round.
+    std::map<std::tuple<int, int, const ShaderRecord *, const ShaderRecord *, const ShaderRecord *,
+                        bool>,
+             std::deque<Variant>>
+        objectShapes_;
+    std::uint32_t objects_ = 0; ///< Sets of shapes that stand together.
 };
 
 } // namespace

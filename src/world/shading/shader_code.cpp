@@ -16,6 +16,7 @@ ShaderCode::ShaderCode(ir::LoweredShader shader, ir::LightRule rule, std::shared
 }
 
 void ShaderCode::readText() {
+    displacement_ = ir::displacementFacts(shader_.whole);
     if (ir::isPlanned(shader_.kind)) {
         shader_.whole = ir::applyLightRule(shader_.whole, rule_);
         plan_ = ir::makePlan(shader_.whole);
@@ -29,7 +30,7 @@ void ShaderCode::readText() {
 /// A point speaks once. Under the classic rule all its light is there when it is shaded; else it
 /// comes direction by direction, and what the point says it says without.
 ir::Function ShaderCode::slice(ir::Question which) const {
-    if (!plan_)
+    if (!plan_ || which == ir::Question::Displace || which == ir::Question::Displaced)
         return ir::slice(shader_.whole, which);
     ir::Function function = ir::slice(*plan_, which);
     const bool shaded = which == ir::Question::Shade, lit = rule_ == ir::LightRule::Classic;
@@ -50,9 +51,17 @@ std::vector<ir::Question> ShaderCode::questionsAsked() const {
     using ir::Question;
     if (shader_.kind == sl::ShaderKind::Volume && volumeFacts_.affine)
         return {Question::Segment, Question::Transmission};
+    std::vector<Question> asked;
+    if (displacement_.movesP)
+        asked.push_back(Question::Displace);
+    if (displacement_.movesP || displacement_.setsN)
+        asked.push_back(Question::Displaced);
+    if (shader_.kind == sl::ShaderKind::Displacement ||
+        shader_.kind == sl::ShaderKind::Transformation)
+        return asked;
     if (!plan_)
         return {ir::questionsOf(shader_.kind).front()};
-    std::vector<Question> asked{Question::Prepare, Question::Scatter, Question::Opacity};
+    asked.insert(asked.end(), {Question::Prepare, Question::Scatter, Question::Opacity});
     const bool classic = rule_ == ir::LightRule::Classic;
     if (classic || !facts_.affine)
         asked.push_back(Question::Shade);
@@ -63,6 +72,8 @@ std::vector<ir::Question> ShaderCode::questionsAsked() const {
 
 bool ShaderCode::compileAll(DiagnosticSink &diagnostics) {
     const std::vector<ir::Question> asked = questionsAsked();
+    if (asked.empty())
+        return true;
     std::vector<QuestionCode> answers(asked.size());
     std::vector<const ir::Function *> functions;
     for (std::size_t k = 0; k < asked.size(); ++k) {

@@ -57,6 +57,8 @@ public:
     const ir::SurfaceFacts &facts() const { return facts_; }
     /// Volume shaders only.
     const ir::VolumeFacts &volumeFacts() const { return volumeFacts_; }
+    /// Whether it displaces: displacement shaders, and surface shaders that set P.
+    const ir::DisplacementFacts &displacement() const { return displacement_; }
     /// Compiled on first use, once; thread-safe.
     const QuestionCode &question(ir::Question) const;
 
@@ -103,6 +105,7 @@ private:
     std::shared_ptr<const ir::Plan> plan_; ///< Of surfaces.
     ir::SurfaceFacts facts_;
     ir::VolumeFacts volumeFacts_;
+    ir::DisplacementFacts displacement_;
     bool isStandIn_ = false;
     std::shared_ptr<Jit> jit_;
     std::shared_ptr<const ShaderMessages> messages_;

@@ -2,9 +2,11 @@
 #include "world/shapes/dicing_plan.h"
 
 #include "foundation/base/parallel.h"
+#include "world/shapes/displaced_dicing.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 namespace candela {
@@ -49,9 +51,9 @@ void DicingPlan::add(const Shape &shape, float shadingRate) {
     const float guess = viewingPixel(camera_, box);
     const bool isNear = box.high.z > 0 && box.low.z < std::max({extent.x, extent.y, extent.z});
     const float known = isNear && isCurved(shape) ? pixelOfParts(shape, box) : guess;
-    add(shape, shadingRate, std::max(guess, known));
+    add(shape, shadingRate, std::max(guess, known), 0);
     Wish &wish = wishes_.back();
-    wish.inWorld = true;
+    wish.edge = displacedEdgePixels * squareRootOf(shadingRate);
     if (box.low.z <= 0)
         wish.pixel *= leniency(shape, wish, known / std::max(guess, known));
 }
@@ -86,9 +88,10 @@ float DicingPlan::leniency(const Shape &shape, const Wish &wish, float known) co
     return float(std::clamp(triangles / enough, 1.0, mostLenient));
 }
 
-void DicingPlan::add(const Shape &shape, float shadingRate, float pixel) {
+void DicingPlan::add(const Shape &shape, float shadingRate, float pixel, std::uint32_t object) {
     const Box3 box = transformBox(shape.outerFromShape, shape.surface->bound());
-    wishes_.push_back({box, pixel * squareRootOf(shadingRate), false, isCurved(shape)});
+    const float rated = pixel * squareRootOf(shadingRate);
+    wishes_.push_back({box, rated, object, isCurved(shape), displacedEdgePixels * rated});
 }
 
 void DicingPlan::makeFine(std::uint32_t number, const Shape &shape) {
@@ -109,7 +112,7 @@ std::vector<float> DicingPlan::sharedPixels() const {
         if (wishes_[i].isCurved)
             order.push_back(i);
     std::ranges::sort(order, {}, [&](std::uint32_t i) {
-        return std::pair(!wishes_[i].inWorld, wishes_[i].box.low.x);
+        return std::pair(!wishes_[i].inWorld(), wishes_[i].box.low.x);
     });
     constexpr int rounds = 4;
     constexpr std::size_t neighbours = 64; // As far as it looks along the order.
@@ -117,7 +120,7 @@ std::vector<float> DicingPlan::sharedPixels() const {
         for (std::size_t a = 0; a < order.size(); ++a)
             for (std::size_t b = a + 1; b < std::min(order.size(), a + 1 + neighbours); ++b) {
                 const Wish &one = wishes_[order[a]], &other = wishes_[order[b]];
-                if (one.inWorld != other.inWorld || !touch(one.box, other.box))
+                if (one.object != other.object || !touch(one.box, other.box))
                     continue;
                 float &p = pixels[order[a]], &q = pixels[order[b]];
                 const float least = std::min(p, q);
@@ -166,13 +169,38 @@ std::vector<RayShape> DicingPlan::dice(std::vector<Shape> &shapes) const {
     const std::vector<float> pixels = sharedPixels();
     const double coarsening = coarseningFor(shapes, pixels);
     std::vector<RayShape> meshes(shapes.size());
+    std::vector<DicedMesh> begun(shapes.size());
     parallelFor(shapes.size(), [&](std::size_t i) {
+        const DiceRate rate = rateOf(shapes[i], wishes_[i], pixels[i], coarsening);
         // Instances stand anywhere: what an object holds is not cut for the eye.
         const Vec3 eye{};
-        meshes[i] = candela::dice(shapes[i], rateOf(shapes[i], wishes_[i], pixels[i], coarsening),
-                                  wishes_[i].inWorld ? &eye : nullptr);
+        if (shapes[i].displacement)
+            begun[i] = shapes[i].surface->dice(rate);
+        else
+            meshes[i] = candela::dice(shapes[i], rate, wishes_[i].inWorld() ? &eye : nullptr);
     });
+    diceDisplaced(shapes, std::move(begun), meshes);
     return meshes;
+}
+
+/// The world's together, and each object's.
+void DicingPlan::diceDisplaced(std::vector<Shape> &shapes, std::vector<DicedMesh> begun,
+                               std::vector<RayShape> &meshes) const {
+    std::map<std::uint32_t, std::vector<std::size_t>> together; // By object.
+    for (std::size_t i = 0; i < shapes.size(); ++i)
+        if (shapes[i].displacement)
+            together[wishes_[i].object].push_back(i);
+    double left = displacedBudget;
+    for (const auto &[object, members] : together) {
+        std::vector<DisplacedDicing> dicings;
+        for (std::size_t i : members)
+            dicings.push_back({&shapes[i], std::move(begun[i]), wishes_[i].edge});
+        auto diced = candela::diceDisplaced(dicings, object == 0 ? &camera_ : nullptr, left);
+        for (std::size_t k = 0; k < members.size(); ++k) {
+            left -= double(diced[k].triangles.size());
+            meshes[members[k]] = std::move(diced[k]);
+        }
+    }
 }
 
 } // namespace candela

@@ -20,8 +20,8 @@ public:
     /// The next shape stands in the world.
     void add(const Shape &, float shadingRate);
     /// The next shape is of an object, whose nearest placement sees a pixel as so many units of the
-    /// object's space.
-    void add(const Shape &, float shadingRate, float pixel);
+    /// object's space. Shapes of one object stand together: `object` numbers them, from 1.
+    void add(const Shape &, float shadingRate, float pixel, std::uint32_t object);
     /// Lights are met by rays and sampled: their outlines must hold also where they are small.
     void makeFine(std::uint32_t number, const Shape &);
 
@@ -33,16 +33,21 @@ public:
 
 private:
     struct Wish {
-        Box3 box;    ///< In the outer space.
-        float pixel; ///< Outer units.
-        bool inWorld, isCurved;
+        Box3 box;             ///< In the outer space.
+        float pixel;          ///< Outer units.
+        std::uint32_t object; ///< 0: it stands in the world.
+        bool isCurved;
+        float edge; ///< Displaced: how long edges may be, in pixels (of objects: outer units).
         bool fine = false;
+        bool inWorld() const { return object == 0; }
     };
     float pixelOfParts(const Shape &, const Box3 &) const;
     float leniency(const Shape &, const Wish &, float known) const;
     std::vector<float> sharedPixels() const;
     DiceRate rateOf(const Shape &, const Wish &, float pixel, double coarsening) const;
     double coarseningFor(const std::vector<Shape> &, const std::vector<float> &pixels) const;
+    void diceDisplaced(std::vector<Shape> &, std::vector<DicedMesh> begun,
+                       std::vector<RayShape> &) const;
 
     const Camera &camera_;
     std::vector<Wish> wishes_;

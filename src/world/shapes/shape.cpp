@@ -4,6 +4,7 @@
 #include "world/shapes/corner_order.h"
 #include "world/shapes/cut_triangles.h"
 #include "world/shapes/dice_rate.h"
+#include "world/shapes/elements.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,65 +12,6 @@
 namespace candela {
 
 namespace {
-
-/// Rounding of an intersection, against the extent of the element: eight units of a float.
-constexpr float elementRounding = 8 * 0x1p-24f;
-
-/// The shape's elements against the natural normals, by vote of some triangles.
-float signByVote(const Shape &shape, const RayShape &mesh) {
-    int vote = 0;
-    const std::size_t step = std::max<std::size_t>(1, mesh.triangles.size() / 15);
-    for (std::size_t k = 0; k < mesh.triangles.size(); k += step) {
-        auto [a, b, c] = mesh.triangles[k];
-        std::uint32_t piece = shape.naming == Naming::Direct ? std::uint32_t(k)
-                              : shape.pieces.empty()         ? 0
-                                                             : shape.pieces[k];
-        float u = 1 / 3.0f, v = 1 / 3.0f, x = 0, y = 0, z = 0;
-        if (shape.naming == Naming::Corners) {
-            const auto *uv = shape.vertexUv.data();
-            u = (uv[a][0] + uv[b][0] + uv[c][0]) / 3, v = (uv[a][1] + uv[b][1] + uv[c][1]) / 3;
-        }
-        SurfaceAnswer answer;
-        answer.Ng = {&x, &y, &z};
-        shape.surface->evaluate({1, &piece, &u, &v}, answer);
-        Vec3 normal = normalize(transformNormal(shape.shapeFromOuter, normalize(Vec3{x, y, z})));
-        Vec3 p0 = mesh.positions[a];
-        Vec3 element = cross(mesh.positions[b] - p0, mesh.positions[c] - p0);
-        float along = dot(normalize(element), normal);
-        vote += along > 0 ? 1 : along < 0 ? -1 : 0;
-    }
-    return vote < 0 ? -1 : 1;
-}
-
-/// How far along its elements rounding leads astray who meets them.
-struct Reach {
-    float longestEdge = 0;
-    /// The longest edge, and more where the edges at an element's first corner are nearly parallel:
-    /// its normal is off by rounding over the sine between them. No more than what lifts one off by
-    /// its own width.
-    float slender = 0;
-};
-
-Reach reachOf(const RayShape &mesh) {
-    Reach reach;
-    for (const auto &t : mesh.triangles) {
-        Vec3 edge[3];
-        float squared = 0;
-        for (int k = 0; k < 3; ++k) {
-            edge[k] = mesh.positions[t[(k + 1) % 3]] - mesh.positions[t[k]];
-            squared = std::max(squared, dot(edge[k], edge[k]));
-        }
-        const float longest = std::sqrt(squared), area = length(cross(edge[0], edge[1]));
-        const float product = length(edge[0]) * length(edge[2]);
-        reach.longestEdge = std::max(reach.longestEdge, longest);
-        if (!(area > 0))
-            continue;
-        const float width = area / longest, astray = longest * (product / area) / 2;
-        reach.slender = std::max(reach.slender, std::min(astray, width / elementRounding));
-    }
-    reach.slender = std::max(reach.slender, reach.longestEdge);
-    return reach;
-}
 
 void beginAtBluntCorners(DicedMesh &mesh) {
     const std::vector<Vec3> &p = mesh.positions;
@@ -124,7 +66,7 @@ bool keepsSpheres(const Matrix4 &matrix) {
 
 std::optional<OuterSphere> outerSphere(const Shape &shape) {
     std::optional<float> radius = shape.surface->wholeSphere();
-    if (!radius || !shape.mayBeSphere || !keepsSpheres(shape.outerFromShape))
+    if (!radius || shape.displacement || !shape.mayBeSphere || !keepsSpheres(shape.outerFromShape))
         return std::nullopt;
     Vec3 row;
     for (int column = 0; column < 3; ++column)
@@ -152,7 +94,8 @@ RayShape dice(Shape &shape, const DiceRate &rate, const Vec3 *eye) {
     for (Vec3 &position : diced.positions)
         position = transformPoint(shape.outerFromShape, position);
     shape.flat = hasFlatNormals(*shape.surface, diced);
-    if (diced.vertexUv.empty())
+    shape.curved = shape.away = !diced.vertexUv.empty();
+    if (!shape.curved)
         shape.pieces = cutTriangles(diced, eye);
     shape.naming = diced.vertexUv.empty() ? Naming::Direct : Naming::Corners;
     if (shape.naming == Naming::Corners) {

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "foundation/base/matrix4.h"
-#include "world/geometry/surface.h"
+#include "world/geometry/displacement.h"
 #include "world/rays/ray_world.h"
 
 #include <limits>
@@ -23,12 +23,18 @@ enum class Naming : std::uint8_t {
 
 struct Shape {
     std::shared_ptr<const Surface> surface;
+    /// What moves its points; null = nothing. Once it is diced the surface is the displaced one.
+    std::shared_ptr<const Displacement> displacement;
     Matrix4 outerFromShape, shapeFromOuter;
     Naming naming = Naming::Direct;
     /// It may be an exact sphere, if it is one: no instance that shines makes an ellipsoid of it.
     bool mayBeSphere = true;
     /// Every normal that shaders see is that of the element.
     bool flat = false;
+    /// Normals are the surface's to tell, not the elements'.
+    bool curved = false;
+    /// Elements only come near the surface: positions are the surface's to tell too.
+    bool away = false;
     /// Times (p1 - p0) x (p2 - p0) of an element's corners in the outer space (of a sphere, times
     /// the outward normal): along the natural normal, carried along as a covector.
     float elementSign = 1;

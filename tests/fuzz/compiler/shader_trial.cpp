@@ -88,6 +88,8 @@ private:
     std::vector<Names> ownOutputs() const {
         if (kind_ == sl::ShaderKind::Light)
             return {{"L", "L"}, {"Cl", "Cl"}};
+        if (kind_ == sl::ShaderKind::Displacement || kind_ == sl::ShaderKind::Transformation)
+            return {{"P", "P"}, {"N", "N"}};
         return {{"Ci", "Ci"}, {"Oi", "Oi"}, {"alpha", "alpha"}};
     }
 

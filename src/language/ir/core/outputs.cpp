@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 
 namespace candela::ir {
 
@@ -16,6 +17,7 @@ struct OutputRow {
 };
 
 constexpr int Color = 0;
+constexpr float notANumber = std::numeric_limits<float>::quiet_NaN();
 constexpr OutputRow rows[] = {
 #define OUTPUT(name, components, text, ended, meaning) {components, text, ended, false},
 #define CONE_OUTPUT(name, components, text, ended, meaning) {components, text, ended, true},

@@ -106,6 +106,12 @@ std::string compiledKinds() {
     return names;
 }
 
+/// An output only where the text sets it.
+bool isSetAtWill(sl::ShaderKind kind, const sl::Symbol &predefined) {
+    const bool isBound = predefined.name.size() > 1 && predefined.name[1] == 'C';
+    return isBound || (kind == sl::ShaderKind::Surface && predefined.name == "P");
+}
+
 void writeOutputs(Lowering &lowering, const LoweredShader &lowered) {
     const sl::TypedShader &shader = lowering.shader;
     Variables &variables = lowering.variables;
@@ -115,8 +121,9 @@ void writeOutputs(Lowering &lowering, const LoweredShader &lowered) {
     };
     for (const KindOutput &output : outputsOf(shader.kind))
         write(output.name, variables.load(output.variable));
-    for (const auto &symbol : shader.symbols) // The paper's bounds, where the shader sets them.
-        if (symbol->predefined && symbol->written && symbol->predefined->name[1] == 'C')
+    // The paper's bounds, and P of surfaces, where the shader sets them.
+    for (const auto &symbol : shader.symbols)
+        if (symbol->predefined && symbol->written && isSetAtWill(shader.kind, *symbol))
             write(symbol->name, variables.load(variables.storageOf(*symbol)));
     for (size_t i = 0; i < lowered.parameters.size(); ++i)
         if (lowered.parameters[i].output && lowered.parameters[i].type != "string")

@@ -93,10 +93,10 @@ struct LoweringOptions {
     PassListener listener{};
 };
 
-/// Lowers a checked surface or light shader. Output slots: surface "Ci", "Oi"; light "L", "Cl";
-/// then the paper's bounds ("DCiDu"...) that the text sets, then output parameters. Oi starts as
-/// Os, Ci and Cl as black. Parameters and Space matrices are as of current space: whoever fills the
-/// parameter block transforms. Hidden parameter slots are appended after the declared ones:
+/// Lowers a checked shader. Output slots: those of its kind (syntax/kinds.def); then the paper's
+/// bounds ("DCiDu"...) and the P of surfaces that the text sets, then output parameters. Oi starts
+/// as Os, Ci and Cl as black. Parameters and Space matrices are as of current space: whoever fills
+/// the parameter block transforms. Hidden parameter slots are appended after the declared ones:
 /// "shader" (32 floats: currentFromShader, shaderFromCurrent) if the text uses that space;
 /// givenName(p) of each parameter p whose default is computed; attributeParameter()s; and what it
 /// asks of other shaders, by toldName(): 1 or 0, whether they have it, and its numbers (colours in

@@ -63,9 +63,8 @@ Function specializeUnder(const Plan &plan, const Assumption &assumption, OutputK
 
 std::shared_ptr<const Plan> makePlan(const Function &whole) {
     auto plan = std::make_shared<Plan>();
-    plan->whole = whole;
-    plan->text = whole;
-    removeDeadCode(plan->text);
+    plan->whole = withoutDisplacement(whole);
+    plan->text = plan->whole;
     plan->coneTests = addConeTests(plan->text);
     eliminateCommonSubexpressions(plan->text, plan->coneTests);
     plan->dependence = analyzeDependence(plan->text);

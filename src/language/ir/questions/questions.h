@@ -111,6 +111,21 @@ VolumeFacts volumeFacts(const Function &whole);
 
 SurfaceFacts surfaceFacts(const Plan &);
 
+/// What is known of a text that displaces: of displacement and transformation shaders, and of
+/// surface shaders that set P.
+struct DisplacementFacts {
+    bool movesP = false;      ///< P is not provably as it was.
+    bool setsN = false;       ///< N likewise; surface shaders never do.
+    bool slopesKnown = false; ///< The derivatives in Displaced are there, and rest on no guess.
+    /// What it makes of P and N may depend on where the object is placed beyond what its own space
+    /// says: named spaces, "shader" space, the eye and the like are read.
+    bool readsOtherSpaces = false;
+};
+/// Nothing if the text does not displace.
+DisplacementFacts displacementFacts(const Function &whole);
+/// The text without what it says of displacement: what shading asks.
+Function withoutDisplacement(Function whole);
+
 /// The function that answers the question, with dead code gone, ready to interpret or compile.
 Function slice(const Plan &, Question);
 

@@ -78,36 +78,12 @@ static Function answerWhole(const Function &whole) {
     return result;
 }
 
-Function answerShade(const Function &whole) { return answerWhole(whole); }
-
-namespace {
-
-/// Output parameters alone, their slots as they were.
-void keepParameters(Function &function) {
-    std::vector<OutputSlot> kept;
-    std::vector<int> place;
-    for (const OutputSlot &slot : function.outputs) {
-        const bool keeps = slot.name.kind == OutputKind::Parameter;
-        place.push_back(keeps ? int(kept.size()) : -1);
-        if (keeps)
-            kept.push_back(slot);
-    }
-    removeInstructions(function.body, [&](const Instruction &i) {
-        return i.op == Op::Output && place[size_t(i.immediate)] < 0;
-    });
-    forEachInstruction(function.body, [&](Instruction &i) {
-        if (i.op == Op::Output)
-            i.immediate = place[size_t(i.immediate)];
-    });
-    function.outputs = std::move(kept);
-}
-
-} // namespace
+Function answerShade(const Function &whole) { return answerWhole(withoutDisplacement(whole)); }
 
 /// Whoever asks what a shader leaves behind has heard what it says already.
 Function answerOutputs(const Function &whole) {
     Function result = whole;
-    keepParameters(result);
+    keepOutputs(result, [](const OutputName &name) { return name.kind == OutputKind::Parameter; });
     removeAll(Op::Command, result.body);
     return answerWhole(result);
 }

@@ -147,6 +147,24 @@ private:
 
 void removeDeadCode(Function &function) { DeadCode(function).run(); }
 
+void keepOutputs(Function &function, const std::function<bool(const OutputName &)> &keeps) {
+    std::vector<OutputSlot> kept;
+    std::vector<int> place;
+    for (const OutputSlot &slot : function.outputs) {
+        place.push_back(keeps(slot.name) ? int(kept.size()) : -1);
+        if (place.back() >= 0)
+            kept.push_back(slot);
+    }
+    removeInstructions(function.body, [&](const Instruction &i) {
+        return i.op == Op::Output && place[size_t(i.immediate)] < 0;
+    });
+    forEachInstruction(function.body, [&](Instruction &i) {
+        if (i.op == Op::Output)
+            i.immediate = place[size_t(i.immediate)];
+    });
+    function.outputs = std::move(kept);
+}
+
 void removeAll(Op op, Region &region) {
     removeInstructions(region, [op](const Instruction &i) { return i.op == op; });
 }

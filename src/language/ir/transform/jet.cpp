@@ -2,6 +2,7 @@
 #include "language/ir/transform/jet.h"
 
 #include "language/ir/core/builder.h"
+#include "language/ir/core/builder_effects.h"
 #include "language/ir/core/regions.h"
 #include "language/ir/transform/dead_code.h"
 #include "language/ir/transform/jet_demand.h"
@@ -19,11 +20,11 @@ Function tablesOf(const Function &function) {
     return result;
 }
 
-int outputSlot(Function &function, const OutputName &name, int component) {
+int addedSlot(Function &function, const OutputName &name, int component) {
     const int known = slotOf(function.outputs, name, component);
     if (known >= 0)
         return known;
-    function.outputs.push_back({name, component});
+    function.outputs.push_back(outputSlot(name, component));
     return int(function.outputs.size()) - 1;
 }
 
@@ -36,8 +37,8 @@ void addSlopes(Function &function, const Instruction &output, Direction d,
     slope.immediate = int(d);
     slope.line = output.line;
     Instruction write{.op = Op::Output, .operands = slope.results, .results = {}, .regions = {}};
-    write.immediate = outputSlot(function, "d" + of.name.text() + (d == Direction::U ? "du" : "dv"),
-                                 of.component);
+    write.immediate =
+        addedSlot(function, "d" + of.name.text() + (d == Direction::U ? "du" : "dv"), of.component);
     write.line = output.line;
     body.push_back(std::move(slope));
     body.push_back(std::move(write));
@@ -66,13 +67,13 @@ SlopeReport expandSlopes(Function &function, int mostValues) {
 }
 
 SlopeReport addOutputSlopes(Function &function, const std::vector<Direction> &directions,
-                            int mostValues) {
+                            int mostValues, const std::function<bool(const OutputName &)> &of) {
     Function extended = function;
     std::vector<Instruction> body;
     for (Instruction &i : extended.body.body) {
         body.push_back(std::move(i));
         const Instruction last = body.back();
-        if (last.op == Op::Output)
+        if (last.op == Op::Output && (!of || of(function.outputs[size_t(last.immediate)].name)))
             for (Direction d : directions)
                 addSlopes(extended, last, d, body);
     }

@@ -12,6 +12,7 @@
 
 #include "language/ir/core/ir.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,8 +42,10 @@ inline constexpr int mostSlopeValues = 4000;
 SlopeReport expandSlopes(Function &, int mostValues = mostSlopeValues);
 
 /// Adds to every output X its derivatives by the directions, as outputs "dXdu" and "dXdv", also of
-/// functions that answer a question; not of those that load values from a frame.
+/// functions that answer a question; not of those that load values from a frame. `of`: of which
+/// outputs, if not of all.
 SlopeReport addOutputSlopes(Function &, const std::vector<Direction> &,
-                            int mostValues = mostSlopeValues);
+                            int mostValues = mostSlopeValues,
+                            const std::function<bool(const OutputName &)> &of = {});
 
 } // namespace candela::ir
