@@ -155,12 +155,6 @@ TEST(Lower, PrintsThroughTheService) {
     EXPECT_EQ(text, "at: 2.000000 1.000000 2.000000 3.000000\n");
 }
 
-TEST(Lower, OtherKindsAreRefused) {
-    ShaderRun run("volume fog() { Ci = 0; }");
-    EXPECT_FALSE(run.lowered);
-    EXPECT_NE(run.diagnostics.text().find("volume shaders"), std::string::npos);
-}
-
 /// Each kind that is compiled writes its outputs, from the start values of its variables.
 TEST(Lower, EmptyShadersWriteTheirKindsOutputs) {
     ShaderRun surface("surface test() {}"), light("light test() {}");
