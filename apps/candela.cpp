@@ -26,7 +26,8 @@ int main(int argc, char **argv) {
     app.footer(
         "Exit status: 0 all went well; 1 something was wrong and has been reported, the rest "
         "was rendered; 2 the command line cannot be understood.\n"
-        "See also: candela compile --help, candela diff --help, candela filter --help");
+        "See also: candela compile --help, candela diff --help, candela filter --help, "
+        "candela tex --help");
     app.get_formatter()->column_width(34);
 
     // Beyond RLIMIT_FSIZE writing just fails, as on a full disk.
@@ -36,6 +37,7 @@ int main(int argc, char **argv) {
     candela::addDiff(app, status);
     candela::addFilter(app, status);
     candela::addCompile(app, status);
+    candela::addTex(app, status);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError &error) {

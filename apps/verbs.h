@@ -17,5 +17,7 @@ void addDiff(CLI::App &, int &status);
 void addFilter(CLI::App &, int &status);
 /// `candela compile shader.sl ...`
 void addCompile(CLI::App &, int &status);
+/// `candela tex in.png out.tx`
+void addTex(CLI::App &, int &status);
 
 } // namespace candela

@@ -60,12 +60,12 @@ TEST(Builtins, WhatMustBeAvailableIs) {
                              "photometric",  "radiometric", "totalluminance",  "totalradiance",
                              "depth",        "area",        "calculatenormal", "Du",
                              "Dv",           "Deriv",       "option",          "rendererinfo",
-                             "image",        "setimage",    "setsize"}) {
+                             "image",        "setimage",    "setsize",         "texture",
+                             "environment",  "shadow",      "bump",            "textureinfo"}) {
         ASSERT_NE(findBuiltin(name), nullptr) << name;
         EXPECT_EQ(findBuiltin(name)->available, Available::Now) << name;
     }
-    for (const char *name : {"texture", "environment", "shadow", "bump", "occlusion", "bake",
-                             "surface", "lightsource"}) {
+    for (const char *name : {"occlusion", "bake", "surface", "lightsource"}) {
         ASSERT_NE(findBuiltin(name), nullptr) << name;
         EXPECT_EQ(findBuiltin(name)->available, Available::Later) << name;
     }

@@ -91,8 +91,6 @@ TEST(Errors, NamesAndTypes) {
         {"setxcomp(P + Q2, 1);", "14: error: unknown variable 'Q2'"},
         {"setxcomp(q + q, 1);", "1: error: setxcomp cannot be called with (point, float); expected "
                                 "void setxcomp(output vector v, float x)"},
-        {"f = texture(\"a.tx\");", "5: error: function texture() is not available yet in this "
-                                   "version of Candela"},
         {"gather(1) { }", "1: error: the gather statement is not available yet in this version of "
                           "Candela"},
         {"f = name[0];", "9: error: a string cannot be indexed; a texture's channel, as in "

@@ -83,6 +83,13 @@ bool emitsAlike(const ShaderCode &code) {
                                                  {{ShaderInput::Cs, 3}, {ShaderInput::Os, 3}});
 }
 
+/// The shader looks its shadows up: those and no others are wanted.
+bool bringsShadows(const ShaderCode &code) {
+    return std::ranges::any_of(code.shader().whole.services, [](const ir::ServiceUse &use) {
+        return use.info->service == Service::shadow;
+    });
+}
+
 } // namespace
 
 LightBuilder::LightBuilder(SceneState &state, ShaderLibrary &library)
@@ -100,7 +107,8 @@ void LightBuilder::declare(const std::vector<std::shared_ptr<const LightRecord>>
             tags = tagsOf(*record, *instance->code);
         }
         light.si = record->units == LightUnits::Si;
-        light.castsShadow = !state_.classic || record->shadows;
+        light.castsShadow = (!state_.classic || record->shadows) &&
+                            !(instance && bringsShadows(*instance->code));
         light.currentFromShader = record->shader.currentFromShader.atOpen();
         state_.lights.lights.push_back(std::move(light));
         tags_.push_back(std::move(tags));

@@ -100,12 +100,30 @@ static void makeReady(ShaderLibrary &library, PointTables &points) {
         }
 }
 
+/// Where a shader wants to know how wide rays are, those that may send them on along one direction
+/// tell how they bend them.
+static void prepareMirrors(PointTables &points) {
+    const auto asksOneDirection = [](const ir::LightRequest &request) {
+        return request.kind == ir::LightRequest::Kind::Trace ||
+               request.form == ir::ConeForm::Extended;
+    };
+    if (std::ranges::none_of(points.codes,
+                             [](const SurfaceCode &code) { return code.wanted.footprint; }))
+        return;
+    for (SurfaceCode &code : points.codes)
+        if (std::ranges::any_of(code.code->shader().whole.requests, asksOneDirection)) {
+            code.wanted.dNd = code.wanted.dPd = code.wanted.footprint = true;
+            code.fromElements = false;
+        }
+}
+
 void SceneCompiler::worldEnd() {
     DeclaredWorld declared = std::move(state_->declared);
     state_->declared = {};
     auto state = std::make_unique<SceneState>(declared.options);
     state->classic = isClassic(declared);
 
+    state_->library.bindOptions(declared.options);
     auto start = std::chrono::steady_clock::now();
     RayGeometry geometry = buildShapes(declared, *state, state_->library, state_->sink);
     // Lights without geometry have some "object" space too.
@@ -118,6 +136,7 @@ void SceneCompiler::worldEnd() {
     LightBuilder lights(*state, state_->library);
     lights.declare(declared.lights);
     makeReady(state_->library, state->points);
+    prepareMirrors(state->points);
     lights.attachShapes(geometry);
     lights.bindCategories(state_->library);
     leaveOutRefusedLights(*state);
@@ -128,7 +147,6 @@ void SceneCompiler::worldEnd() {
         return;
     }
     addCameraSystems(state->camera, declared.options.camera, declared.systems);
-    state_->library.bindOptions(declared.options);
     for (const auto &code : state_->library.all())
         code->bindSpaces(declared.systems, state_->sink);
     lights.prepareChoices();

@@ -64,14 +64,31 @@ std::vector<float> optionValue(const Options &options, std::string_view name,
     return fits ? given->floats : std::vector<float>{};
 }
 
-ShaderAnswers::ShaderAnswers() {
+template <auto answer> void ShaderAnswers::letTexturesAnswer(Service service) {
+    services_[service] = [](void *context, const ServiceCall &call) {
+        (static_cast<ShaderAnswers *>(context)->textures_.*answer)(call);
+    };
+}
+
+ShaderAnswers::ShaderAnswers(std::vector<std::string> textureFolders, DiagnosticSink &diagnostics)
+    : textures_(std::move(textureFolders), diagnostics) {
     services_.context = this;
     services_[Service::print] = print;
     services_[Service::option] = [](void *context, const ServiceCall &call) {
         static_cast<const ShaderAnswers *>(context)->option(call);
     };
+    letTexturesAnswer<&Textures::texture>(Service::texture);
+    letTexturesAnswer<&Textures::texture>(Service::textureSlopes);
+    letTexturesAnswer<&Textures::environment>(Service::environment);
+    letTexturesAnswer<&Textures::shadow>(Service::shadow);
+    letTexturesAnswer<&Textures::textureinfo>(Service::textureinfo);
     silent_ = services_;
     silent_[Service::print] = [](void *, const ServiceCall &) {};
+}
+
+void ShaderAnswers::bindOptions(const Options &options) {
+    options_ = options;
+    textures_.bind(options);
 }
 
 void ShaderAnswers::option(const ServiceCall &call) const {

@@ -4,13 +4,15 @@
 
 #include "interface/ri/options.h"
 #include "language/runtime/services.h"
+#include "world/texture/textures.h"
 
 namespace candela {
 
 /// Answers all shaders of a scene, from any thread. Must outlive their calls.
 class ShaderAnswers {
 public:
-    ShaderAnswers();
+    /// `textureFolders` as Textures has them.
+    ShaderAnswers(std::vector<std::string> textureFolders, DiagnosticSink &);
     ShaderAnswers(const ShaderAnswers &) = delete;
     ShaderAnswers &operator=(const ShaderAnswers &) = delete;
 
@@ -19,13 +21,15 @@ public:
         return prints ? services_ : silent_;
     }
     /// The options of the frame; not while a shader runs.
-    void bindOptions(const Options &options) { options_ = options; }
+    void bindOptions(const Options &);
 
 private:
     void option(const ServiceCall &) const;
+    template <auto answer> void letTexturesAnswer(Service);
 
     ShaderServices services_, silent_; ///< silent_ hears print and says nothing.
     Options options_;
+    Textures textures_;
 };
 
 /// The numbers of an option as option() names it, "Ri:" before it or not: those of RI 3.2, section

@@ -25,6 +25,8 @@ struct ShaderLibrarySettings {
     /// else: the shipped library.
     std::vector<std::string> libraryFolders;
     JitOptions jit;
+    /// Where textures are looked for after the RIB's own search path.
+    std::vector<std::string> textureFolders{};
 };
 
 class ShaderLibrary : public ShaderLookup {

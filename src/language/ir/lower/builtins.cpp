@@ -31,7 +31,8 @@ Components builtin(Lowering &lowering, const sl::Expr &expr) {
         lowering.derivatives.try_emplace(lowering.b.line(), expr.where);
     for (const auto subject : {mathsBuiltin, geometryBuiltin, spaceBuiltin, colorBuiltin,
                                matrixBuiltin, noiseBuiltin, splineBuiltin, lightBuiltin,
-                               derivativeBuiltin, textBuiltin, informationBuiltin, imageBuiltin})
+                               derivativeBuiltin, textBuiltin, informationBuiltin, imageBuiltin,
+                               textureBuiltin})
         if (const BuiltinLowering lowered = subject(call.id()))
             return lowered(call);
     lowering.messages.error(

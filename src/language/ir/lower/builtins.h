@@ -42,6 +42,7 @@ BuiltinLowering derivativeBuiltin(sl::BuiltinId);
 BuiltinLowering textBuiltin(sl::BuiltinId);
 BuiltinLowering informationBuiltin(sl::BuiltinId);
 BuiltinLowering imageBuiltin(sl::BuiltinId);
+BuiltinLowering textureBuiltin(sl::BuiltinId);
 
 /// A call of any of them.
 Components builtin(Lowering &, const sl::Expr &);

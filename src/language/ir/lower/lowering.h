@@ -57,6 +57,7 @@ struct Lowering {
     std::vector<Components> targetValues; ///< Of the assignments that are being evaluated.
     Inlining inlining;
     std::map<int, sl::Place> derivatives; ///< The first on each line.
+    bool usesFootprints = false; ///< Slopes stand in the text that it does not ask for itself.
     EmittedLight light;
 };
 

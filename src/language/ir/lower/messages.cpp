@@ -8,4 +8,9 @@ void Messages::error(const sl::Place &where, const std::string &message) {
         sink_.report(sl::diagnosticAt(Severity::Error, where, message));
 }
 
+void Messages::warning(const sl::Place &where, const std::string &message) {
+    if (!closed_ && warned_.insert(where.location().text() + message).second)
+        sink_.report(sl::diagnosticAt(Severity::Warning, where, message));
+}
+
 } // namespace candela::ir

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Errors that only the lowering finds.
+// What only the lowering finds wrong.
 #pragma once
 
 #include "foundation/base/diagnostics.h"
@@ -10,12 +10,13 @@
 
 namespace candela::ir {
 
-/// Reports each error at a place once, for functions and loop conditions are lowered repeatedly.
+/// Reports each message at a place once, for functions and loop conditions are lowered repeatedly.
 class Messages {
 public:
     explicit Messages(DiagnosticSink &sink) : sink_(sink) {}
 
     void error(const sl::Place &, const std::string &message);
+    void warning(const sl::Place &, const std::string &message);
     /// No more are reported: they would follow from the last.
     void close() { closed_ = true; }
     /// Whether there was an error.
@@ -23,7 +24,7 @@ public:
 
 private:
     DiagnosticSink &sink_;
-    std::set<std::string> reported_;
+    std::set<std::string> reported_, warned_;
     bool closed_ = false;
 };
 
