@@ -15,7 +15,7 @@ namespace {
 /// What decides control flow folded in, as an instance with all defaults has it; of filters all.
 ir::Function withDefaults(const ir::LoweredShader &lowered, DiagnosticSink &diagnostics) {
     const std::vector<float> block =
-        parameterBlock(lowered, ShaderRecord(), Options(), diagnostics);
+        parameterBlock(lowered, ShaderRecord(), Options(), {}, diagnostics);
     if (sl::runsFor(lowered.kind) == sl::RunsFor::Picture)
         return ir::foldAll(lowered.whole, block);
     std::vector<ir::FoldedValue> folded;

@@ -24,7 +24,7 @@ std::string componentName(const ChannelInfo &channel, int component) {
                                                               "E", "dPdu", "dPdv", "dPdtime", "Ps"};
     if (channel.components == 1)
         return channel.name;
-    const bool place = std::ranges::find(spatial, channel.name) != spatial.end();
+    const bool place = channel.isPlace || std::ranges::find(spatial, channel.name) != spatial.end();
     const std::string letters = place ? "XYZ" : "RGBA";
     const std::string suffix = component < int(letters.size()) && channel.components <= 4
                                    ? std::string(1, letters[component])

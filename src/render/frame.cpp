@@ -6,6 +6,7 @@
 #include "image/imager.h"
 #include "image/kept_samples.h"
 #include "light/path/first_hit.h"
+#include "light/path/shader_channels.h"
 #include "render/filtering.h"
 
 #include <algorithm>
@@ -78,9 +79,16 @@ bool canHold(const Film::Settings &film, double maps, const Options &options,
     return true;
 }
 
-/// What modes of displays may name: what a first hit gives, and the maps that filters make.
-std::vector<ChannelInfo> channelsToShow(const FilterStack &filters) {
-    std::vector<ChannelInfo> channels = firstHitChannels();
+/// What estimators give: what a first hit tells, and what shaders leave in output parameters.
+std::vector<ChannelInfo> channelsGiven(const Scene &scene) {
+    std::vector<ChannelInfo> channels = firstHitChannels(), own = outputParametersOf(scene);
+    channels.insert(channels.end(), own.begin(), own.end());
+    return channels;
+}
+
+/// What modes of displays may name: these, and the maps that filters make.
+std::vector<ChannelInfo> channelsToShow(const Scene &scene, const FilterStack &filters) {
+    std::vector<ChannelInfo> channels = channelsGiven(scene);
     const std::vector<ChannelInfo> others = mapsOfEveryFilm();
     for (const MapInfo &map : filters.mapsSet())
         if (std::ranges::find(channels, map.name, &ChannelInfo::name) == channels.end() &&
@@ -89,14 +97,15 @@ std::vector<ChannelInfo> channelsToShow(const FilterStack &filters) {
     return channels;
 }
 
-Film::Settings filmSettings(const Options &options, const std::array<int, 4> &crop,
+Film::Settings filmSettings(const Scene &scene, const std::array<int, 4> &crop,
                             const PixelFilterSampler &filter, const FilterStack &filters) {
+    const Options &options = scene.options();
     const std::vector<DisplayRecord> displays = displaysOf(options);
     const auto [width, height] = options.format.effectiveResolution();
     const auto [x0, x1, y0, y1] = crop;
-    const std::vector<ChannelInfo> given = firstHitChannels();
+    const std::vector<ChannelInfo> given = channelsGiven(scene);
     Film::Settings settings{{width, height, x0, x1, y0, y1},
-                            wantedChannels(displays, channelsToShow(filters)),
+                            wantedChannels(displays, channelsToShow(scene, filters)),
                             filter.hasNegativeLobes(),
                             wantsHalves(displays)};
     std::erase_if(settings.channels, [&](const ChannelInfo &channel) {
@@ -226,10 +235,10 @@ bool renderAndWrite(const Scene &scene, ShaderLibrary &library, const RenderSett
     IntegratorSettings integrator = integratorSettings(scene, settings);
     integrator.progress = [&](double done) { listeners.console.progress(done); };
     FrameJob job{scene, listeners, integrator, describe(scene, integrator, file),
-                 planDisplays(options, channelsToShow(shaders.filters),
+                 planDisplays(options, channelsToShow(scene, shaders.filters),
                               {settings.outputDirectory, settings.allowPrograms}, diagnostics)};
     const PixelFilterSampler filter(options.filter, diagnostics, options.places.pixelFilter);
-    const Film::Settings wanted = filmSettings(options, integrator.crop, filter, shaders.filters);
+    const Film::Settings wanted = filmSettings(scene, integrator.crop, filter, shaders.filters);
     double maps = shaders.filters.empty() ? 0 : bytesOfMaps(mapNames(shaders.filters), wanted);
     maps += bytesOfSamples(job, shaders.filters, wanted.window);
     if (job.displays.empty() || !canHold(wanted, maps, options, diagnostics) ||

@@ -66,8 +66,8 @@ ir::Function litSurface(int category = -1) {
     const ir::ValueId angle = number(b, std::numbers::pi_v<float> / 2);
     const ir::Values lit = lightLoop(
         b, addRequest(b, request), input3(b, ShaderInput::P), {N[0], N[1], N[2], angle},
-        {number(b, 0)}, [&](const ir::Triple &L, const ir::Values &Cl, const ir::Values &carried) {
-            return ir::Values{add(b, carried[0], mul(b, Cl[0], dot(b, N, L)))};
+        {number(b, 0)}, [&](const ir::LoopLight &light, const ir::Values &carried) {
+            return ir::Values{add(b, carried[0], mul(b, light.Cl[0], dot(b, N, light.L)))};
         });
     b.emit(ir::Op::FrameStore, {lit[0]}, 0);
     output(b, "Ci", 0, lit[0]);

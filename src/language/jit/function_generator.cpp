@@ -357,6 +357,7 @@ Values FunctionGenerator::source(const Instruction &i) {
     case Op::CategoryAccepts:
         return {code_.lanes.asMask(acceptedByCategory(
             code_, arguments_, i.immediate, arguments_.firstPoint(), code_.masks.current()))};
+    case Op::SampleLight: return {lightNumber(code_, arguments_, arguments_.firstPoint())};
     case Op::Answer:
         return arguments_.color(offsetof(ShaderArgs, answers), i.immediate * code_.colorSamples);
     case Op::Ambient: return arguments_.color(offsetof(ShaderArgs, ambient), 0);

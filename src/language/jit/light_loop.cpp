@@ -2,9 +2,11 @@
 #include "language/jit/light_loop.h"
 
 #include "foundation/units/color.h"
+#include "language/ir/core/regions.h"
 #include "language/jit/arithmetic.h"
 #include "language/runtime/shader_abi.h"
 
+#include <algorithm>
 #include <cstddef>
 
 namespace candela::codegen {
@@ -73,10 +75,34 @@ Value *acceptedByCategory(CodeFunction &code, ShaderArguments &arguments, int ca
     return accepted;
 }
 
+Value *lightNumber(CodeFunction &code, ShaderArguments &arguments, Value *row) {
+    auto &builder = code.builder;
+    auto *lights = arguments.fieldPointer(offsetof(ShaderArgs, sampleLight));
+    return code.valuesIf(builder.CreateIsNotNull(lights), "light_number", [&] {
+        auto *number =
+            code.lanes.load(code.integerType, builder.CreateGEP(code.integerType, lights, row));
+        return Values{builder.CreateSIToFP(number, code.lanes.varying(code.floatType))};
+    })[0];
+}
+
+/// The region uses the value, by an instruction or by a yield.
+static bool uses(const ir::Region &region, ir::ValueId value) {
+    const auto among = [&](const std::vector<ir::ValueId> &values) {
+        return std::ranges::find(values, value) != values.end();
+    };
+    return among(region.yields) || std::ranges::any_of(region.body, [&](const auto &i) {
+               return among(i.operands) || std::ranges::any_of(i.regions, [&](const auto &inner) {
+                          return uses(inner, value);
+                      });
+           });
+}
+
 LightLoop::LightLoop(CodeFunction &code, ShaderArguments &arguments, ValueTable &values,
                      const ir::Instruction &instruction)
     : code_(code), builder_(code.builder), arguments_(arguments), values_(values),
       instruction_(instruction), request_(values.function().requests[instruction.immediate]) {
+    const ir::Region &region = instruction.regions[0];
+    readsNumber_ = uses(region, region.arguments[std::size_t(3 + code.colorSamples)]);
     if (request_.form != ir::ConeForm::Everywhere && request_.coneCount > 0)
         findCones();
 }
@@ -101,6 +127,7 @@ LightLoop::Sample LightLoop::deltaSample() {
     Sample sample;
     sample.L = values_.get({i.operands[3], i.operands[4], i.operands[5]}, Uniformity::Varying);
     sample.Cl = arguments_.color(offsetof(ShaderArgs, answers), i.immediate * code_.colorSamples);
+    sample.number = like(sample.L[0], 0);
     auto *speaks = code_.masks.currentAnd(code_.lanes.asMask(delta_));
     sample.lanes = code_.lanes.kept(builder_.CreateAnd(speaks, anyNonZero(code_, sample.Cl)));
     return sample;
@@ -138,6 +165,7 @@ LightLoop::Sample LightLoop::finiteSample(Value *number) {
         sample.L.push_back(loadRow(samplePlanes_[k]));
     for (int k = 0; k < code_.colorSamples; ++k)
         sample.Cl.push_back(loadRow(samplePlanes_[3 + k]));
+    sample.number = readsNumber_ ? lightNumber(code_, arguments_, row) : like(sample.L[0], 0);
     auto *lanes = code_.masks.currentAnd(anyNonZero(code_, sample.Cl));
     const auto narrow = [&](Value *test) { lanes = builder_.CreateAnd(lanes, test); };
     if (delta_)
@@ -177,6 +205,7 @@ LightLoop::Sample LightLoop::sample(Value *number) {
         merged.L.push_back(merge(fromDelta.L[k], fromFinite.L[k]));
     for (int k = 0; k < code_.colorSamples; ++k)
         merged.Cl.push_back(merge(fromDelta.Cl[k], fromFinite.Cl[k]));
+    merged.number = merge(fromDelta.number, fromFinite.number);
     merged.lanes = merge(fromDelta.lanes, fromFinite.lanes);
     return merged;
 }
@@ -195,7 +224,7 @@ std::vector<llvm::PHINode *> LightLoop::carry(const Values &initial, llvm::Basic
     for (std::size_t k = 0; k < initial.size(); ++k) {
         phis.push_back(builder_.CreatePHI(initial[k]->getType(), 2));
         phis[k]->addIncoming(initial[k], from);
-        values_.set(i.regions[0].arguments[3 + code_.colorSamples + k], phis[k]);
+        values_.set(ir::argumentOf(i, k), phis[k]);
         values_.set(i.results[k], phis[k]);
     }
     return phis;
@@ -207,6 +236,7 @@ Values LightLoop::run(const Sample &light, const Values &carried, const EmitRegi
         values_.set(region.arguments[k], light.L[k]);
     for (int k = 0; k < code_.colorSamples; ++k)
         values_.set(region.arguments[3 + k], light.Cl[k]);
+    values_.set(region.arguments[std::size_t(3 + code_.colorSamples)], light.number);
     MaskStack::Scope scope(code_.masks, light.lanes);
     emitRegion(region);
     Values after;

@@ -14,6 +14,9 @@ namespace candela::codegen {
 Value *acceptedByCategory(CodeFunction &, ShaderArguments &, int category, Value *row,
                           Value *among);
 
+/// ShaderArgs::sampleLight of a row of samples, which begins at element `row`, as floats.
+Value *lightNumber(CodeFunction &, ShaderArguments &, Value *row);
+
 /// One such loop.
 class LightLoop {
 public:
@@ -24,7 +27,8 @@ public:
 private:
     struct Sample {
         Values L, Cl;
-        Value *lanes; ///< Who takes it.
+        Value *number; ///< Of the light.
+        Value *lanes;  ///< Who takes it.
     };
     void findCones();
     void findPlanes(Value *sampleCount);
@@ -45,6 +49,7 @@ private:
     ValueTable &values_;
     const ir::Instruction &instruction_;
     const ir::LightRequest &request_;
+    bool readsNumber_;       ///< The region wants to know which light it is.
     Value *delta_ = nullptr; ///< Lanes of a delta request; null = none at all.
     Values coneAxis_;        ///< Classic only, as the cone's cosine.
     Value *coneCosine_ = nullptr;

@@ -116,10 +116,10 @@ private:
         const ir::Values initial{pick(pools_.floats), pick(pools_.bools)};
         const ir::Values made = ir::lightLoop(
             b_, addRequest(b_, request), triple(), cones, initial,
-            [&](const ir::Triple &L, const ir::Values &Cl, const ir::Values &carried) {
+            [&](const ir::LoopLight &light, const ir::Values &carried) {
                 const RandomPools before = pools_;
-                pools_.keep({L[0], L[1], L[2], carried[0]});
-                pools_.keep(Cl);
+                pools_.keep({light.L[0], light.L[1], light.L[2], light.number, carried[0]});
+                pools_.keep(light.Cl);
                 pools_.bools.push_back(carried[1]);
                 const ir::Values yields = scoped(1 + below(5), depth - 1, [&] {
                     return ir::Values{add(b_, carried[0], pick(pools_.floats)), pick(pools_.bools)};

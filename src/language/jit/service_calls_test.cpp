@@ -156,8 +156,8 @@ const std::vector<Control> &controls() {
          [](Builder &b, const Ask &ask) {
              result(b,
                     lightLoop(b, addRequest(b, {}), input3(b, ShaderInput::P), {}, {number(b, 0)},
-                              [&](const ir::Triple &L, const Values &, const Values &carried) {
-                                  return Values{add(b, carried[0], ask("lit", L[0]))};
+                              [&](const ir::LoopLight &light, const Values &carried) {
+                                  return Values{add(b, carried[0], ask("lit", light.L[0]))};
                               })[0]);
          },
          [](const LaneInputs &in, std::string_view) { return in.light; }},

@@ -19,11 +19,9 @@ namespace {
 static_assert(int(roundPairs) <= int(cameraPairs));
 
 CANDELA_HOT void weighRow(int count, const float *__restrict value, const float *__restrict factor,
-                          const std::int32_t *__restrict light, float *__restrict Cl) {
+                          const std::int32_t *__restrict light, float share, float *__restrict Cl) {
     for (int i = 0; i < count; ++i)
-        Cl[i] = (light[i] != 0) & (factor[i] > 0)
-                    ? value[i] * factor[i] * (1.0f / GatheredLight::rounds)
-                    : 0.0f;
+        Cl[i] = (light[i] != 0) & (factor[i] > 0) ? value[i] * factor[i] * share : 0.0f;
 }
 
 /// Rounds are samples of a sequence that belongs to the pixel and the number of the vertex.
@@ -56,8 +54,8 @@ void begin(PathWave &wave, RoundRays &rays) {
     }
 }
 
-/// All finite cones that the shader states, and a cosine lobe, in equal parts: the importance of
-/// a cone is the answer to a unit of light, which says little where answers don't add up.
+/// All finite cones that the shader states, and a cosine lobe. Where answers don't add up they are
+/// equal parts: the importance of a cone is the answer to a unit of light, which says little there.
 void stateMixture(VertexChunk &chunk, bool hemisphereOnly, GatheredLight &gathered) {
     const int count = chunk.count();
     std::vector<ConePlanes> cones;
@@ -66,7 +64,7 @@ void stateMixture(VertexChunk &chunk, bool hemisphereOnly, GatheredLight &gather
     GatheringCones &stated = gathered.cones;
     if (stated.importance.planes() < int(cones.size()))
         stated.importance = Planes<float>(int(cones.size()), chunk.vertices.lanes());
-    for (std::size_t k = 0; k < cones.size(); ++k) {
+    for (std::size_t k = 0; k < cones.size() && !chunk.vertices.code().facts().affine; ++k) {
         float *importance = stated.importance[int(k)];
         const ConstVec3Planes &axis = cones[k].axis;
         for (int i = 0; i < count; ++i)
@@ -80,7 +78,7 @@ void stateMixture(VertexChunk &chunk, bool hemisphereOnly, GatheredLight &gather
 }
 
 /// One light by chance, weighted against the chance that a direction finds it.
-void addLightRow(PathWave &wave, GatheredLight &gathered, LightGroup group, int row) {
+void addLightRow(PathWave &wave, GatheredLight &gathered, LightGroup group, float share, int row) {
     VertexChunk &chunk = wave.chunk;
     SurfaceVertices &vertices = chunk.vertices;
     RoundRays &rays = gathered.rays;
@@ -106,7 +104,7 @@ void addLightRow(PathWave &wave, GatheredLight &gathered, LightGroup group, int 
     std::copy_n(samples.light, count, gathered.rows.light(row));
     const std::array<float *, colorSamples> Cl = gathered.rows.Cl(row);
     for (int c = 0; c < colorSamples; ++c)
-        weighRow(count, samples.value[c], rays.factor, samples.light, Cl[c]);
+        weighRow(count, samples.value[c], rays.factor, samples.light, share, Cl[c]);
     const int shadowed =
         lanesInNeedOfShadowRays(count, samples, Cl.data(), rays.inShadow, rays.shadowed);
     wave.frame.statistics.shadowRays +=
@@ -145,7 +143,7 @@ void followDirections(PathWave &wave, GatheredLight &gathered) {
 }
 
 /// What comes along a direction of the mixture, from paths of its own.
-void addDirectionRow(PathWave &wave, GatheredLight &gathered, int row) {
+void addDirectionRow(PathWave &wave, GatheredLight &gathered, float share, int row) {
     followDirections(wave, gathered);
     const RoundRays &rays = gathered.rays;
     const int count = wave.chunk.count();
@@ -159,8 +157,8 @@ void addDirectionRow(PathWave &wave, GatheredLight &gathered, int row) {
         std::fill_n(Cl[c], count, 0.0f);
         for (std::size_t ray = 0; ray < rays.lanes.size(); ++ray) {
             const int i = rays.lanes[ray];
-            const float divisor = float(M_PI) * rays.pdf[i] * GatheredLight::rounds;
-            Cl[c][i] = rays.pdf[i] > 0 ? radiance[ray] / divisor : 0.0f;
+            const float divisor = float(M_PI) * rays.pdf[i];
+            Cl[c][i] = rays.pdf[i] > 0 ? radiance[ray] * share / divisor : 0.0f;
         }
     }
 }
@@ -213,28 +211,36 @@ GatheredLight::GatheredLight(int capacity, std::unique_ptr<PathWave> finder)
 
 GatheredLight::~GatheredLight() = default;
 
-void lightGathered(PathWave &wave) {
+int gatherLight(PathWave &wave, int rounds) {
     VertexChunk &chunk = wave.chunk;
     GatheredLight &gathered = gatheredLight(wave);
     const int count = chunk.count();
+    const float share = 1.0f / float(rounds);
     chunk.events.look(chunk.vertices);
     begin(wave, gathered.rays);
     stateMixture(chunk, wave.frame.settings.hemisphereOnly, gathered);
     stateLightNormals(chunk, gathered.mixture);
     address(wave, gathered.numbers);
-    int rows = 0;
-    for (int round = 0; round < GatheredLight::rounds; ++round) {
+    gathered.rowCount = 0;
+    for (int round = 0; round < rounds; ++round) {
         const RoundNumbers &numbers = gathered.numbers;
         for (RoundPair pair : {onLightPair, alongPair, lightPair})
             sobolPairs(count, numbers.pixelKey, numbers.sampleIndex, pair, numbers.x(pair),
                        numbers.y(pair));
         for (LightGroup group : wave.frame.scene.lights().groupsInUse())
-            addLightRow(wave, gathered, group, rows++);
+            addLightRow(wave, gathered, group, share, gathered.rowCount++);
         if (gathered.wave)
-            addDirectionRow(wave, gathered, rows++);
+            addDirectionRow(wave, gathered, share, gathered.rowCount++);
         for (int i = 0; i < count; ++i)
             ++numbers.sampleIndex[i];
     }
+    return gathered.rowCount;
+}
+
+void lightGathered(PathWave &wave) {
+    VertexChunk &chunk = wave.chunk;
+    const int rows = gatherLight(wave, GatheredLight::rounds);
+    GatheredLight &gathered = *wave.gathered;
     const std::array<float *, colorSamples> Ci =
         shade(chunk, gathered, rows, chunk.ambient, gathered.Ci);
     subtractEmission(chunk, gathered, Ci);

@@ -86,8 +86,13 @@ struct GatheredLight {
     LightSampleStorage sample;
     ShadowRays shadow;
     LightRows rows;
+    int rowCount = 0; ///< Of rows, those that were gathered last.
     Planes<float> Ci, Oi;
     Planes<float> darkness; ///< Ci without light.
 };
+
+/// Light for all vertices of the chunk in `rounds` rounds, 1 to GatheredLight::rounds of them:
+/// rows of the wave's `gathered`, and how many. The stages that state lobes and events come behind.
+int gatherLight(PathWave &, int rounds);
 
 } // namespace candela

@@ -33,6 +33,9 @@ void ask(PathWave &);
 /// What the camera sees at first hand: opacity, and the channels of the first surface. Points at
 /// which a loop was ended are black from there on.
 void see(PathWave &);
+/// Output parameters of shaders that displays show, of all surfaces that the camera sees. Where all
+/// light has been given already, it is the same; else what they want of it is gathered for them.
+void seeOutputParameters(PathWave &);
 /// The density of directions, from the cones that the shader has stated.
 void stateLobes(PathWave &);
 /// Ambient light, and one light by chance.

@@ -10,7 +10,7 @@ FrameContext::FrameContext(const Scene &scene, const IntegratorSettings &setting
                            const PixelFilterSampler &filter, std::span<const ChannelInfo> channels,
                            TransportStatistics &statistics, DiagnosticSink &diagnostics)
     : scene(scene), settings(settings), filter(filter), firstHit(firstHitPlanes(channels)),
-      statistics(statistics), nonFinite(statistics, diagnostics) {}
+      shaderChannels(scene, channels), statistics(statistics), nonFinite(statistics, diagnostics) {}
 
 PathWave::PathWave(FrameContext &frame, Purpose purpose)
     : frame(frame), purpose(purpose),

@@ -12,6 +12,7 @@
 #include "light/path/non_finite.h"
 #include "light/path/paths.h"
 #include "light/path/settings.h"
+#include "light/path/shader_channels.h"
 #include "world/camera/pixel_filter.h"
 
 #include <memory>
@@ -28,6 +29,7 @@ struct FrameContext {
     const IntegratorSettings &settings;
     const PixelFilterSampler &filter;
     std::vector<FirstHitPlane> firstHit;
+    ShaderChannels shaderChannels;
     TransportStatistics &statistics;
     NonFiniteReporter nonFinite;
 };

@@ -161,25 +161,52 @@ void SurfaceVertices::scatter(const ConstVec3Planes &direction, const std::int32
     question.ask(args);
 }
 
-void SurfaceVertices::shade(int sampleCount, float *const *L, float *const *Cl,
-                            const std::int32_t *light, const float *const *ambient,
-                            float *const *Ci, float *const *Oi) {
-    const QuestionCode &question = code().question(ir::Question::Shade);
-    std::vector<float *> outputs(question.function.outputs.size());
-    reserve(storage_.shadeOutputs, int(outputs.size()), capacity_);
-    for (std::size_t slot = 0; slot < outputs.size(); ++slot)
-        outputs[slot] = storage_.shadeOutputs[int(slot)];
-    question.place(ir::OutputKind::Ci, Ci, outputs);
-    question.place(ir::OutputKind::Oi, Oi, outputs);
+ShaderArgs SurfaceVertices::litArguments(int sampleCount, float *const *L, float *const *Cl,
+                                         const std::int32_t *light,
+                                         const float *const *ambient) const {
     ShaderArgs args = arguments();
-    args.outputs = outputs.data();
     args.sampleCount = sampleCount;
     args.sampleL = L;
     args.sampleCl = Cl;
     args.sampleStride = capacity_;
     args.sampleLight = light;
     args.ambient = ambient;
+    return args;
+}
+
+/// Planes for all that the question writes.
+std::vector<float *> SurfaceVertices::roomForOutputs(const QuestionCode &question) {
+    std::vector<float *> outputs(question.function.outputs.size());
+    reserve(storage_.shadeOutputs, int(outputs.size()), capacity_);
+    for (std::size_t slot = 0; slot < outputs.size(); ++slot)
+        outputs[slot] = storage_.shadeOutputs[int(slot)];
+    return outputs;
+}
+
+void SurfaceVertices::shade(int sampleCount, float *const *L, float *const *Cl,
+                            const std::int32_t *light, const float *const *ambient,
+                            float *const *Ci, float *const *Oi) {
+    const QuestionCode &question = code().question(ir::Question::Shade);
+    std::vector<float *> outputs = roomForOutputs(question);
+    question.place(ir::OutputKind::Ci, Ci, outputs);
+    question.place(ir::OutputKind::Oi, Oi, outputs);
+    ShaderArgs args = litArguments(sampleCount, L, Cl, light, ambient);
+    args.outputs = outputs.data();
     question.ask(args);
+}
+
+std::span<float *const> SurfaceVertices::outputParameters(int sampleCount, float *const *L,
+                                                          float *const *Cl,
+                                                          const std::int32_t *light,
+                                                          const float *const *ambient) {
+    const QuestionCode &question = code().question(ir::Question::Outputs);
+    storage_.parameterTable = roomForOutputs(question);
+    for (float *plane : storage_.parameterTable) // Where a loop is ended they are left.
+        std::fill_n(plane, count(), 0.0f);
+    ShaderArgs args = litArguments(sampleCount, L, Cl, light, ambient);
+    args.outputs = storage_.parameterTable.data();
+    question.ask(args);
+    return storage_.parameterTable;
 }
 
 } // namespace candela

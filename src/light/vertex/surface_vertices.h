@@ -6,6 +6,7 @@
 #include "light/sampling/cone_mixture.h"
 #include "world/scene/scene.h"
 
+#include <span>
 #include <vector>
 
 namespace candela {
@@ -35,6 +36,11 @@ public:
     /// All light given: `sampleCount` rows of `lanes()` lanes in L and Cl. Answers Ci and Oi.
     void shade(int sampleCount, float *const *L, float *const *Cl, const std::int32_t *light,
                const float *const *ambient, float *const *Ci, float *const *Oi);
+    /// Likewise the shader's output parameters: planes in the order of the outputs of
+    /// ir::Question::Outputs, valid until the next question.
+    std::span<float *const> outputParameters(int sampleCount, float *const *L, float *const *Cl,
+                                             const std::int32_t *light,
+                                             const float *const *ambient);
 
     /// False: shade() prints nothing, for who asks beside what is seen. At first they speak.
     void speak(bool aloud) { aloud_ = aloud; }
@@ -63,9 +69,12 @@ public:
 private:
     struct Storage {
         Planes<float> facing, litPoints, surfaceFrame, viewFrame, outputs, shadeOutputs;
-        std::vector<float *> outputTable;
+        std::vector<float *> outputTable, parameterTable;
     };
     ShaderArgs arguments() const;
+    ShaderArgs litArguments(int sampleCount, float *const *L, float *const *Cl,
+                            const std::int32_t *light, const float *const *ambient) const;
+    std::vector<float *> roomForOutputs(const QuestionCode &);
     void bindFrames(ShaderArgs &) const;
 
     const Scene *scene_ = nullptr;

@@ -43,15 +43,18 @@ int AppearanceBuilder::numberOf(std::shared_ptr<ShaderCode> code) {
 AppearanceBuilder::Shading AppearanceBuilder::shadingOf(const Attributes &attributes,
                                                         const std::set<std::string> &variables) {
     const ShaderRecord &record = attributes.surface ? *attributes.surface : defaultSurface();
-    auto known = shadings_.find({&record, variables});
+    const OtherShaders all{&record, attributes.displacement.get(), attributes.atmosphere.get(),
+                           attributes.interior.get(), attributes.exterior.get()};
+    auto known = shadings_.find({all, variables});
     if (known != shadings_.end())
         return known->second;
     auto rule = state_.classic ? ir::LightRule::Classic : ir::LightRule::Path;
-    auto instance = library_.instance(ShaderKind::Surface, record, state_.options, rule, variables);
+    auto instance =
+        library_.instance(ShaderKind::Surface, record, state_.options, rule, variables, all);
     Shading shading{-1, 0};
     if (instance)
         shading = {numberOf(instance->code), instance->parameterOffset};
-    shadings_[{&record, variables}] = shading;
+    shadings_[{all, variables}] = shading;
     return shading;
 }
 

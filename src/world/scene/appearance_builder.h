@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <tuple>
 
 namespace candela {
 
@@ -40,7 +41,7 @@ private:
     SceneState &state_;
     ShaderLibrary &library_;
     std::vector<std::uint32_t> shapes_;
-    std::map<std::pair<const ShaderRecord *, std::set<std::string>>, Shading> shadings_;
+    std::map<std::tuple<OtherShaders, std::set<std::string>>, Shading> shadings_;
     std::map<const ShaderCode *, int> codeNumbers_;
     std::map<std::vector<int>, int> lightSets_;
 };

@@ -96,7 +96,10 @@ LightBuilder::LightBuilder(SceneState &state, ShaderLibrary &library)
     : state_(state), library_(library) {}
 
 void LightBuilder::declare(const std::vector<std::shared_ptr<const LightRecord>> &records) {
+    std::vector<std::vector<ToldParameter>> told;
     for (const auto &record : records) {
+        told.push_back(library_.parametersTold(ShaderKind::Light, record->shader, state_.options,
+                                               ir::LightRule::Classic));
         SceneLight light;
         LightTags tags;
         auto instance = library_.instance(ShaderKind::Light, record->shader, state_.options,
@@ -113,6 +116,7 @@ void LightBuilder::declare(const std::vector<std::shared_ptr<const LightRecord>>
         state_.lights.lights.push_back(std::move(light));
         tags_.push_back(std::move(tags));
     }
+    library_.bindLights(std::move(told));
     sources_.resize(records.size()), appearances_.resize(records.size());
 }
 

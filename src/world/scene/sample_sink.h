@@ -15,6 +15,7 @@ namespace candela {
 struct ChannelInfo {
     std::string name; ///< "Ci", "Oi", "z", "N", "P", "albedo", "id", or an output of shaders.
     int components = 1;
+    bool isPlace = false; ///< A position or a direction: X, Y, Z rather than R, G, B.
 };
 
 /// Samples of whole pixels, structure of arrays. All samples of a pixel that are in one batch

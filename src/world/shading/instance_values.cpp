@@ -158,11 +158,58 @@ std::vector<ir::StringValue> stringValues(const ShaderRecord &record) {
     return values;
 }
 
+std::vector<ToldParameter> toldParameters(const ir::LoweredShader &shader,
+                                          const ShaderRecord &record, const Options &options) {
+    DiagnosticList heard; // What is wrong with the values is said where the instance is made.
+    std::vector<ToldParameter> told;
+    for (const ir::ShaderParameter &parameter : shader.parameters) {
+        const std::size_t elements = std::size_t(parameter.arraySize);
+        ToldParameter value{parameter.name, shape(parameter.type, elements), {}, {}};
+        if (parameter.type == "string") {
+            const Parameter *given = record.parameters.find(parameter.name);
+            const bool fits = given && given->declaration.type == ValueType::String &&
+                              given->strings.size() == elements;
+            value.strings = fits ? given->strings : parameter.stringDefaults;
+        } else {
+            auto given = givenValues(shader, parameter, record, heard);
+            value.values = given ? std::move(*given)
+                                 : defaultValues(shader, parameter, record, options, heard);
+        }
+        told.push_back(std::move(value));
+    }
+    for (const Parameter &given : record.parameters.all)
+        if (given.name.starts_with("__") &&
+            std::ranges::find(told, given.name, &ToldParameter::name) == told.end()) {
+            const ValueType type = given.declaration.type;
+            told.push_back({given.name,
+                            shape(typeName(type == ValueType::Integer ? ValueType::Float : type),
+                                  std::size_t(given.declaration.arraySize)),
+                            given.floats, given.strings});
+        }
+    return told;
+}
+
+namespace {
+
+/// 1 and the numbers.
+std::map<std::string, std::vector<float>> hiddenValues(const ToldValues &told) {
+    std::map<std::string, std::vector<float>> values;
+    for (const auto &[name, parameter] : told) {
+        std::vector<float> &value = values[name];
+        value = {1};
+        value.insert(value.end(), parameter.values.begin(), parameter.values.end());
+    }
+    return values;
+}
+
+} // namespace
+
 std::vector<float> parameterBlock(const ir::LoweredShader &shader, const ShaderRecord &record,
-                                  const Options &options, DiagnosticSink &diagnostics) {
+                                  const Options &options, const ToldValues &told,
+                                  DiagnosticSink &diagnostics) {
     reportUnknown(shader, record, diagnostics);
     std::vector<float> block(shader.whole.parameters.size());
-    std::map<std::string, std::vector<float>> values;
+    std::map<std::string, std::vector<float>> values = hiddenValues(told);
     for (const ir::ShaderParameter &parameter : shader.parameters) {
         auto given = givenValues(shader, parameter, record, diagnostics);
         values[parameter.name] =

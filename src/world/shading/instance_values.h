@@ -7,6 +7,8 @@
 #include "interface/ri/options.h"
 #include "language/ir/lower/lower.h"
 
+#include <map>
+#include <string>
 #include <vector>
 
 namespace candela {
@@ -14,9 +16,25 @@ namespace candela {
 /// The string parameters that the record gives.
 std::vector<ir::StringValue> stringValues(const ShaderRecord &);
 
+/// What shaders tell others of their parameters (surface(), lightsource()...): numbers in current
+/// space, colours as they are, or strings.
+struct ToldParameter {
+    std::string name;
+    std::string shape; ///< "float", "color[3]", "string"...
+    std::vector<float> values;
+    std::vector<std::string> strings;
+};
+/// All parameters of the instance; and those that begin with "__" and are given to a shader that
+/// has no such parameter.
+std::vector<ToldParameter> toldParameters(const ir::LoweredShader &, const ShaderRecord &,
+                                          const Options &);
+
+/// What other shaders tell an instance, by ir::toldName().
+using ToldValues = std::map<std::string, ToldParameter>;
+
 /// The instance's parameter block: a float for each of shader.whole.parameters. Values of the
 /// wrong type and parameters that the shader doesn't have are reported; defaults stand in.
 std::vector<float> parameterBlock(const ir::LoweredShader &, const ShaderRecord &, const Options &,
-                                  DiagnosticSink &);
+                                  const ToldValues &, DiagnosticSink &);
 
 } // namespace candela

@@ -82,6 +82,9 @@ ShaderAnswers::ShaderAnswers(std::vector<std::string> textureFolders, Diagnostic
     letTexturesAnswer<&Textures::environment>(Service::environment);
     letTexturesAnswer<&Textures::shadow>(Service::shadow);
     letTexturesAnswer<&Textures::textureinfo>(Service::textureinfo);
+    services_[Service::lightsource] = [](void *context, const ServiceCall &call) {
+        static_cast<const ShaderAnswers *>(context)->lightsource(call);
+    };
     silent_ = services_;
     silent_[Service::print] = [](void *, const ServiceCall &) {};
 }
@@ -100,6 +103,37 @@ void ShaderAnswers::option(const ServiceCall &call) const {
         call.result(0, lane) = 1;
         for (std::size_t k = 0; k < values.size(); ++k)
             call.result(int(k) + 1, lane) = values[k];
+    }
+}
+
+namespace {
+
+/// Which of the strings that the lane offers behind its first operand, from 1; 0 = none of them.
+int offeredString(const ServiceCall &call, int lane, const std::string &wanted) {
+    for (int k = 1; k < call.site->operandCount; ++k)
+        if (wanted == call.string(k, lane))
+            return k;
+    return 0;
+}
+
+} // namespace
+
+void ShaderAnswers::lightsource(const ServiceCall &call) const {
+    const std::string_view name = call.site->texts[0], shape = call.site->texts[1];
+    for (int lane = 0; lane < call.laneCount; ++lane) {
+        // Light of no light source has no parameters.
+        const int light = call.asks(lane) ? int(call.operand(0, lane).number) - 1 : -1;
+        if (light < 0 || light >= int(lights_.size()))
+            continue;
+        for (const ToldParameter &parameter : lights_[std::size_t(light)]) {
+            if (parameter.name != name || parameter.shape != shape)
+                continue;
+            call.result(0, lane) = 1;
+            if (!parameter.strings.empty())
+                call.result(1, lane) = float(offeredString(call, lane, parameter.strings[0]));
+            for (std::size_t k = 0; k < parameter.values.size(); ++k)
+                call.result(int(k) + 1, lane) = parameter.values[k];
+        }
     }
 }
 

@@ -4,7 +4,11 @@
 
 #include "interface/ri/options.h"
 #include "language/runtime/services.h"
+#include "world/shading/instance_values.h"
 #include "world/texture/textures.h"
+
+#include <utility>
+#include <vector>
 
 namespace candela {
 
@@ -23,12 +27,17 @@ public:
     /// The options of the frame; not while a shader runs.
     void bindOptions(const Options &);
 
+    /// The parameters of the lights, by their index; likewise.
+    void bindLights(std::vector<std::vector<ToldParameter>> lights) { lights_ = std::move(lights); }
+
 private:
     void option(const ServiceCall &) const;
+    void lightsource(const ServiceCall &) const;
     template <auto answer> void letTexturesAnswer(Service);
 
     ShaderServices services_, silent_; ///< silent_ hears print and says nothing.
     Options options_;
+    std::vector<std::vector<ToldParameter>> lights_;
     Textures textures_;
 };
 

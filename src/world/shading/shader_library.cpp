@@ -41,7 +41,8 @@ struct ShaderLibrary::State {
     void replace(ShaderCode &);
     const ir::LoweredShader *lowerOnce(const sl::TypedShader &, const ShaderRecord &,
                                        const Options &, const std::set<std::string> &variables,
-                                       std::string &key);
+                                       const ToldValues &, std::string &key);
+    ToldValues askOthers(const OtherShaders &, const Options &, ir::LightRule);
 };
 
 ShaderLibrary::ShaderLibrary(ShaderLibrarySettings settings, DiagnosticSink &diagnostics)
@@ -119,7 +120,7 @@ const ir::LoweredShader *ShaderLibrary::State::lowerOnce(const sl::TypedShader &
                                                          const ShaderRecord &record,
                                                          const Options &options,
                                                          const std::set<std::string> &variables,
-                                                         std::string &key) {
+                                                         const ToldValues &told, std::string &key) {
     addToKey(key, *shader.where.location().file + ":" + shader.name);
     std::vector<ir::StringValue> strings;
     for (ir::StringValue &value : stringValues(record))
@@ -133,6 +134,13 @@ const ir::LoweredShader *ShaderLibrary::State::lowerOnce(const sl::TypedShader &
                 strings.push_back(std::move(value));
                 break;
             }
+    for (const auto &[name, parameter] : told)
+        if (!parameter.strings.empty()) {
+            addToKey(key, name);
+            for (const std::string &text : parameter.strings)
+                addToKey(key, text);
+            strings.push_back({name, parameter.strings});
+        }
     std::vector<std::string> overriding;
     for (const sl::Parameter &parameter : shader.parameters)
         if (variables.contains(parameter.symbol->name)) {
@@ -153,20 +161,54 @@ const ir::LoweredShader *ShaderLibrary::State::lowerOnce(const sl::TypedShader &
     return entry->second ? &*entry->second : nullptr;
 }
 
+/// What the other shaders have for parameters, by the names that texts ask by.
+ToldValues ShaderLibrary::State::askOthers(const OtherShaders &others, const Options &options,
+                                           ir::LightRule rule) {
+    struct Asked {
+        const char *whose;
+        ShaderKind kind;
+        const ShaderRecord *record;
+    };
+    ToldValues told;
+    for (const Asked &asked : {Asked{"surface", ShaderKind::Surface, others.surface},
+                               Asked{"displacement", ShaderKind::Displacement, others.displacement},
+                               Asked{"atmosphere", ShaderKind::Volume, others.atmosphere},
+                               Asked{"interior", ShaderKind::Volume, others.interior},
+                               Asked{"exterior", ShaderKind::Volume, others.exterior}}) {
+        const sl::TypedShader *shader =
+            asked.record ? find(asked.kind, *asked.record, options, rule) : nullptr;
+        std::string key;
+        const ir::LoweredShader *lowered =
+            shader ? lowerOnce(*shader, *asked.record, options, {}, {}, key) : nullptr;
+        if (!lowered)
+            continue;
+        for (ToldParameter &parameter : toldParameters(*lowered, *asked.record, options))
+            told.emplace(ir::toldName(asked.whose,
+                                      parameter.strings.empty() ? parameter.shape : "string",
+                                      parameter.name),
+                         std::move(parameter));
+    }
+    return told;
+}
+
 std::optional<ShaderInstance> ShaderLibrary::instance(ShaderKind kind, const ShaderRecord &record,
                                                       const Options &options, ir::LightRule rule,
-                                                      const std::set<std::string> &variables) {
+                                                      const std::set<std::string> &variables,
+                                                      const OtherShaders &others) {
     const sl::TypedShader *shader = state_->find(kind, record, options, rule);
+    const ToldValues told = shader && ir::asksOtherShaders(*shader)
+                                ? state_->askOthers(others, options, rule)
+                                : ToldValues{};
     std::string key = rule == ir::LightRule::Path ? "path " : "classic ";
     const ir::LoweredShader *lowered =
-        shader ? state_->lowerOnce(*shader, record, options, variables, key) : nullptr;
+        shader ? state_->lowerOnce(*shader, record, options, variables, told, key) : nullptr;
     if (!lowered) {
         if (kind != ShaderKind::Surface || record.name.empty())
             return std::nullopt;
         return instance(kind, {{}, {}, record.currentFromShader}, options, rule, {});
     }
 
-    std::vector<float> block = parameterBlock(*lowered, record, options, state_->diagnostics);
+    std::vector<float> block = parameterBlock(*lowered, record, options, told, state_->diagnostics);
     std::vector<ir::FoldedValue> folded;
     auto [controlRelevant, isNew] = state_->controlRelevant.try_emplace(lowered);
     if (isNew)
@@ -187,6 +229,17 @@ std::optional<ShaderInstance> ShaderLibrary::instance(ShaderKind kind, const Sha
     return ShaderInstance{code, code->addBlock(block)};
 }
 
+std::vector<ToldParameter> ShaderLibrary::parametersTold(ShaderKind kind,
+                                                         const ShaderRecord &record,
+                                                         const Options &options,
+                                                         ir::LightRule rule) {
+    const sl::TypedShader *shader = state_->find(kind, record, options, rule);
+    std::string key;
+    const ir::LoweredShader *lowered =
+        shader ? state_->lowerOnce(*shader, record, options, {}, {}, key) : nullptr;
+    return lowered ? toldParameters(*lowered, record, options) : std::vector<ToldParameter>{};
+}
+
 std::shared_ptr<const FilterCode> ShaderLibrary::filter(const ShaderRecord &record,
                                                         const Options &options) {
     State &state = *state_;
@@ -194,10 +247,11 @@ std::shared_ptr<const FilterCode> ShaderLibrary::filter(const ShaderRecord &reco
         ShaderKind::Filter, record.name, searchFolders(options, "shader"), record.parameters.where);
     std::string key = "filter ";
     const ir::LoweredShader *lowered =
-        shader ? state.lowerOnce(*shader, record, options, {}, key) : nullptr;
+        shader ? state.lowerOnce(*shader, record, options, {}, {}, key) : nullptr;
     if (!lowered)
         return nullptr;
-    const std::vector<float> block = parameterBlock(*lowered, record, options, state.diagnostics);
+    const std::vector<float> block =
+        parameterBlock(*lowered, record, options, {}, state.diagnostics);
     return FilterCode::compile(ir::foldAll(lowered->whole, block), state.jit, state.messages,
                                state.answers, state.diagnostics);
 }
@@ -207,7 +261,7 @@ std::optional<ir::LoweredShader> ShaderLibrary::State::standIn(ir::LightRule rul
     auto lowered = shader ? ir::lower(*shader, {}, {}, diagnostics) : std::nullopt;
     if (!lowered)
         return std::nullopt;
-    const std::vector<float> block = parameterBlock(*lowered, {}, {}, diagnostics);
+    const std::vector<float> block = parameterBlock(*lowered, {}, {}, {}, diagnostics);
     lowered->whole = ir::foldAll(lowered->whole, block);
     return lowered;
 }
@@ -241,6 +295,10 @@ void ShaderLibrary::makeReady() {
         if (!compiled[k])
             state_->replace(*state_->inOrder[first + k]);
     }
+}
+
+void ShaderLibrary::bindLights(std::vector<std::vector<ToldParameter>> lights) {
+    state_->answers->bindLights(std::move(lights));
 }
 
 void ShaderLibrary::bindOptions(const Options &options) { state_->answers->bindOptions(options); }

@@ -6,6 +6,7 @@
 #include "interface/ri/scene_builder.h"
 #include "language/ir/transform/light_rule.h"
 #include "world/shading/filter_code.h"
+#include "world/shading/instance_values.h"
 #include "world/shading/shader_code.h"
 
 #include <map>
@@ -29,6 +30,13 @@ struct ShaderLibrarySettings {
     std::vector<std::string> textureFolders{};
 };
 
+/// The other shaders of a primitive, which a shader may ask for their parameters; null = none.
+struct OtherShaders {
+    const ShaderRecord *surface = nullptr, *displacement = nullptr, *atmosphere = nullptr;
+    const ShaderRecord *interior = nullptr, *exterior = nullptr;
+    auto operator<=>(const OtherShaders &) const = default;
+};
+
 class ShaderLibrary : public ShaderLookup {
 public:
     ShaderLibrary(ShaderLibrarySettings, DiagnosticSink &);
@@ -44,7 +52,12 @@ public:
     /// place, whatever lies on the search path (a faulty light: nothing). A record without a name
     /// asks for that surface.
     std::optional<ShaderInstance> instance(ShaderKind, const ShaderRecord &, const Options &,
-                                           ir::LightRule, const std::set<std::string> &variables);
+                                           ir::LightRule, const std::set<std::string> &variables,
+                                           const OtherShaders & = {});
+    /// Of the instance of a record that has become one: all its parameters. Empty for what is
+    /// missing or faulty.
+    std::vector<ToldParameter> parametersTold(ShaderKind, const ShaderRecord &, const Options &,
+                                              ir::LightRule);
 
     /// The filter shader that a record describes, with its parameters, compiled. Null if it is
     /// missing or faulty, which is reported.
@@ -55,6 +68,8 @@ public:
     void makeReady();
     /// What option() tells all shaders, until it is bound anew. Not to be called while any runs.
     void bindOptions(const Options &);
+    /// What lightsource() tells them, by the index of the light; likewise.
+    void bindLights(std::vector<std::vector<ToldParameter>>);
 
     /// All specialisations so far, for binding spaces and categories.
     std::vector<std::shared_ptr<ShaderCode>> all() const;

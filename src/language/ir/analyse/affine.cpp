@@ -169,7 +169,8 @@ struct AffineAnalysis : ForwardAnalysis<Form> {
     }
 
     Form given(const Instruction &, std::size_t k) const {
-        return k < 3 ? unlit() : lightOf(int(k) - 3);
+        const auto sample = sampleOfCl(function, k);
+        return sample ? lightOf(*sample) : unlit();
     }
 
     static int lineOf(const Region &region, ValueId v, int otherwise) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/ir/analyse/cone_lobes.h"
+
 #include "language/ir/analyse/dependence.h"
+#include "language/ir/core/regions.h"
 
 #include "foundation/units/color.h"
 
@@ -29,7 +31,7 @@ public:
     std::vector<Cone> run(const Cone &whole) {
         std::vector<Cone> cones;
         for (const Cone::Weight &weight : whole.weights) {
-            ValueId carried = body_.arguments[3 + text_.colors.samples + weight.result];
+            ValueId carried = argumentOf(loop_, std::size_t(weight.result));
             std::vector<Product> products = expand(body_.yields[weight.result]);
             if (products.size() > mostProducts)
                 return {};

@@ -29,7 +29,9 @@ struct LightTaint : ForwardAnalysis<bool> {
         const auto condition = conditionOf(flow.owner);
         return any(flow.from) || (condition && at(*condition));
     }
-    bool given(const Instruction &i, std::size_t k) const { return &i == &loop && k >= 3; }
+    bool given(const Instruction &i, std::size_t k) const {
+        return &i == &loop && sampleOfCl(function, k);
+    }
 
     const Instruction &loop;
 };

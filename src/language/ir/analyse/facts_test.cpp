@@ -40,10 +40,10 @@ Values gatherAbout(Builder &b, const Triple &along,
     return lightLoop(b, addRequest(b, request), input3(b, ShaderInput::P),
                      {axis[0], axis[1], axis[2], number(b, std::numbers::pi_v<float> / 2)},
                      Values(colorSamples, number(b, 0)),
-                     [&](const Triple &L, const Values &Cl, const Values &carried) {
+                     [&](const LoopLight &light, const Values &carried) {
                          Values sum;
                          for (int k = 0; k < colorSamples; ++k)
-                             sum.push_back(add(b, carried[k], term(L, Cl[k])));
+                             sum.push_back(add(b, carried[k], term(light.L, light.Cl[k])));
                          return sum;
                      });
 }
@@ -173,12 +173,12 @@ TEST(Affine, Table) {
              LightRequest request;
              return lightLoop(b, addRequest(b, request), input3(b, ShaderInput::P), {},
                               Values(colorSamples, number(b, 0)),
-                              [&](const Triple &, const Values &Cl, const Values &carried) {
+                              [&](const LoopLight &light, const Values &carried) {
                                   b.setLine(trickLine);
                                   Values next;
                                   for (int k = 0; k < colorSamples; ++k)
                                       next.push_back(
-                                          add(b, mul(b, carried[k], number(b, 0.5f)), Cl[k]));
+                                          add(b, mul(b, carried[k], number(b, 0.5f)), light.Cl[k]));
                                   return next;
                               });
          }},

@@ -20,19 +20,20 @@ Values lightLoop(Builder &b, int request, const Triple &position, const Values &
                             b.line()};
     instruction.operands.insert(instruction.operands.end(), cones.begin(), cones.end());
     instruction.operands.insert(instruction.operands.end(), initial.begin(), initial.end());
-    Triple L;
-    Values Cl, carried, arguments;
-    for (ValueId &v : L)
-        arguments.push_back(v = b.newValue(Type::Float, Uniformity::Varying));
-    for (int k = 0; k < b.colors().samples; ++k) {
-        Cl.push_back(b.newValue(Type::Float, Uniformity::Varying));
-        arguments.push_back(Cl.back());
-    }
-    for (ValueId v : initial) {
-        carried.push_back(b.newValue(b.type(v), Uniformity::Varying));
-        arguments.push_back(carried.back());
-    }
-    instruction.regions.push_back(b.region(arguments, [&] { return body(L, Cl, carried); }));
+    Values carried, arguments;
+    const auto given = [&](Type type) {
+        arguments.push_back(b.newValue(type, Uniformity::Varying));
+        return arguments.back();
+    };
+    LoopLight light;
+    for (ValueId &v : light.L)
+        v = given(Type::Float);
+    for (int k = 0; k < b.colors().samples; ++k)
+        light.Cl.push_back(given(Type::Float));
+    light.number = given(Type::Float);
+    for (ValueId v : initial)
+        carried.push_back(given(b.type(v)));
+    instruction.regions.push_back(b.region(arguments, [&] { return body(light, carried); }));
     for (ValueId v : initial)
         instruction.results.push_back(b.newValue(b.type(v), Uniformity::Varying));
     Values results = instruction.results;
@@ -53,6 +54,7 @@ Values ask(Builder &b, Op op, const Triple &position, const Triple &direction, i
 Values trace(Builder &b, int request, const Triple &position, const Triple &direction) {
     return ask(b, Op::Answer, position, direction, request);
 }
+ValueId sampleLight(Builder &b) { return b.emit(Op::SampleLight, {})[0]; }
 Values ambient(Builder &b) { return b.emit(Op::Ambient, {}); }
 Values irradiance(Builder &b, const Triple &position, const Triple &omega) {
     return ask(b, Op::Irradiance, position, omega);

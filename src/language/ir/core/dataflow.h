@@ -10,8 +10,8 @@
 //   Fact flow(const ValueFlow &, const Enclosing *)                          a value that control
 //   flow
 //                                                                       chooses or carries
-//   Fact given(const Instruction &, std::size_t k)                      argument k of a light loop,
-//                                                                       L and Cl
+//   Fact given(const Instruction &, std::size_t k)                      argument k of a light loop:
+//                                                                       L, Cl, the light's number
 // from the facts that are known so far. What it says of the same thing must only ever rise, in a
 // lattice of finite height; the fact that holds already may be asked for and returned.
 #pragma once

@@ -20,6 +20,14 @@ template <typename Body, typename Visit> void forEachInstruction(Body &region, V
     }
 }
 
+/// Removes the instructions of which the test holds, which must have no results that are used.
+template <typename Test> void removeInstructions(Region &region, Test &&test) {
+    std::erase_if(region.body, test);
+    for (Instruction &i : region.body)
+        for (Region &inner : i.regions)
+            removeInstructions(inner, test);
+}
+
 /// Whether the test holds of any instruction in the region.
 template <typename Test> bool anyInstruction(const Region &region, Test &&test) {
     for (const Instruction &i : region.body) {
@@ -60,9 +68,14 @@ void forEachEnclosed(const Region &region, Visit &&visit, const Enclosing *aroun
 inline std::size_t fixedOperands(const Instruction &loop) {
     return loop.operands.size() - loop.results.size();
 }
-/// Arguments before the carried values: a light loop's L and Cl.
+/// Arguments before the carried values: a light loop's L, Cl and number of the light.
 inline std::size_t givenArguments(const Instruction &loop) {
     return loop.regions[0].arguments.size() - loop.results.size();
+}
+/// Of a light loop: which sample of Cl its k-th argument is; nothing if it is L or a number.
+inline std::optional<int> sampleOfCl(const Function &function, std::size_t k) {
+    const int sample = int(k) - 3;
+    return sample >= 0 && sample < function.colors.samples ? std::optional(sample) : std::nullopt;
 }
 /// The k-th value that a Loop or LightLoop carries: at first, and in each turn.
 inline ValueId initialOf(const Instruction &loop, std::size_t k) {

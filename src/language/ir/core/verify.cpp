@@ -239,6 +239,9 @@ private:
                sameTypes(i, region.yields, i.results, 0, "yields");
     }
 
+    /// L, Cl and the light's number.
+    std::size_t givenByLight() const { return std::size_t(3 + function_.colors.samples + 1); }
+
     bool checkLightLoop(const Instruction &i) {
         const Region &region = i.regions[0];
         const LightRequest &request = function_.requests[i.immediate];
@@ -247,12 +250,12 @@ private:
         if (request.form != ConeForm::Everywhere)
             fixed += std::size_t(perCone * request.coneCount);
         if (!sameTypes(i, i.operands, i.results, fixed, "operands") ||
-            !sameTypes(i, region.arguments, i.results, 3 + function_.colors.samples, "arguments") ||
+            !sameTypes(i, region.arguments, i.results, givenByLight(), "arguments") ||
             !sameTypes(i, region.yields, i.results, 0, "yields"))
             return false;
         std::vector<ValueId> floats(i.operands.begin(), i.operands.begin() + fixed);
         floats.insert(floats.end(), region.arguments.begin(),
-                      region.arguments.begin() + 3 + function_.colors.samples);
+                      region.arguments.begin() + std::ptrdiff_t(givenByLight()));
         return checkAll(i, floats, int(floats.size()));
     }
 

@@ -106,9 +106,13 @@ public:
     /// Whether a category accepts the light of the lane's own sample.
     bool accepts(int category) const { return acceptsRow(category, lane_); }
 
+    /// ShaderArgs::sampleLight of the lane's own sample.
+    std::int32_t light() const { return lightOf(lane_); }
+
     struct LightSample {
         Vector L;
         Color Cl;
+        std::int32_t light = 0;
     };
     /// The samples in order, of those lights that the category accepts.
     template <typename Visitor> void forEachSample(int category, Visitor visit) const {
@@ -121,6 +125,7 @@ public:
                 sample.L[k] = args_.sampleL[k][row];
             for (int k = 0; k < colorSamples_; ++k)
                 sample.Cl[k] = args_.sampleCl[k][row];
+            sample.light = lightOf(row);
             visit(sample);
         }
     }
@@ -142,6 +147,9 @@ private:
         const SpillSlot at = spillSlot(function_, number);
         float *memory = at.frame == BindingTime::View ? args_.viewFrame : args_.surfaceFrame;
         return memory[frameIndex(lane, at.slot, at.slots)];
+    }
+    std::int32_t lightOf(std::size_t row) const {
+        return args_.sampleLight ? args_.sampleLight[row] : 0;
     }
     /// Black where the caller gave none.
     Color colorOf(const float *const *planes, int index) const {
@@ -361,6 +369,7 @@ private:
         switch (i.op) {
         case Op::AnsweredRequest: cells_.setInteger(i, args_.hasAnswered(i.immediate)); return true;
         case Op::CategoryAccepts: cells_.setInteger(i, args_.accepts(i.immediate)); return true;
+        case Op::SampleLight: cells_.set(i, float(args_.light())); return true;
         case Op::Answer: cells_.setAll(i, args_.answer(i.immediate).data()); return true;
         case Op::Ambient: cells_.setAll(i, args_.ambient().data()); return true;
         case Op::Irradiance: cells_.setAll(i, args_.irradiance().data()); return true;
@@ -397,7 +406,8 @@ private:
         const int samples = function_.colors.samples;
         for (int k = 0; k < samples; ++k)
             cells_[region.arguments[3 + k]].number = sample.Cl[k];
-        cells_.copy(i.results, {region.arguments.begin() + 3 + samples, region.arguments.end()});
+        cells_[region.arguments[3 + samples]].number = float(sample.light);
+        cells_.copy(i.results, {region.arguments.begin() + 4 + samples, region.arguments.end()});
         run(region);
         cells_.copy(region.yields, i.results);
     }

@@ -37,9 +37,9 @@ Function lightSum(ConeForm form, const Values &extra, int category = -1) {
     for (ValueId v : extra)
         cones.push_back(number(b, float(v)));
     auto sum = lightLoop(b, index, input3(b, ShaderInput::P), cones, {number(b, 0)},
-                         [&](const Triple &L, const Values &Cl, const Values &carried) {
-                             ValueId cosine = dot(b, input3(b, ShaderInput::N), L);
-                             return Values{add(b, carried[0], mul(b, Cl[0], cosine))};
+                         [&](const LoopLight &light, const Values &carried) {
+                             ValueId cosine = dot(b, input3(b, ShaderInput::N), light.L);
+                             return Values{add(b, carried[0], mul(b, light.Cl[0], cosine))};
                          });
     output(b, "Ci", 0, sum[0]);
     b.finish();

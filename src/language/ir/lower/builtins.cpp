@@ -29,10 +29,10 @@ Components builtin(Lowering &lowering, const sl::Expr &expr) {
     }
     if (derivativeBuiltin(call.id()))
         lowering.derivatives.try_emplace(lowering.b.line(), expr.where);
-    for (const auto subject : {mathsBuiltin, geometryBuiltin, spaceBuiltin, colorBuiltin,
-                               matrixBuiltin, noiseBuiltin, splineBuiltin, lightBuiltin,
-                               derivativeBuiltin, textBuiltin, informationBuiltin, imageBuiltin,
-                               textureBuiltin})
+    for (const auto subject :
+         {mathsBuiltin, geometryBuiltin, spaceBuiltin, colorBuiltin, matrixBuiltin, noiseBuiltin,
+          splineBuiltin, lightBuiltin, derivativeBuiltin, textBuiltin, informationBuiltin,
+          imageBuiltin, messageBuiltin, textureBuiltin})
         if (const BuiltinLowering lowered = subject(call.id()))
             return lowered(call);
     lowering.messages.error(

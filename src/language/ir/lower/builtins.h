@@ -43,6 +43,7 @@ BuiltinLowering textBuiltin(sl::BuiltinId);
 BuiltinLowering informationBuiltin(sl::BuiltinId);
 BuiltinLowering imageBuiltin(sl::BuiltinId);
 BuiltinLowering textureBuiltin(sl::BuiltinId);
+BuiltinLowering messageBuiltin(sl::BuiltinId);
 
 /// A call of any of them.
 Components builtin(Lowering &, const sl::Expr &);

@@ -4,34 +4,12 @@
 #include "language/ir/core/builder_services.h"
 #include "language/ir/core/builder_sources.h"
 #include "language/ir/lower/builtins.h"
-#include "language/ir/lower/color.h"
 #include "language/ir/lower/place_scope.h"
+#include "language/ir/lower/told_values.h"
 #include "language/syntax/version.h"
-
-#include <algorithm>
 
 namespace candela::ir {
 namespace {
-
-/// Colours of a text are told in red, green and blue, element by element.
-Components fromTold(Builder &b, const sl::Type &type, const Values &told) {
-    if (type.base != sl::BaseType::Color)
-        return told;
-    Components all;
-    for (size_t k = 0; k + 2 < told.size(); k += 3) {
-        const Components color = colorOf(b, {told[k], told[k + 1], told[k + 2]});
-        all.insert(all.end(), color.begin(), color.end());
-    }
-    return all;
-}
-
-/// The variable gets the value, or stays as it is if there is none.
-void assignIf(BuiltinCall &call, ValueId isThere, const Components &told) {
-    Components now;
-    for (size_t k = 0; k < told.size(); ++k)
-        now.push_back(select(call.b, isThere, told[k], call.arguments[1][k]));
-    call.assign(1, now);
-}
 
 /// Asks the service for a value of the type of the variable.
 Components askFor(BuiltinCall &call, Service service) {
@@ -45,11 +23,10 @@ Components askFor(BuiltinCall &call, Service service) {
                                                 "a shader is compiled");
         return {number(b, 0)};
     }
-    const int numbers = componentCount(type.base, 3) * std::max(1, type.length);
     const PlaceScope place(b, call.expr.where);
-    const Values answer = query(b, info(service), {name, sl::shapeOf(type)}, {}, 1 + numbers);
-    assignIf(call, notEqual(b, answer[0], number(b, 0)),
-             fromTold(b, type, {answer.begin() + 1, answer.end()}));
+    const Values answer =
+        query(b, info(service), {name, sl::shapeOf(type)}, {}, 1 + numbersTold(type));
+    assignTold(call, notEqual(b, answer[0], number(b, 0)), {answer.begin() + 1, answer.end()});
     return {answer[0]};
 }
 

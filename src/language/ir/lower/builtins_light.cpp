@@ -28,11 +28,11 @@ template <class Factor> Components gather(BuiltinCall &call, const char *categor
     return lightLoop(b, addRequest(call.lowering, request, call.expr.where),
                      tripleOf(call.lowering.variables.load(sl::PredefinedId::P)), cone,
                      Components(b.colors().samples, number(b, 0)),
-                     [&](const Triple &L, const Components &Cl, const Components &carried) {
-                         const ValueId weight = factor(normalize(b, L));
+                     [&](const LoopLight &light, const Components &carried) {
+                         const ValueId weight = factor(normalize(b, light.L));
                          Components sum;
                          for (int c = 0; c < b.colors().samples; ++c)
-                             sum.push_back(add(b, carried[c], mul(b, Cl[c], weight)));
+                             sum.push_back(add(b, carried[c], mul(b, light.Cl[c], weight)));
                          return sum;
                      });
 }

@@ -206,7 +206,7 @@ private:
         Function function;
         function.name = shader_.name;
         function.colors = colors_;
-        Lowering lowering(shader_, {}, function, sink_);
+        Lowering lowering(shader_, {}, strings_, function, sink_);
         lowering.spaces.allowShaderOnly();
         declareEarlier(parameter, lowering);
         enter(lowering, nullptr);

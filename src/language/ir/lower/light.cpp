@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace candela::ir {
 namespace {
@@ -132,16 +133,18 @@ void lowerIlluminance(Lowering &lowering, const sl::Stmt &statement) {
     const int broken = variables.newCells({none, none}), continued = broken + 1;
     const std::vector<int> carried = cellsInOrder(carriedCells(lowering, statement), broken);
     const Components initial = variables.inCells(carried);
-    const auto sample = [&](const Triple &L, const Components &Cl, const Components &arguments) {
+    const auto sample = [&](const LoopLight &given, const Components &arguments) {
         variables.setCells(carried, arguments);
-        variables.store(sl::PredefinedId::L, componentsOf(L));
-        variables.store(sl::PredefinedId::Cl, Cl);
+        variables.store(sl::PredefinedId::L, componentsOf(given.L));
+        variables.store(sl::PredefinedId::Cl, given.Cl);
+        const auto around = std::exchange(lowering.lightNumber, given.number);
         variables.store(sl::PredefinedId::Ol, Components(b.colors().samples, number(b, 1)));
         lowering.frames.back().loops.push_back({&statement, broken, continued});
         ++variables.openLoops;
         whereLive(lowering, [&] { lower(lowering, statement.body); });
         --variables.openLoops;
         lowering.frames.back().loops.pop_back();
+        lowering.lightNumber = around;
         return variables.inCells(carried);
     };
     const Components results = lightLoop(b, addRequest(lowering, request, statement.where),

@@ -189,7 +189,7 @@ std::optional<LoweredShader> lower(const sl::TypedShader &shader,
         return std::nullopt;
     lowered.parameters = std::move(*parameters);
 
-    Lowering lowering(shader, options, lowered.whole, sink);
+    Lowering lowering(shader, options, strings, lowered.whole, sink);
     declareParameters(lowering, lowered, strings, variables);
     enter(lowering, nullptr);
     lower(lowering, shader.body);

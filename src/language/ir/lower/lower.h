@@ -44,6 +44,13 @@ struct ShaderParameter {
     std::vector<std::string> stringDefaults;
 };
 
+/// What surface(), displacement(), atmosphere(), incident() and opposite() ask goes by such a name:
+/// `whose` shader ("surface", "displacement", "atmosphere", "interior", "exterior"), the shape of
+/// the value ("float", "color[3]"; "string") and the parameter's name there.
+std::string toldName(const std::string &whose, const std::string &shape, const std::string &name);
+/// The text asks other shaders of its primitive something.
+bool asksOtherShaders(const sl::TypedShader &);
+
 /// String parameters are compile-time constants of an instance.
 struct StringValue {
     std::string name;
@@ -81,7 +88,9 @@ struct LoweringOptions {
 /// then the paper's bounds ("DCiDu"...) that the text sets, then output parameters. Oi starts as
 /// Os, Ci and Cl as black. Parameters and Space matrices are as of current space: whoever fills the
 /// parameter block transforms. Hidden parameter slots are appended after the declared ones:
-/// "shader" (32 floats: currentFromShader, shaderFromCurrent) if the text uses that space.
+/// "shader" (32 floats: currentFromShader, shaderFromCurrent) if the text uses that space; and what
+/// it asks of other shaders, by toldName(): 1 or 0, whether they have it, and its numbers (colours
+/// in red, green and blue). Strings that they tell it are among `strings`, by toldName() too.
 /// Function::spaces holds names as the text has them, and "depth" for depth(): camera space with z
 /// from 0 at the near to 1 at the far clipping plane. What transform/jet.h takes not to change is
 /// warned of. What semantics could not refuse (a space name that is not constant, a default that is

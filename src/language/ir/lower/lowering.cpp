@@ -77,9 +77,10 @@ Components startOf(Builder &b, sl::ShaderKind kind, const sl::PredefinedVariable
 } // namespace
 
 Lowering::Lowering(const sl::TypedShader &shader, const LoweringOptions &options,
-                   Function &function, DiagnosticSink &sink)
-    : shader(shader), options(options), b(function, Budget(mostInstructions)), messages(sink),
-      variables(b, computedArrays(shader)), spaces(b, messages),
+                   const std::vector<StringValue> &strings, Function &function,
+                   DiagnosticSink &sink)
+    : shader(shader), strings(strings), options(options), b(function, Budget(mostInstructions)),
+      messages(sink), variables(b, computedArrays(shader)), spaces(b, messages),
       turn(variables.newCells({number(b, 0)})) {
     for (const sl::PredefinedVariable &variable : sl::predefinedVariables())
         variables.declarePredefined(variable.id, variable.type.base,

@@ -43,9 +43,12 @@ struct EmittedLight {
 /// A shader that is being lowered.
 struct Lowering {
     /// Predefined variables get what the renderer gives, outputs their starting values.
-    Lowering(const sl::TypedShader &, const LoweringOptions &, Function &, DiagnosticSink &);
+    Lowering(const sl::TypedShader &, const LoweringOptions &, const std::vector<StringValue> &,
+             Function &, DiagnosticSink &);
 
     const sl::TypedShader &shader;
+    /// The strings of the instance, and those that other shaders tell it.
+    const std::vector<StringValue> &strings;
     const LoweringOptions options;
     Builder b;
     Messages messages;
@@ -59,6 +62,8 @@ struct Lowering {
     std::map<int, sl::Place> derivatives; ///< The first on each line.
     bool usesFootprints = false; ///< Slopes stand in the text that it does not ask for itself.
     EmittedLight light;
+    /// Of the light that the illuminance loop around is at; nothing outside of such loops.
+    std::optional<ValueId> lightNumber;
 };
 
 /// A string that has to be known when the shader is compiled; reports that it is not.

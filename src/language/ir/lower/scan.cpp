@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/ir/lower/scan.h"
 
+#include "language/ir/lower/lower.h"
+
 #include <algorithm>
 
 namespace candela::ir {
@@ -188,7 +190,59 @@ protected:
     }
 };
 
+class TextWalker : public Walker {
+public:
+    std::vector<std::string> texts;
+
+protected:
+    void visit(const sl::Expr &expr) override {
+        if (expr.kind == sl::ExprKind::Text)
+            addOnce(texts, expr.text);
+    }
+};
+
+class AskingWalker : public Walker {
+public:
+    bool asks = false;
+
+protected:
+    void visit(const sl::Expr &expr) override {
+        if (expr.kind != sl::ExprKind::Builtin)
+            return;
+        switch (expr.overload->function->id) {
+        case sl::BuiltinId::surface:
+        case sl::BuiltinId::displacement:
+        case sl::BuiltinId::atmosphere:
+        case sl::BuiltinId::incident:
+        case sl::BuiltinId::opposite: asks = true; break;
+        default: break;
+        }
+    }
+};
+
+/// Everything that the shader runs, but for its parameters' defaults.
+void walkAll(const sl::TypedShader &shader, Walker &walker) {
+    walker.walk(shader.body);
+    for (const auto &function : shader.functions)
+        walker.walk(function->body);
+}
+
 } // namespace
+
+std::vector<std::string> textsOf(const sl::TypedShader &shader) {
+    TextWalker walker;
+    walkAll(shader, walker);
+    for (const sl::Parameter &parameter : shader.parameters)
+        for (const sl::ExprPtr &value : parameter.defaults)
+            walker.walk(value.get());
+    return walker.texts;
+}
+
+bool asksOtherShaders(const sl::TypedShader &shader) {
+    AskingWalker walker;
+    walkAll(shader, walker);
+    return walker.asks;
+}
 
 const sl::Symbol *rootSymbol(const sl::Expr &expr) {
     const sl::Expr *root = &expr;

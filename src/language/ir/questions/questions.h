@@ -78,6 +78,9 @@ struct SurfaceFacts {
     int printsLightLine = 0;
 };
 
+/// Something in the function is computed from light that is given to it.
+bool asksForLight(const Function &);
+
 /// The function without its services with effects.
 Function silenced(Function);
 

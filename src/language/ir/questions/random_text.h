@@ -175,24 +175,24 @@ private:
         Values initial = sums;
         initial.push_back(any());
         inLight_ = true;
-        Values result =
-            lightLoop(b_, addRequest(b_, request), input3(b_, ShaderInput::P), cones, initial,
-                      [&](const Triple &L, const Values &Cl, const Values &carried) {
-                          return scoped(carried, [&](const Values &) {
-                              pool_.insert(pool_.end(), L.begin(), L.end());
-                              ValueId weight = any();
-                              if (below(2))
-                                  weight = dot(b_, input3(b_, ShaderInput::N), L);
-                              Values inner = {carried.begin(), carried.end() - 1};
-                              if (below(2))
-                                  inner = block(inner, depth + 2);
-                              for (int k = 0; k < colorSamples_; ++k)
-                                  inner[k] =
-                                      add(b_, inner[k], mul(b_, Cl[k], mul(b_, weight, any())));
-                              inner.push_back(below(2) ? any() : carried.back());
-                              return inner;
-                          });
-                      });
+        Values result = lightLoop(
+            b_, addRequest(b_, request), input3(b_, ShaderInput::P), cones, initial,
+            [&](const LoopLight &light, const Values &carried) {
+                return scoped(carried, [&](const Values &) {
+                    pool_.insert(pool_.end(), light.L.begin(), light.L.end());
+                    pool_.push_back(light.number);
+                    ValueId weight = any();
+                    if (below(2))
+                        weight = dot(b_, input3(b_, ShaderInput::N), light.L);
+                    Values inner = {carried.begin(), carried.end() - 1};
+                    if (below(2))
+                        inner = block(inner, depth + 2);
+                    for (int k = 0; k < colorSamples_; ++k)
+                        inner[k] = add(b_, inner[k], mul(b_, light.Cl[k], mul(b_, weight, any())));
+                    inner.push_back(below(2) ? any() : carried.back());
+                    return inner;
+                });
+            });
         inLight_ = false;
         pool_.push_back(result.back());
         result.pop_back();

@@ -53,12 +53,13 @@ Function text() {
     })[2]);
     const Values lit =
         lightLoop(b, addRequest(b, {}), input3(b, ShaderInput::P), {}, {zero, zero, zero},
-                  [&](const Triple &L, const Values &Cl, const Values &carried) {
+                  [&](const LoopLight &light, const Values &carried) {
                       note("light note");
-                      const ValueId weight = mul(b, ask("light", L[0]), ask("in the light", N[2]));
+                      const ValueId weight =
+                          mul(b, ask("light", light.L[0]), ask("in the light", N[2]));
                       Values sums;
                       for (std::size_t k = 0; k < 3; ++k)
-                          sums.push_back(add(b, carried[k], mul(b, Cl[k], weight)));
+                          sums.push_back(add(b, carried[k], mul(b, light.Cl[k], weight)));
                       return sums;
                   });
     for (int k = 0; k < 3; ++k) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/ir/analyse/affine.h"
 #include "language/ir/analyse/opacity.h"
+#include "language/ir/core/op_info.h"
 #include "language/ir/core/regions.h"
 #include "language/ir/questions/answers.h"
 #include "language/ir/questions/emission.h"
@@ -76,6 +77,44 @@ static Function answerWhole(const Function &whole) {
 }
 
 Function answerShade(const Function &whole) { return answerWhole(whole); }
+
+namespace {
+
+/// Output parameters alone, their slots as they were.
+void keepParameters(Function &function) {
+    std::vector<OutputSlot> kept;
+    std::vector<int> place;
+    for (const OutputSlot &slot : function.outputs) {
+        const bool keeps = slot.name.kind == OutputKind::Parameter;
+        place.push_back(keeps ? int(kept.size()) : -1);
+        if (keeps)
+            kept.push_back(slot);
+    }
+    removeInstructions(function.body, [&](const Instruction &i) {
+        return i.op == Op::Output && place[size_t(i.immediate)] < 0;
+    });
+    forEachInstruction(function.body, [&](Instruction &i) {
+        if (i.op == Op::Output)
+            i.immediate = place[size_t(i.immediate)];
+    });
+    function.outputs = std::move(kept);
+}
+
+} // namespace
+
+/// Whoever asks what a shader leaves behind has heard what it says already.
+Function answerOutputs(const Function &whole) {
+    Function result = whole;
+    keepParameters(result);
+    removeAll(Op::Command, result.body);
+    return answerWhole(result);
+}
+
+bool asksForLight(const Function &function) {
+    return anyInstruction(function.body, [](const Instruction &i) {
+        return i.op == Op::LightLoop || info(i.op).kind == OpClass::Light;
+    });
+}
 
 Function answerLight(const Function &whole) { return answerWhole(whole); }
 

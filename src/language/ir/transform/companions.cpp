@@ -123,11 +123,12 @@ private:
         const std::vector<Item> items = itemsOf({arguments, arguments + carried});
         const Values request =
             written_.valuesOf({i.operands.begin(), i.operands.begin() + std::ptrdiff_t(fixed)});
-        const auto sample = [&](const Triple &L, const Values &Cl, const Values &now) {
+        const auto sample = [&](const LoopLight &light, const Values &now) {
             for (size_t c = 0; c < 3; ++c)
-                written_.value[region.arguments[c]] = L[c];
-            for (size_t c = 0; c < Cl.size(); ++c)
-                written_.value[region.arguments[3 + c]] = Cl[c];
+                written_.value[region.arguments[c]] = light.L[c];
+            for (size_t c = 0; c < light.Cl.size(); ++c)
+                written_.value[region.arguments[3 + c]] = light.Cl[c];
+            written_.value[region.arguments[3 + light.Cl.size()]] = light.number;
             give(items, arguments, now);
             walk(region);
             return take(items, region.yields.data());

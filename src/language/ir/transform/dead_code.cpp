@@ -148,10 +148,7 @@ private:
 void removeDeadCode(Function &function) { DeadCode(function).run(); }
 
 void removeAll(Op op, Region &region) {
-    std::erase_if(region.body, [op](const Instruction &i) { return i.op == op; });
-    for (Instruction &i : region.body)
-        for (Region &inner : i.regions)
-            removeAll(op, inner);
+    removeInstructions(region, [op](const Instruction &i) { return i.op == op; });
 }
 
 } // namespace candela::ir

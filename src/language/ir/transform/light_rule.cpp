@@ -41,11 +41,11 @@ Values gatheredLight(Builder &b) {
     cone.push_back(number(b, std::numbers::pi_v<float> / 2));
     return lightLoop(b, addRequest(b, request), input3(b, ShaderInput::P), cone,
                      Values(b.colors().samples, number(b, 0)),
-                     [&](const Triple &L, const Values &Cl, const Values &carried) {
-                         ValueId cosine = dot(b, N, normalize(b, L));
+                     [&](const LoopLight &light, const Values &carried) {
+                         ValueId cosine = dot(b, N, normalize(b, light.L));
                          Values sum;
                          for (int k = 0; k < b.colors().samples; ++k)
-                             sum.push_back(add(b, carried[k], mul(b, Cl[k], cosine)));
+                             sum.push_back(add(b, carried[k], mul(b, light.Cl[k], cosine)));
                          return sum;
                      });
 }

@@ -8,6 +8,7 @@
 #include "language/ir/core/builder_light.h"
 #include "language/ir/core/builder_sources.h"
 #include "language/ir/core/builder_vectors.h"
+#include "language/ir/core/regions.h"
 #include "language/ir/transform/cone_values.h"
 #include "language/ir/transform/specialization.h"
 
@@ -48,9 +49,10 @@ Values givenLoop(Specialization &s, int h, const Instruction &i) {
     Triple position = s.mapping.triple(h, {i.operands[0], i.operands[1], i.operands[2]});
     Values cones = s.mapping.values(h, {i.operands.begin() + 3, i.operands.begin() + fixed});
     Values initial = initialOf(s, h, i);
-    auto body = [&](const Triple &L, const Values &Cl, const Values &carried) {
-        Values now(L.begin(), L.end());
-        now.insert(now.end(), Cl.begin(), Cl.end());
+    auto body = [&](const LoopLight &light, const Values &carried) {
+        Values now(light.L.begin(), light.L.end());
+        now.insert(now.end(), light.Cl.begin(), light.Cl.end());
+        now.push_back(light.number);
         now.insert(now.end(), carried.begin(), carried.end());
         for (std::size_t k = 0; k < now.size(); ++k)
             s.mapping.assign(h, region.arguments[k], now[k]);
@@ -86,8 +88,9 @@ Values sampledLoop(Specialization &s, int h, const Instruction &i) {
         s.mapping.assign(h, region.arguments[k], L[k]);
     for (int k = 0; k < s.text.colors.samples; ++k)
         s.mapping.assign(h, region.arguments[3 + k], number(s.b, 1));
+    s.mapping.assign(h, region.arguments[3 + s.text.colors.samples], sampleLight(s.b));
     for (std::size_t k = 0; k < initial.size(); ++k)
-        s.mapping.assign(h, region.arguments[3 + s.text.colors.samples + k], initial[k]);
+        s.mapping.assign(h, argumentOf(i, k), initial[k]);
     auto body = [&] {
         BindingTime first = s.options.framed ? BindingTime::Response : s.options.first;
         s.under({h}, [&] { walk(s, region, {first, BindingTime::Response}); });
