@@ -15,6 +15,12 @@ const ShaderRecord &defaultSurface() {
     return record;
 }
 
+OtherShaders shadersOf(const Attributes &attributes) {
+    return {attributes.surface ? attributes.surface.get() : &defaultSurface(),
+            attributes.displacement.get(), attributes.atmosphere.get(), attributes.interior.get(),
+            attributes.exterior.get()};
+}
+
 } // namespace
 
 AppearanceBuilder::AppearanceBuilder(SceneState &state, ShaderLibrary &library)
