@@ -73,7 +73,7 @@ void addRender(CLI::App &app, int &status) {
         ->delimiter(':')
         ->allow_extra_args(false);
     app.add_option("--texture-path", s.texturePath,
-                   "Folders to look for textures in: a:b:c; this version reads no textures yet")
+                   "Folders to look for textures in: a:b:c")
         ->delimiter(':')
         ->allow_extra_args(false);
     app.add_flag("--allow-programs", s.allowPrograms,

@@ -17,6 +17,8 @@ void addDiff(CLI::App &, int &status);
 void addFilter(CLI::App &, int &status);
 /// `candela compile shader.sl ...`
 void addCompile(CLI::App &, int &status);
+/// `candela tex in.png out.tx`
+void addTex(CLI::App &, int &status);
 
 /// `candela info shader ...`
 void addInfo(CLI::App &, int &status);

@@ -42,3 +42,13 @@ pkg_check_modules(SLEEF REQUIRED IMPORTED_TARGET sleef)
 # Not a pyenv shim that happens to come first in PATH.
 set(Python3_EXECUTABLE /usr/bin/python3)
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
+
+# OpenImageIO's own package file asks for development files of all formats that it reads.
+find_path(OPENIMAGEIO_INCLUDE_DIR OpenImageIO/texture.h REQUIRED)
+find_library(OPENIMAGEIO_LIBRARY OpenImageIO REQUIRED)
+find_library(OPENIMAGEIO_UTIL_LIBRARY OpenImageIO_Util REQUIRED)
+find_package(Imath CONFIG REQUIRED)
+add_library(OpenImageIO::OpenImageIO INTERFACE IMPORTED)
+target_include_directories(OpenImageIO::OpenImageIO SYSTEM INTERFACE ${OPENIMAGEIO_INCLUDE_DIR})
+target_link_libraries(OpenImageIO::OpenImageIO INTERFACE ${OPENIMAGEIO_LIBRARY}
+    ${OPENIMAGEIO_UTIL_LIBRARY} Imath::Imath fmt::fmt)

@@ -34,9 +34,10 @@ DOORS = [
     ("TBB", r"(oneapi/)?tbb/", r"TBB::\w+", "src/foundation/base"),
     ("zlib", r"zlib\.h|zconf\.h", r"ZLIB::\w+", "src/interface/rib"),
     ("CLI11", r"CLI/", r"CLI11::\w+", "apps"),
+    ("OpenImageIO", r"OpenImageIO/", r"OpenImageIO::\w+", "src/world/texture"),
 ]
 # Besides its room, who may open a door: the yardsticks of the benchmarks stand on the bare library.
-ALSO_OPENS = {"Embree": ("bench",), "SLEEF": ("bench",)}
+ALSO_OPENS = {"Embree": ("bench",), "SLEEF": ("bench",), "OpenImageIO": ("bench",)}
 # How the build refers to libraries that every room and test may use.
 FREE_TARGETS = {"fmt::fmt", "GTest::gtest", "GTest::gtest_main"}
 

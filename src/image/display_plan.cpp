@@ -17,8 +17,11 @@ struct KnownType {
     std::string_view type, extension;
     FileFormat format;
 };
-constexpr std::array<KnownType, 2> knownTypes{
-    {{"openexr", ".exr", FileFormat::OpenExr}, {"png", ".png", FileFormat::Png}}};
+/// Depths for shadows are files of any name.
+constexpr std::array<KnownType, 4> knownTypes{{{"openexr", ".exr", FileFormat::OpenExr},
+                                               {"png", ".png", FileFormat::Png},
+                                               {"zfile", "", FileFormat::OpenExr},
+                                               {"shadow", "", FileFormat::OpenExr}}};
 
 std::string namesOfTypes() {
     std::string names = "file";
@@ -59,6 +62,9 @@ void chooseFormat(PlannedDisplay &display, std::string &warning) {
 
 /// What keeps the planes out of the format; empty if nothing does.
 std::string formatDefect(const PlannedDisplay &display, const Options &options) {
+    if (holdsDepths(display.record) &&
+        (display.planes.size() != 1 || display.planes[0].source != DisplayPlane::Source::Depth))
+        return "a display of type \"" + display.record.type + "\" holds depths: its mode is \"z\"";
     if (display.format != FileFormat::Png)
         return {};
     const bool depth = std::ranges::any_of(display.planes, [](const DisplayPlane &plane) {
@@ -93,7 +99,13 @@ bool settle(PlannedDisplay &display, const Options &options, std::span<const Cha
 
 } // namespace
 
+bool holdsDepths(const DisplayRecord &display) {
+    return display.type == "zfile" || display.type == "shadow";
+}
+
 QuantizeRecord depthQuantize(const DisplayRecord &display, const Options &options) {
+    if (holdsDepths(display)) // Another light's distances: always as they are.
+        return {};
     return display.quantize.value_or(options.depthQuantize.value_or(QuantizeRecord{}));
 }
 

@@ -29,6 +29,9 @@ struct OutputPolicy {
 std::vector<PlannedDisplay> planDisplays(const Options &, std::span<const ChannelInfo> available,
                                          const OutputPolicy &, DiagnosticSink &);
 
+/// Whether it is of type "zfile" or "shadow": a float file of depths, with the camera's matrices.
+bool holdsDepths(const DisplayRecord &);
+
 /// How a display quantises depth.
 QuantizeRecord depthQuantize(const DisplayRecord &, const Options &);
 

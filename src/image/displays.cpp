@@ -77,6 +77,8 @@ std::optional<std::string> exrBytes(Job &job) {
     Picture picture = developPicture(job.sources, job.planes, settings);
     describe(job, picture);
     noteQuantize(picture, settings.color);
+    if (holdsDepths(job.display)) // As world/texture reads it.
+        picture.metadata["candela:texture"] = "shadow";
     return encodeExr(picture, job.problem);
 }
 

@@ -94,7 +94,7 @@ public:
     explicit FilterRun(const FilterFileSettings &settings)
         : settings_(settings), console_(!settings.quiet && isatty(STDERR_FILENO)),
           folders_(shaderFolders("", settings.shaderPath, console_)),
-          shaders_({folders_.all, folders_.library, settings.jit}, console_) {}
+          shaders_({folders_.all, folders_.library, settings.jit, {"."}}, console_) {}
 
     int status() {
         const bool written = run();

@@ -10,7 +10,9 @@
 #include "render/interrupt.h"
 #include "render/shader_folders.h"
 #include "render/statistics.h"
+#include "render/texture_orders.h"
 
+#include <filesystem>
 #include <new>
 #include <unistd.h>
 
@@ -40,8 +42,23 @@ void overrideOptions(const RenderSettings &settings, Options &options) {
     }
 }
 
-GraphicsStateSettings stateSettings(const RenderSettings &settings) {
+/// Behind the RIB's own search path. What a frame has written the next ones may read.
+std::vector<std::string> textureFolders(const std::string &ribFile,
+                                        const RenderSettings &settings) {
+    std::vector<std::string> folders = settings.texturePath;
+    const std::string beside = std::filesystem::path(ribFile).parent_path().string();
+    folders.insert(folders.end(), {settings.outputDirectory, beside.empty() ? "." : beside, "."});
+    return folders;
+}
+
+GraphicsStateSettings stateSettings(const std::string &ribFile, const RenderSettings &settings,
+                                    DiagnosticSink &diagnostics) {
     GraphicsStateSettings result;
+    const TextureOrderSettings orders{textureFolders(ribFile, settings), settings.outputDirectory,
+                                      settings.allowPrograms};
+    result.makeTexture = [=, &diagnostics](const TextureOrder &order, const Options &options) {
+        makeOrderedTexture(order, options, orders, diagnostics);
+    };
     result.searchPaths = {joinFolders(settings.shaderPath), joinFolders(settings.texturePath),
                           joinFolders(settings.archivePath)};
     result.overrideOptions = [&](Options &options) { overrideOptions(settings, options); };
@@ -57,7 +74,8 @@ int renderFile(const std::string &path, const RenderSettings &settings) {
     Statistics statistics;
 
     ShaderFolders folders = shaderFolders(path, settings.shaderPath, diagnostics);
-    ShaderLibrary shaders({std::move(folders.all), std::move(folders.library), settings.jit},
+    ShaderLibrary shaders({std::move(folders.all), std::move(folders.library), settings.jit,
+                           textureFolders(path, settings)},
                           diagnostics);
     ShaderWarnings warnings(diagnostics);
     bool sawWorld = false, interrupted = false;
@@ -68,7 +86,7 @@ int renderFile(const std::string &path, const RenderSettings &settings) {
             interrupted =
                 !renderFrame(scene, shaders, settings, path, {diagnostics, console, statistics});
     });
-    GraphicsState state(world, shaders, diagnostics, stateSettings(settings));
+    GraphicsState state(world, shaders, diagnostics, stateSettings(path, settings, diagnostics));
 
     try {
         RibReader(state, diagnostics).readFile(path);

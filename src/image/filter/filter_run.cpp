@@ -28,6 +28,9 @@ ShaderServices servicesOf(Context &context) {
     services.context = &context;
     services[Service::print] = passOn<Service::print>;
     services[Service::option] = passOn<Service::option>;
+    services[Service::texture] = passOn<Service::texture>;
+    services[Service::environment] = passOn<Service::environment>;
+    services[Service::textureinfo] = passOn<Service::textureinfo>;
     services[Service::setsize] = [](void *pointer, const ServiceCall &call) {
         contextOf(pointer).maps.resize(call.site->texts[0], call.operand(0, 0).number,
                                        call.operand(1, 0).number, *call.site);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "interface/ri/options.h"
+#include "interface/ri/texture_order.h"
 
 #include <functional>
 #include <string>
@@ -17,6 +18,8 @@ struct GraphicsStateSettings {
     } searchPaths;
     /// Has the last word on the options, just before each SceneBuilder::worldBegin.
     std::function<void(Options &)> overrideOptions;
+    /// Makes a texture, now; empty = none is made.
+    std::function<void(const TextureOrder &, const Options &)> makeTexture;
 };
 
 } // namespace candela

@@ -49,6 +49,8 @@ private:
                                                const std::string &name, const TokenList &);
     ShaderRecord pictureShader(const SourceLocation &, const char *request, ShaderKind,
                                const std::string &name, const TokenList &);
+    /// Hands an order for a texture on, its parameters read.
+    void order(const SourceLocation &, TextureOrder, const TokenList &);
     void addLight(const SourceLocation &, const char *request, const std::string &name,
                   const Handle &, const TokenList &, bool area);
     void emit(const SourceLocation &, const char *request, ShapeRecord, const TokenList &);

@@ -21,7 +21,7 @@ inline constexpr int serviceCount = int(Service::Count);
 
 enum class ServicePurity : std::uint8_t { Query, Command };
 enum class ServiceUniformity : std::uint8_t { Operands, Varying };
-enum class ServiceSlope : std::uint8_t { None, Step, Held };
+enum class ServiceSlope : std::uint8_t { None, Step, Held, Twin };
 enum class ServiceBound : std::uint8_t { None, Unknown, Constant };
 
 /// As services.def explains it.
@@ -54,6 +54,13 @@ inline constexpr ServiceInfo serviceTable[] = {
 };
 
 constexpr const ServiceInfo &info(Service service) { return serviceTable[int(service)]; }
+
+/// How many operands the derivatives of a service with a twin are by.
+inline constexpr int twinCoordinates = 2;
+/// The service that gives a service's answer and its derivatives; of those that have a twin.
+constexpr const ServiceInfo &twinOf(const ServiceInfo &service) {
+    return serviceTable[int(service.service) + 1];
+}
 
 /// What is the same in all calls from one place. Generated code lays it out itself
 /// (jit/service_calls.cpp).

@@ -50,24 +50,58 @@ TEST(Builtins, SignaturesAreReadInFull) {
 }
 
 TEST(Builtins, WhatMustBeAvailableIs) {
-    for (const char *name : {"noise",        "pnoise",      "cellnoise",       "spline",
-                             "smoothstep",   "mix",         "ctransform",      "transform",
-                             "vtransform",   "ntransform",  "mtransform",      "rotate",
-                             "refract",      "fresnel",     "faceforward",     "reflect",
-                             "random",       "printf",      "format",          "concat",
-                             "arraylength",  "ambient",     "diffuse",         "specular",
-                             "specularbrdf", "phong",       "trace",           "irradiance",
-                             "photometric",  "radiometric", "totalluminance",  "totalradiance",
-                             "depth",        "area",        "calculatenormal", "Du",
-                             "Dv",           "Deriv",       "option",          "rendererinfo",
-                             "image",        "setimage",    "setsize",         "surface",
+    for (const char *name : {"noise",
+                             "pnoise",
+                             "cellnoise",
+                             "spline",
+                             "smoothstep",
+                             "mix",
+                             "ctransform",
+                             "transform",
+                             "vtransform",
+                             "ntransform",
+                             "mtransform",
+                             "rotate",
+                             "refract",
+                             "fresnel",
+                             "faceforward",
+                             "reflect",
+                             "random",
+                             "printf",
+                             "format",
+                             "concat",
+                             "arraylength",
+                             "ambient",
+                             "diffuse",
+                             "specular",
+                             "specularbrdf",
+                             "phong",
+                             "trace",
+                             "irradiance",
+                             "photometric",
+                             "radiometric",
+                             "totalluminance",
+                             "totalradiance",
+                             "depth",
+                             "area",
+                             "calculatenormal",
+                             "Du",
+                             "Dv",
+                             "Deriv",
+                             "option",
+                             "rendererinfo",
+                             "image",
+                             "setimage",
+                             "setsize",
+                             "texture",
+                             "environment",
+                             "shadow",
+                             "bump",
+                             "textureinfo",
+                             "surface",
                              "lightsource"}) {
         ASSERT_NE(findBuiltin(name), nullptr) << name;
         EXPECT_EQ(findBuiltin(name)->available, Available::Now) << name;
-    }
-    for (const char *name : {"texture", "environment", "shadow", "bump"}) {
-        ASSERT_NE(findBuiltin(name), nullptr) << name;
-        EXPECT_EQ(findBuiltin(name)->available, Available::Later) << name;
     }
     for (const char *name : {"bake", "bake3d", "texture3d", "photonmap", "caustic", "subsurface"})
         EXPECT_EQ(findBuiltin(name)->available, Available::Zero) << name;

@@ -70,6 +70,23 @@ ExprPtr CallChecker::fittingNone(const ast::Expr &e) {
                                     signatures(e.text, here_.names));
 }
 
+/// The channel in name[channel], where a texture's name stands; null for other arguments.
+const ast::Expr *CallChecker::channelOf(const Builtin &function, const ast::Expr &argument) const {
+    if (function.lowering != Lowering::Texture || argument.kind != ast::ExprKind::Index)
+        return nullptr;
+    const TypeSet types = typesOf(*argument.operands[0], here_);
+    return types.isOnly(BaseType::String) && !types.arrayLength ? argument.operands[1].get()
+                                                                : nullptr;
+}
+
+/// Behind the arguments, as a parameter like "blur".
+void CallChecker::addChannel(const ast::Expr &channel, std::vector<ExprPtr> &arguments) {
+    if (ExprPtr value = expressions_.checkAs(channel, BaseType::Float, "a texture's channel")) {
+        arguments.push_back(makeText("channel", channel.where));
+        arguments.push_back(std::move(value));
+    }
+}
+
 ExprPtr CallChecker::argument(const ast::Expr &e, const BuiltinParameter &parameter,
                               const std::string &name) {
     std::string role = "argument '" + parameter.name + "' of " + name;
@@ -114,8 +131,10 @@ ExprPtr CallChecker::builtin(const ast::Expr &e, const BuiltinOverload &overload
         bool open = i >= parameters.size() && !overload.repeatsLast;
         const BuiltinParameter *parameter =
             open ? nullptr : &parameters[std::min(i, parameters.size() - 1)];
-        ExprPtr value = parameter ? argument(*e.operands[i], *parameter, e.text)
-                                  : optionalArgument(e, i, function.id);
+        const bool hasChannel = i == 0 && channelOf(function, *e.operands[i]);
+        const ast::Expr &given = hasChannel ? *e.operands[i]->operands[0] : *e.operands[i];
+        ExprPtr value =
+            parameter ? argument(given, *parameter, e.text) : optionalArgument(e, i, function.id);
         if (value)
             arguments.push_back(std::move(value));
     }
@@ -125,6 +144,9 @@ ExprPtr CallChecker::builtin(const ast::Expr &e, const BuiltinOverload &overload
         return zero(e, overload);
     hintAtDegrees(e, overload);
     checkStrings(e, function.id, arguments, here_.reporter);
+    if (const ast::Expr *channel =
+            e.operands.empty() ? nullptr : channelOf(function, *e.operands[0]))
+        addChannel(*channel, arguments);
     if (!componentsExist(e, overload, here_.reporter))
         return nullptr;
     Detail inputs = Detail::Uniform;

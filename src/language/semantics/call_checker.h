@@ -23,6 +23,8 @@ private:
     ExprPtr optionalArgument(const ast::Expr &call, size_t i, BuiltinId);
     ExprPtr fittingNone(const ast::Expr &);
     ExprPtr builtin(const ast::Expr &, const BuiltinOverload &);
+    const ast::Expr *channelOf(const Builtin &, const ast::Expr &argument) const;
+    void addChannel(const ast::Expr &channel, std::vector<ExprPtr> &arguments);
     ExprPtr argument(const ast::Expr &, const BuiltinParameter &, const std::string &name);
     ExprPtr user(const ast::Expr &, FunctionDefinition &);
     ExprPtr userArgument(const ast::Expr &, const ast::Variable &formal, const std::string &name);

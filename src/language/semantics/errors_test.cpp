@@ -98,8 +98,6 @@ TEST(Errors, NamesAndTypes) {
         {"setxcomp(P + Q2, 1);", "14: error: unknown variable 'Q2'"},
         {"setxcomp(q + q, 1);", "1: error: setxcomp cannot be called with (point, float); expected "
                                 "void setxcomp(output vector v, float x)"},
-        {"f = texture(\"a.tx\");", "5: error: function texture() is not available yet in this "
-                                   "version of Candela"},
         {"gather(\"a\", P, N) { }", "1: error: gather needs a category, a position, a direction, "
                                     "an angle and a number of samples"},
         {"gather(\"a\", P, N, 1, 2, f) { }",

@@ -26,6 +26,8 @@ static TypeSet typesOfIndex(const ast::Expr &e, const Surroundings &here) {
         indexed.arrayLength = 0;
         return indexed;
     }
+    if (indexed.isOnly(BaseType::String)) // A texture and its channel.
+        return indexed;
     bool triple = indexed.hasGeometric() || indexed.has(BaseType::Color);
     return triple ? TypeSet{BaseType::Float} : TypeSet{};
 }

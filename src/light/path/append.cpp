@@ -96,9 +96,27 @@ void passOn(const ActivePaths &from, const HitBatch &hits, int i, ActivePaths &t
     to.depth[at] = from.depth[i], to.seen[at] = from.seen[i];
 }
 
+/// How much wider the cone of a ray becomes, metres a metre, that leaves vertex i mirrored or bent: a
+/// direction turns with the normal, which changes over the footprint.
+float spreadByCurvature(ShadingPoints &points, int i, const Vec3 &direction) {
+    constexpr float mirrored = 2, bent = 0.5f; // Of the normal's turn; bent by water or glass.
+    const auto vec = [&](ShaderInput input) {
+        return Vec3{points.input(input, 0)[i], points.input(input, 1)[i], points.input(input, 2)[i]};
+    };
+    const auto number = [&](ShaderInput input) { return points.input(input, 0)[i]; };
+    const Vec3 byU = vec(ShaderInput::dNdu), byV = vec(ShaderInput::dNdv), N = vec(ShaderInput::N);
+    const float turn = std::max(
+        length(byU * number(ShaderInput::dudx) + byV * number(ShaderInput::dvdx)),
+        length(byU * number(ShaderInput::dudy) + byV * number(ShaderInput::dvdy)));
+    const bool isMirrored = dot(direction, N) * dot(vec(ShaderInput::I), N) < 0;
+    const float more = turn * (isMirrored ? mirrored : bent);
+    return more < widestSpread ? more : widestSpread; // Also of what is no number.
+}
+
 /// Mirrors leave directions of any length and no memory of their vertex.
 void correctSpecialEvents(PathWave &wave, const ConstVec3Planes &direction, int count, int first) {
-    const VertexChunk &chunk = wave.chunk;
+    VertexChunk &chunk = wave.chunk;
+    const bool bends = wave.frame.scene.bendsRays(chunk.code);
     ActivePaths &to = wave.next;
     for (int k = 0; k < count; ++k) {
         const int i = chunk.way.lane[k], at = first + k;
@@ -109,6 +127,8 @@ void correctSpecialEvents(PathWave &wave, const ConstVec3Planes &direction, int 
         const Vec3 unit = normalize(Vec3{direction[0][i], direction[1][i], direction[2][i]});
         to.rays.direction[0][at] = unit.x, to.rays.direction[1][at] = unit.y;
         to.rays.direction[2][at] = unit.z;
+        if (bends)
+            to.rays.spread[at] += spreadByCurvature(chunk.vertices.points, i, unit);
         for (int c = 0; c < 3; ++c)
             to.left.N[c][at] = 0;
     }

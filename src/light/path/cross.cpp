@@ -74,6 +74,14 @@ void askAmbient(PathWave &wave, Crossing &crossing) {
     crossing.segments.ambient = ambient.data();
 }
 
+/// Output parameters that displays show.
+void seeParameters(PathWave &wave, const Segments::Group &group, const Segments &segments) {
+    if (wave.purpose != Purpose::Camera)
+        return;
+    for (const ShaderChannelPlane &shown : wave.frame.shaderChannels.ofVolume(*group.code))
+        addSeen(wave, shown, segments.parameter(shown.output), group.active.data());
+}
+
 void askVolumes(PathWave &wave, Crossing &crossing) {
     const Scene &scene = wave.frame.scene;
     VertexChunk &chunk = wave.chunk;
@@ -93,6 +101,7 @@ void askVolumes(PathWave &wave, Crossing &crossing) {
             askLit(wave, crossing, group);
         else
             segments.ask(group, nullptr, true);
+        seeParameters(wave, group, segments);
     }
 }
 

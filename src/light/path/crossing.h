@@ -6,6 +6,8 @@
 #include "world/scene/segments.h"
 #include "world/shading/volume_lights.h"
 
+#include <vector>
+
 namespace candela {
 
 struct PathWave;
@@ -37,6 +39,7 @@ struct Crossing {
 
     Segments segments;
     VolumeLights lights;
+    std::vector<int> order; ///< Of the points that wait for light.
     PointLight point;
     Planes<std::uint32_t> around;    ///< Of segments, MediaAround where they lie.
     Planes<std::int32_t> atmosphere; ///< The air there.

@@ -7,6 +7,7 @@
 #include "light/sampling/sobol.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace candela {
 
@@ -23,14 +24,15 @@ void takePoints(PathWave &wave, const Crossing &crossing, int first, int count) 
     const float *time = vertices.points.input(int(ShaderInput::time));
     const std::uint64_t salt = std::uint64_t(wave.vertex + 1) << 48;
     for (int k = 0; k < count; ++k) {
-        const Vec3 P = lights.point(first + k);
-        const int i = lights.lane(first + k);
+        const int point = crossing.order[std::size_t(first + k)];
+        const Vec3 P = lights.point(point);
+        const int i = lights.lane(point);
         to.P[0][k] = P.x, to.P[1][k] = P.y, to.P[2][k] = P.z;
         to.time[k] = time[i];
         to.lightSet[k] = vertices.mediaOf(i).lightSet;
         to.inner[k] = crossing.around[0][i], to.outer[k] = crossing.around[1][i];
         to.atmosphere[k] = crossing.atmosphere[0][i];
-        const std::uint64_t ordinal = std::uint64_t(lights.ordinal(first + k)) << 32;
+        const std::uint64_t ordinal = std::uint64_t(lights.ordinal(point)) << 32;
         to.key[k] = std::uint32_t(mixBits(salt ^ ordinal ^ wave.chunk.paths.pixelKey[i]) >> 32);
         to.sampleIndex[k] = wave.chunk.paths.sampleIndex[i];
     }
@@ -92,19 +94,32 @@ void lightRow(PathWave &wave, Crossing &crossing, const LightsInRows &rows, int 
         std::array<float, colorSamples> Cl;
         for (std::size_t c = 0; c < colorSamples; ++c)
             Cl[c] = samples.value[c][k];
-        crossing.lights.set(row, first + k, {samples.L[0][k], samples.L[1][k], samples.L[2][k]}, Cl,
+        crossing.lights.set(row, crossing.order[std::size_t(first + k)],
+                            {samples.L[0][k], samples.L[1][k], samples.L[2][k]}, Cl,
                             samples.light[k]);
     }
 }
 
+/// Segment by segment, whatever the lanes are in which they have been asked: so rays share packets
+/// with the same ones at every lane width.
+void orderPoints(Crossing &crossing) {
+    const VolumeLights &lights = crossing.lights;
+    std::vector<int> &order = crossing.order;
+    order.clear();
+    for (int k = lights.lit(); k < lights.points(); ++k)
+        order.push_back(k);
+    std::ranges::sort(order, {},
+                      [&](int k) { return std::pair(lights.lane(k), lights.ordinal(k)); });
+}
+
 /// Lights the points that wait for it.
 void lightPoints(PathWave &wave, Crossing &crossing) {
-    VolumeLights &lights = crossing.lights;
     const LightsInRows rows(wave.frame.scene);
-    const int begin = lights.lit(), end = lights.points();
-    lights.light(rows.rows());
-    for (int first = begin; first < end; first += VertexChunk::capacity) {
-        const int count = std::min(VertexChunk::capacity, end - first);
+    orderPoints(crossing);
+    crossing.lights.light(rows.rows());
+    const int all = int(crossing.order.size());
+    for (int first = 0; first < all; first += VertexChunk::capacity) {
+        const int count = std::min(VertexChunk::capacity, all - first);
         takePoints(wave, crossing, first, count);
         for (int row = 0; row < rows.rows(); ++row)
             lightRow(wave, crossing, rows, row, first, count);

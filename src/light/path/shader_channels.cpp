@@ -3,6 +3,8 @@
 
 #include "light/path/first_hit.h"
 #include "light/path/stages.h"
+#include "light/path/steps.h"
+#include "world/scene/segments.h"
 
 #include <algorithm>
 
@@ -34,19 +36,6 @@ int firstPlane(std::span<const ChannelInfo> channels, std::size_t channel) {
     return plane;
 }
 
-/// Adds what surfaces with the opacity in front let through, or all of it.
-void addSeen(const PathsAtVertices &paths, int count, const float *value, int sample, float *to) {
-    for (int i = 0; i < count; ++i) {
-        if (!paths.seen[i])
-            continue;
-        float through = 0;
-        for (int c = 0; c < colorSamples; ++c)
-            if (sample < 0 || sample == c)
-                through += paths.throughput[c][i];
-        to[paths.slot[i]] += value[i] * (sample < 0 ? through / colorSamples : through);
-    }
-}
-
 /// The rows of light that the vertices have been given, or are given now.
 struct GivenLight {
     const LightRows *rows = nullptr;
@@ -67,10 +56,44 @@ GivenLight lightFor(PathWave &wave) {
 
 } // namespace
 
+namespace {
+
+std::vector<const ShaderCode *> volumesOf(const Scene &scene) {
+    std::vector<const ShaderCode *> codes;
+    for (int number = 1; number < scene.mediaCount(); ++number)
+        if (const ShaderCode *code = scene.medium(number).code.get();
+            std::ranges::find(codes, code) == codes.end())
+            codes.push_back(code);
+    return codes;
+}
+
+/// Which of the question's outputs the channels show.
+std::vector<ShaderChannelPlane> planesOf(const ShaderCode &code, ir::Question which,
+                                         std::span<const ChannelInfo> channels) {
+    std::vector<ShaderChannelPlane> planes;
+    for (const ir::ShaderParameter &parameter : code.shader().parameters) {
+        const auto channel = std::ranges::find(channels, parameter.name, &ChannelInfo::name);
+        if (!isShown(parameter) || channel == channels.end() ||
+            channel->components != int(parameter.defaults.size()))
+            continue;
+        const auto &outputs = code.question(which).function.outputs;
+        const int first = firstPlane(channels, std::size_t(channel - channels.begin()));
+        for (int c = 0; c < channel->components; ++c)
+            planes.push_back({first + c, ir::slotOf(outputs, parameter.name, c),
+                              isColor(parameter) ? c % colorSamples : -1});
+    }
+    return planes;
+}
+
+} // namespace
+
 std::vector<ChannelInfo> outputParametersOf(const Scene &scene) {
+    std::vector<const ShaderCode *> codes = volumesOf(scene);
+    for (int code = scene.codeCount(); code-- > 0;)
+        codes.insert(codes.begin(), &scene.code(code));
     std::vector<ChannelInfo> channels;
-    for (int code = 0; code < scene.codeCount(); ++code)
-        for (const ir::ShaderParameter &parameter : scene.code(code).shader().parameters)
+    for (const ShaderCode *code : codes)
+        for (const ir::ShaderParameter &parameter : code->shader().parameters)
             if (isShown(parameter) &&
                 std::ranges::find(channels, parameter.name, &ChannelInfo::name) == channels.end())
                 channels.push_back(channelOf(parameter));
@@ -81,20 +104,35 @@ ShaderChannels::ShaderChannels(const Scene &scene, std::span<const ChannelInfo> 
     : codes_(std::size_t(scene.codeCount())) {
     for (int number = 0; number < scene.codeCount(); ++number) {
         const ShaderCode &code = scene.code(number);
-        for (const ir::ShaderParameter &parameter : code.shader().parameters) {
-            const auto channel = std::ranges::find(channels, parameter.name, &ChannelInfo::name);
-            if (!isShown(parameter) || channel == channels.end() ||
-                channel->components != int(parameter.defaults.size()))
-                continue;
-            const QuestionCode &question = code.question(ir::Question::Outputs);
-            const int first = firstPlane(channels, std::size_t(channel - channels.begin()));
-            for (int c = 0; c < channel->components; ++c)
-                codes_[std::size_t(number)].planes.push_back(
-                    {first + c, ir::slotOf(question.function.outputs, parameter.name, c),
-                     isColor(parameter) ? c % colorSamples : -1});
-            codes_[std::size_t(number)].needLight = ir::asksForLight(question.function);
-            empty_ = false;
-        }
+        Code &own = codes_[std::size_t(number)];
+        own.planes = planesOf(code, ir::Question::Outputs, channels);
+        if (own.planes.empty())
+            continue;
+        own.needLight = ir::asksForLight(code.question(ir::Question::Outputs).function);
+        empty_ = false;
+    }
+    for (const ShaderCode *code : volumesOf(scene))
+        volumes_[code] = planesOf(*code, Segments::questionFor(*code), channels);
+}
+
+std::span<const ShaderChannelPlane> ShaderChannels::ofVolume(const ShaderCode &code) const {
+    const auto found = volumes_.find(&code);
+    return found == volumes_.end() ? std::span<const ShaderChannelPlane>() : found->second;
+}
+
+void addSeen(PathWave &wave, const ShaderChannelPlane &shown, const float *value,
+             const std::uint16_t *active) {
+    const PathsAtVertices &paths = wave.chunk.paths;
+    float *to = wave.results.channels[shown.plane];
+    for (int i = 0; i < wave.chunk.count(); ++i) {
+        const bool asked = !active || (active[i / laneBlock] >> (i % laneBlock) & 1);
+        if (!paths.seen[i] || !asked)
+            continue;
+        float through = 0;
+        for (int c = 0; c < colorSamples; ++c)
+            if (shown.sample < 0 || shown.sample == c)
+                through += paths.throughput[c][i];
+        to[paths.slot[i]] += value[i] * (shown.sample < 0 ? through / colorSamples : through);
     }
 }
 
@@ -112,8 +150,7 @@ void seeOutputParameters(PathWave &wave) {
                                         light.count > 0 ? rows->Cl(0).data() : nullptr,
                                         light.count > 0 ? rows->light(0) : nullptr, chunk.ambient);
     for (const ShaderChannelPlane &shown : channels.of(chunk.code))
-        addSeen(chunk.paths, chunk.count(), values[std::size_t(shown.output)], shown.sample,
-                wave.results.channels[shown.plane]);
+        addSeen(wave, shown, values[std::size_t(shown.output)], nullptr);
 }
 
 } // namespace candela

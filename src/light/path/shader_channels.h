@@ -5,6 +5,7 @@
 #include "world/scene/sample_sink.h"
 #include "world/scene/scene.h"
 
+#include <map>
 #include <span>
 #include <vector>
 
@@ -13,11 +14,12 @@ namespace candela {
 /// A plane of a channel, and which of a shader's outputs it shows.
 struct ShaderChannelPlane {
     int plane;  ///< Of PathResults::channels.
-    int output; ///< Of ir::Question::Outputs.
+    int output; ///< Of ir::Question::Outputs; of volumes, of Segments::questionFor().
     int sample; ///< Of a colour; -1 = it is no colour.
 };
 
-/// Of each surface shader of the scene, the channels of the frame that it has something for.
+/// Of each surface and volume shader of the scene, the channels of the frame that it has something
+/// for.
 class ShaderChannels {
 public:
     /// `channels` as SampleSink has them. Channels that shaders do not have, or have of another
@@ -26,6 +28,7 @@ public:
 
     bool empty() const { return empty_; }
     const std::vector<ShaderChannelPlane> &of(int code) const { return codes_[code].planes; }
+    std::span<const ShaderChannelPlane> ofVolume(const ShaderCode &code) const;
     /// Light has a part in what the shader leaves in its output parameters.
     bool needLight(int code) const { return codes_[code].needLight; }
 
@@ -35,11 +38,12 @@ private:
         bool needLight = false;
     };
     std::vector<Code> codes_;
+    std::map<const ShaderCode *, std::vector<ShaderChannelPlane>> volumes_;
     bool empty_ = true;
 };
 
-/// The output parameters of all surface shaders of the scene, but for strings: of those that share
-/// a name, the first one.
+/// The output parameters of all surface and volume shaders of the scene, but for strings: of those
+/// that share a name, the first one.
 std::vector<ChannelInfo> outputParametersOf(const Scene &);
 
 } // namespace candela

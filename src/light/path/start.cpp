@@ -54,6 +54,14 @@ void takePaths(PathWave &wave) {
         beginMedia(wave.slots, active.media);
 }
 
+/// Each of a pixel's samples stands for a share of it: what they show is averaged, and what they
+/// look up need not be blurred once more. The share depends on the pass, not on passes to come.
+void shareFootprints(int samples, RayBatch &rays) {
+    const float share = 1 / std::sqrt(float(std::max(1, samples)));
+    for (int i = 0; i < rays.count; ++i)
+        rays.width[i] *= share, rays.spread[i] *= share;
+}
+
 } // namespace
 
 void startCamera(PathWave &wave, int pixels, const int *x, const int *y, int first, int last) {
@@ -82,6 +90,7 @@ void startCamera(PathWave &wave, int pixels, const int *x, const int *y, int fir
     camera.rays(wave.slots, rasterX, rasterY, numbers[2 * lensPair], numbers[2 * lensPair + 1],
                 numbers[2 * timePair], wave.active.rays);
     wave.active.rays.count = wave.slots;
+    shareFootprints(last, wave.active.rays);
     wave.frame.statistics.paths += wave.slots;
     wave.frame.statistics.cameraRays += wave.slots;
 }

@@ -24,6 +24,10 @@ void beginMedia(int count, PathMedia &);
 void leaveMedia(PathWave &, const ConstVec3Planes &direction, int count, int first);
 /// Raises way.brightest where a path goes straight on to opacity that counts, dark as it is.
 void weighOpacityBehind(PathWave &);
+/// Adds to a channel what a shader has left at the vertices that the camera sees, as far as it sees
+/// them: of lanes with a bit in `active`, 16 a word; null = all.
+void addSeen(PathWave &, const ShaderChannelPlane &, const float *value,
+             const std::uint16_t *active);
 /// Numbers for events of one direction and for roulette between them; must come first. The
 /// importance of finite lobes is null where they are not followed.
 void beginEvents(PathWave &, const float *finiteTotal);

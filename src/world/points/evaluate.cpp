@@ -4,6 +4,7 @@
 #include "foundation/base/hot.h"
 #include "foundation/base/lanes.h"
 #include "foundation/base/scratch.h"
+#include "world/points/footprint.h"
 #include "world/points/point_runs.h"
 #include "world/points/surface_points.h"
 
@@ -120,20 +121,6 @@ void fillOrientation(const PointTables &tables, const float *normalSign, Shading
     }
 }
 
-/// du and dv: how far u and v run over the footprint.
-void fillFootprint(const Camera &camera, const float *footprint, ShadingPoints &points) {
-    for (int i = 0; i < points.count; ++i) {
-        auto lengthOf = [&](ShaderInput input) {
-            return length(
-                {points.input(input, 0)[i], points.input(input, 1)[i], points.input(input, 2)[i]});
-        };
-        float width = footprint ? footprint[i] : camera.pixelSize(lengthOf(ShaderInput::P));
-        float alongU = lengthOf(ShaderInput::dPdu), alongV = lengthOf(ShaderInput::dPdv);
-        points.input(ShaderInput::du, 0)[i] = alongU > 0 ? std::min(width / alongU, 1.0f) : 1;
-        points.input(ShaderInput::dv, 0)[i] = alongV > 0 ? std::min(width / alongV, 1.0f) : 1;
-    }
-}
-
 /// At outlines a ray may meet the front of an element whose named point has its true normal turned
 /// away: what is seen from outside is to be shaded from outside. Such normals are mirrored at the
 /// line of sight, which moves them by as little as they were off.
@@ -207,7 +194,7 @@ void evaluatePoints(const PointTables &tables, const Camera &camera, const Surfa
     limitOffsets(points.count, vec3(points, ShaderInput::P), offsetShare, points.offset);
     addRounding(points.count, vec3(points, ShaderInput::P), pointRounding, points.offset);
     if (code.wanted.footprint)
-        fillFootprint(camera, footprint, points);
+        fillFootprints(camera, footprint, points);
 }
 
 void placeElementNormals(const PointTables &tables, int count, const std::uint32_t *instance,

@@ -32,17 +32,15 @@ int AppearanceBuilder::numberOf(std::shared_ptr<ShaderCode> code) {
 
 AppearanceBuilder::Shading AppearanceBuilder::shadingOf(const Attributes &attributes,
                                                         const std::set<std::string> &variables) {
-    const ShaderRecord &record = attributes.surface ? *attributes.surface : defaultSurface();
-    const OtherShaders all{&record, attributes.displacement.get(), attributes.atmosphere.get(),
-                           attributes.interior.get(), attributes.exterior.get()};
+    const OtherShaders all = shadersOf(attributes);
     for (const Attributes *asked : {static_cast<const Attributes *>(nullptr), &attributes}) {
         const auto known = shadings_.find({all, variables, asked});
         if (known != shadings_.end())
             return known->second;
     }
     auto rule = state_.classic ? ir::LightRule::Classic : ir::LightRule::Path;
-    auto instance = library_.instance(ShaderKind::Surface, record, state_.options, rule, variables,
-                                      all, &attributes);
+    auto instance = library_.instance(ShaderKind::Surface, *all.surface, state_.options, rule,
+                                      variables, all, &attributes);
     Shading shading{-1, 0};
     const Attributes *asked = nullptr;
     if (instance) {
@@ -69,14 +67,15 @@ int AppearanceBuilder::lightSetOf(const Attributes &attributes) {
     return place->second;
 }
 
-std::int32_t AppearanceBuilder::mediumOf(const std::shared_ptr<const ShaderRecord> &record) {
+std::int32_t AppearanceBuilder::mediumOf(const ShaderRecord *record, const OtherShaders &others) {
     if (!record)
         return 0;
-    auto [place, isNew] = media_.try_emplace(record.get(), 0);
+    auto [place, isNew] = media_.try_emplace({record, others}, 0);
     if (!isNew)
         return place->second;
     const auto rule = state_.classic ? ir::LightRule::Classic : ir::LightRule::Path;
-    const auto instance = library_.instance(ShaderKind::Volume, *record, state_.options, rule, {});
+    const auto instance =
+        library_.instance(ShaderKind::Volume, *record, state_.options, rule, {}, others);
     if (!instance || int(state_.media.size()) > mostMedia)
         return 0;
     const std::span<const float> block = instance->code->block(instance->parameterOffset);
@@ -89,9 +88,10 @@ std::int32_t AppearanceBuilder::mediumOf(const std::shared_ptr<const ShaderRecor
 
 SurfaceMedia AppearanceBuilder::mediaOf(const Attributes &attributes) {
     SurfaceMedia media;
-    media.atmosphere = mediumOf(attributes.atmosphere);
-    media.exterior = mediumOf(attributes.exterior);
-    media.interior = attributes.sides == 1 ? 0 : mediumOf(attributes.interior);
+    const OtherShaders all = shadersOf(attributes);
+    media.atmosphere = mediumOf(all.atmosphere, all);
+    media.exterior = mediumOf(all.exterior, all);
+    media.interior = attributes.sides == 1 ? 0 : mediumOf(all.interior, all);
     media.lightSet = lightSetOf(attributes);
     return media;
 }

@@ -43,7 +43,7 @@ private:
     int numberOf(std::shared_ptr<ShaderCode>);
     int lightSetOf(const Attributes &);
     /// The number of the volume; 0 where there is none, also where it can't be had.
-    std::int32_t mediumOf(const std::shared_ptr<const ShaderRecord> &);
+    std::int32_t mediumOf(const ShaderRecord *, const OtherShaders &);
     SurfaceMedia mediaOf(const Attributes &);
 
     SceneState &state_;
@@ -54,7 +54,7 @@ private:
         shadings_;
     std::map<const ShaderCode *, int> codeNumbers_;
     std::map<std::vector<int>, int> lightSets_;
-    std::map<const ShaderRecord *, std::int32_t> media_;
+    std::map<std::pair<const ShaderRecord *, OtherShaders>, std::int32_t> media_;
     /// By what they do: a body's faces may each have been told of its Interior.
     std::map<std::pair<const ShaderCode *, std::vector<float>>, std::int32_t> sameMedia_;
 };

@@ -83,14 +83,14 @@ bool emitsAlike(const ShaderCode &code) {
                                                  {{ShaderInput::Cs, 3}, {ShaderInput::Os, 3}});
 }
 
-} // namespace
-
-/// Whether the light's shader says itself where its light does not get.
-static bool tellsShadows(const ShaderCode &code) {
+/// The shader looks its shadows up: those and no others are wanted.
+bool bringsShadows(const ShaderCode &code) {
     return std::ranges::any_of(code.shader().whole.services, [](const ir::ServiceUse &use) {
-        return use.info->service == Service::transmission;
+        return use.info->service == Service::shadow || use.info->service == Service::transmission;
     });
 }
+
+} // namespace
 
 LightBuilder::LightBuilder(SceneState &state, ShaderLibrary &library)
     : state_(state), library_(library) {}
@@ -111,7 +111,7 @@ void LightBuilder::declare(const std::vector<std::shared_ptr<const LightRecord>>
         }
         light.si = record->units == LightUnits::Si;
         light.castsShadow =
-            (!state_.classic || record->shadows) && !(instance && tellsShadows(*instance->code));
+            (!state_.classic || record->shadows) && !(instance && bringsShadows(*instance->code));
         light.currentFromShader = record->shader.currentFromShader.atOpen();
         state_.lights.lights.push_back(std::move(light));
         tags_.push_back(std::move(tags));

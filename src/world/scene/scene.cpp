@@ -232,5 +232,9 @@ Vec3 Scene::offsetOrigin(Vec3 P, Vec3 Ng, Vec3 direction, float offset) {
 }
 
 bool Scene::readsFootprints() const { return state_->readsFootprints; }
+bool Scene::bendsRays(int code) const {
+    const WantedInputs &wanted = state_->points.codes[code].wanted;
+    return wanted.dNd && wanted.footprint;
+}
 
 } // namespace candela

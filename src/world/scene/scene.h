@@ -70,6 +70,9 @@ public:
                          ShadingPoints &) const;
     /// False if no shader wants to know how wide rays are: their footprints need not be filled.
     bool readsFootprints() const;
+    /// True if points of the code know how N changes over their footprints: what a curved surface
+    /// does to the width of rays that it reflects or refracts.
+    bool bendsRays(int code) const;
     /// Where the rays met the elements, on these rather than on the true surface.
     void elementPoints(const RayBatch &, const HitBatch &, const int *order, int count,
                        const std::array<float *, 3> &point) const;

@@ -101,6 +101,23 @@ static void makeReady(ShaderLibrary &library, PointTables &points) {
         }
 }
 
+/// Where a shader wants to know how wide rays are, those that may send them on along one direction
+/// tell how they bend them.
+static void prepareMirrors(PointTables &points) {
+    const auto asksOneDirection = [](const ir::LightRequest &request) {
+        return request.kind == ir::LightRequest::Kind::Trace ||
+               request.form == ir::ConeForm::Extended;
+    };
+    if (std::ranges::none_of(points.codes,
+                             [](const SurfaceCode &code) { return code.wanted.footprint; }))
+        return;
+    for (SurfaceCode &code : points.codes)
+        if (std::ranges::any_of(code.code->shader().whole.requests, asksOneDirection)) {
+            code.wanted.dNd = code.wanted.dPd = code.wanted.footprint = true;
+            code.fromElements = false;
+        }
+}
+
 void SceneCompiler::worldEnd() {
     DeclaredWorld declared = std::move(state_->declared);
     state_->declared = {};
@@ -121,6 +138,7 @@ void SceneCompiler::worldEnd() {
     LightBuilder lights(*state, state_->library);
     lights.declare(declared.lights);
     makeReady(state_->library, state->points);
+    prepareMirrors(state->points);
     lights.attachShapes(geometry);
     lights.bindCategories(state_->library);
     state->findMediaOfLights();

@@ -15,7 +15,7 @@ Segments::Colors Segments::colors(int first) const {
 }
 
 Segments::Segments(int capacity)
-    : inputs_(int(ShaderInput::Count), capacity), results_(7 * colorSamples + 1, capacity),
+    : inputs_(int(ShaderInput::Count), capacity), results_(7 * colorSamples, capacity),
       integers_(3, capacity) {
     medium = integers_[0]; // Then the parameters' offsets, then zeros.
     answers_ = {colors(0), colors(1), colors(2), colors(3), colors(4)};
@@ -79,7 +79,12 @@ void Segments::run(const Group &group, ir::Question which, VolumeLights *lights,
     if (!question.code) // Reported.
         return;
     thread_local std::vector<float *> outputs;
-    outputs.assign(question.function.outputs.size(), results_[7 * colorSamples]); // Parameters.
+    outputs.clear();
+    const int slots = int(question.function.outputs.size());
+    if (parameters_.planes() < slots)
+        parameters_ = Planes<float>(slots, inputs_.lanes());
+    for (int output = 0; output < slots; ++output)
+        outputs.push_back(parameters_[output]);
     const bool whole = which == ir::Question::Volume;
     question.place(ir::OutputKind::Ci, whole ? Ci_.data() : answers_.Ci.data(), outputs);
     question.place(ir::OutputKind::Oi, whole ? Oi_.data() : answers_.Oi.data(), outputs);
@@ -98,6 +103,10 @@ void Segments::run(const Group &group, ir::Question which, VolumeLights *lights,
     args.ambient = ambient;
     group.code->bind(args, prints);
     question.code(&args);
+}
+
+ir::Question Segments::questionFor(const ShaderCode &code) {
+    return code.volumeFacts().affine ? ir::Question::Segment : ir::Question::Volume;
 }
 
 void Segments::ask(const Group &group, VolumeLights *lights, bool prints) {

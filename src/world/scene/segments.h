@@ -55,6 +55,11 @@ public:
         std::array<float *, colorSamples> Ci, Oi, CiOfCi, CiOfOi, OiOfOi;
     };
     const Answers &answers() const { return answers_; }
+    /// What the segments of the group that ask() was called with last have in an output parameter:
+    /// an output of questionFor(its code).
+    const float *parameter(int output) const { return parameters_[output]; }
+    /// What ask() asks.
+    static ir::Question questionFor(const ShaderCode &);
 
 private:
     using Colors = std::array<float *, colorSamples>;
@@ -65,7 +70,7 @@ private:
     void runWhole(const Group &, float Ci, float Oi, VolumeLights *, bool prints);
     void askWhole(const Group &, VolumeLights *, bool prints);
 
-    Planes<float> inputs_, results_;
+    Planes<float> inputs_, results_, parameters_;
     std::vector<const float *> inputTable_;
     Planes<std::int32_t> integers_;
     const std::int32_t *objectIndex_ = nullptr;

@@ -63,7 +63,14 @@ std::vector<float> optionValue(const Options &options, std::string_view name,
     return namedValue(options.named, std::string(name), *wanted);
 }
 
-ShaderAnswers::ShaderAnswers() {
+template <auto answer> void ShaderAnswers::letTexturesAnswer(Service service) {
+    services_[service] = [](void *context, const ServiceCall &call) {
+        (static_cast<ShaderAnswers *>(context)->textures_.*answer)(call);
+    };
+}
+
+ShaderAnswers::ShaderAnswers(std::vector<std::string> textureFolders, DiagnosticSink &diagnostics)
+    : textures_(std::move(textureFolders), diagnostics) {
     services_.context = this;
     services_[Service::print] = print;
     services_[Service::option] = [](void *context, const ServiceCall &call) {
@@ -88,6 +95,11 @@ ShaderAnswers::ShaderAnswers() {
         if (VolumeLights *lights = call.args->volumeLights)
             lights->sample(call);
     };
+    letTexturesAnswer<&Textures::texture>(Service::texture);
+    letTexturesAnswer<&Textures::texture>(Service::textureSlopes);
+    letTexturesAnswer<&Textures::environment>(Service::environment);
+    letTexturesAnswer<&Textures::shadow>(Service::shadow);
+    letTexturesAnswer<&Textures::textureinfo>(Service::textureinfo);
     services_[Service::lightsource] = [](void *context, const ServiceCall &call) {
         static_cast<const ShaderAnswers *>(context)->lightsource(call);
     };
@@ -101,6 +113,11 @@ void ShaderAnswers::transmission(const ServiceCall &call) const {
     for (int lane = 0; lane < call.laneCount; ++lane)
         for (int c = 0; c < call.site->resultCount; ++c)
             call.result(c, lane) = 1;
+}
+
+void ShaderAnswers::bindOptions(const Options &options) {
+    options_ = options;
+    textures_.bind(options);
 }
 
 void ShaderAnswers::option(const ServiceCall &call) const {

@@ -6,6 +6,7 @@
 #include "language/runtime/services.h"
 #include "world/shading/instance_values.h"
 #include "world/shading/ray_answers.h"
+#include "world/texture/textures.h"
 
 #include <utility>
 #include <vector>
@@ -15,7 +16,8 @@ namespace candela {
 /// Answers all shaders of a scene, from any thread. Must outlive their calls.
 class ShaderAnswers {
 public:
-    ShaderAnswers();
+    /// `textureFolders` as Textures has them.
+    ShaderAnswers(std::vector<std::string> textureFolders, DiagnosticSink &);
     ShaderAnswers(const ShaderAnswers &) = delete;
     ShaderAnswers &operator=(const ShaderAnswers &) = delete;
 
@@ -24,7 +26,7 @@ public:
         return prints ? services_ : silent_;
     }
     /// The options of the frame; not while a shader runs.
-    void bindOptions(const Options &options) { options_ = options; }
+    void bindOptions(const Options &);
     /// Who follows rays; null: nobody, and they meet nothing. Not while a shader runs.
     void bindRays(const RayAnswers *rays) { rays_ = rays; }
     /// The parameters of the lights, by their index; likewise.
@@ -34,11 +36,13 @@ private:
     void transmission(const ServiceCall &) const;
     void option(const ServiceCall &) const;
     void lightsource(const ServiceCall &) const;
+    template <auto answer> void letTexturesAnswer(Service);
 
     ShaderServices services_, silent_; ///< silent_ hears print and says nothing.
     Options options_;
     const RayAnswers *rays_ = nullptr;
     std::vector<std::vector<ToldParameter>> lights_;
+    Textures textures_;
 };
 
 /// The numbers of an option as option() names it, "Ri:" before it or not: those of RI 3.2, section

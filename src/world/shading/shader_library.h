@@ -26,6 +26,8 @@ struct ShaderLibrarySettings {
     /// else: the shipped library.
     std::vector<std::string> libraryFolders;
     JitOptions jit;
+    /// Where textures are looked for after the RIB's own search path.
+    std::vector<std::string> textureFolders{};
 };
 
 /// The other shaders of a primitive, which a shader may ask for their parameters; null = none.

@@ -32,7 +32,7 @@ Components builtin(Lowering &lowering, const sl::Expr &expr) {
     for (const auto subject :
          {mathsBuiltin, geometryBuiltin, spaceBuiltin, colorBuiltin, matrixBuiltin, noiseBuiltin,
           splineBuiltin, lightBuiltin, derivativeBuiltin, textBuiltin, informationBuiltin,
-          imageBuiltin, rayBuiltin, filterstepBuiltin, messageBuiltin})
+          imageBuiltin, rayBuiltin, filterstepBuiltin, messageBuiltin, textureBuiltin})
         if (const BuiltinLowering lowered = subject(call.id()))
             return lowered(call);
     lowering.messages.error(

@@ -44,6 +44,7 @@ BuiltinLowering informationBuiltin(sl::BuiltinId);
 BuiltinLowering imageBuiltin(sl::BuiltinId);
 BuiltinLowering rayBuiltin(sl::BuiltinId);
 BuiltinLowering filterstepBuiltin(sl::BuiltinId);
+BuiltinLowering textureBuiltin(sl::BuiltinId);
 BuiltinLowering messageBuiltin(sl::BuiltinId);
 
 /// A call of any of them.

@@ -163,11 +163,13 @@ Diagnostic diagnosticAt(const Lowering &lowering, const Function &function, Seve
     return diagnostic;
 }
 
-/// Writes out all derivatives; false, with a report, if that cannot be.
-bool differentiate(const Lowering &lowering, Function &function, DiagnosticSink &sink) {
-    const SlopeReport report = expandSlopes(function);
-    for (const SlopeNote &note : report.held)
-        sink.report(diagnosticAt(lowering, function, Severity::Warning, note));
+/// Tells of derivatives that are not to be had; false if one of them is an error. What a text does
+/// not ask for itself it is not told of.
+bool reportSlopes(const Lowering &lowering, const Function &function, const SlopeReport &report,
+                  DiagnosticSink &sink) {
+    if (!lowering.derivatives.empty())
+        for (const SlopeNote &note : report.held)
+            sink.report(diagnosticAt(lowering, function, Severity::Warning, note));
     if (report.fault)
         sink.report(diagnosticAt(lowering, function, Severity::Error, *report.fault));
     return !report.fault;
@@ -256,7 +258,13 @@ std::optional<LoweredShader> lower(const sl::TypedShader &shader,
         lowered.inverseSquare = *power == (lowered.lightClass == LightClass::Local ? -2 : 0);
         lowered.directionOnly = *power == 0;
     }
-    if (!differentiate(lowering, lowered.whole, sink))
+    const SlopeReport slopes = expandSlopes(lowered.whole);
+    if (slopes.fault && lowering.usesFootprints) { // Rather unfiltered textures than none.
+        LoweringOptions less = options;
+        less.footprints = false;
+        return lower(shader, strings, variables, sink, less);
+    }
+    if (!reportSlopes(lowering, lowered.whole, slopes, sink))
         return std::nullopt;
     tell("derivatives");
     removeUnused(lowered.whole, lowered.parameters);

@@ -87,6 +87,8 @@ struct LoweringOptions {
     /// (section 15.6); production renderers, and the pictures that files were made by, have 8.
     float highlightScale = 8;
     int mostTurns = mostLoopTurns; ///< As Function has it; > 0.
+    /// Lookups of textures are told how far their coordinates reach over a point's footprint.
+    bool footprints = true;
     /// What the samples of colours stand for.
     ColorBasis colors{};
     /// Is told of "lower", "derivatives" and "clean up"; may be empty.

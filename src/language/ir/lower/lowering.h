@@ -60,6 +60,7 @@ struct Lowering {
     std::vector<Components> targetValues; ///< Of the assignments that are being evaluated.
     Inlining inlining;
     std::map<int, sl::Place> derivatives; ///< The first on each line.
+    bool usesFootprints = false; ///< Slopes stand in the text that it does not ask for itself.
     EmittedLight light;
     /// In the default of a parameter that is computed where the shader starts: points and their
     /// kin without a space are in "shader" there.

@@ -29,7 +29,7 @@ struct Activity : ForwardAnalysis<Directions> {
         for (Direction d : directions)
             if (changesWith(function, i, d))
                 all |= bit(d);
-        for (ValueId v : differentiableOperands(i))
+        for (ValueId v : differentiableOperands(function, i))
             all |= at(v);
         return all;
     }
@@ -125,7 +125,7 @@ private:
         for (ValueId v : i.results)
             all |= of(v);
         if (all.any())
-            for (ValueId v : differentiableOperands(i))
+            for (ValueId v : differentiableOperands(function_, i))
                 add(v, all);
     }
     void sweepSlope(const Instruction &i) {

@@ -7,6 +7,7 @@
 #include "language/ir/transform/jet_lattice.h"
 #include "language/ir/transform/jet_series.h"
 #include "language/ir/transform/jet_sources.h"
+#include "language/ir/transform/jet_twins.h"
 #include "language/runtime/runtime_functions.h"
 
 #include <algorithm>
@@ -208,6 +209,14 @@ SlopeKind kindOfSource(const Function &function, const Instruction &i) {
     }
 }
 
+SlopeKind kindOfService(ServiceSlope slope) {
+    switch (slope) {
+    case ServiceSlope::Held: return SlopeKind::Held;
+    case ServiceSlope::Twin: return SlopeKind::Rule;
+    default: return SlopeKind::Zero;
+    }
+}
+
 } // namespace
 
 SlopeKind slopeKind(const Function &function, const Instruction &i) {
@@ -218,8 +227,7 @@ SlopeKind slopeKind(const Function &function, const Instruction &i) {
     case SlopeRule::Held: return SlopeKind::Held;
     case SlopeRule::Refused: return SlopeKind::Refused;
     case SlopeRule::Service:
-        return serviceOf(function, i).info->slope == ServiceSlope::Held ? SlopeKind::Held
-                                                                        : SlopeKind::Zero;
+        return kindOfService(serviceOf(function, i).info->slope);
     case SlopeRule::Call:
         return runtime::coordinatesOf(RuntimeFunction(i.immediate)) > 0 ? SlopeKind::Rule
                                                                         : SlopeKind::Zero;
@@ -262,8 +270,11 @@ std::string slopeNote(const Function &function, const Instruction &i) {
         return stays("the derivative of " + function.variables[size_t(i.immediate)].name);
     case Op::FrameLoad: return "derivatives of values from a frame are not known";
     case Op::Call: return "there are no derivatives of noise beyond the second";
-    case Op::Query:
-        return stays("what " + std::string(serviceOf(function, i).info->name) + "() gives");
+    case Op::Query: {
+        const std::string service = std::string(serviceOf(function, i).info->name) + "()";
+        return stays(slopeKind(function, i) == SlopeKind::Rule ? "the derivative of " + service
+                                                               : "what " + service + " gives");
+    }
     default: return stays("light");
     }
 }
@@ -273,7 +284,7 @@ SlopeNote noteAt(const Instruction &i, const std::string &text) {
 }
 
 int firstHeldOrder(const Instruction &i) {
-    const bool hasFirst = i.op == Op::Variable ||
+    const bool hasFirst = i.op == Op::Variable || i.op == Op::Query ||
                           (i.op == Op::Input && inputSlope(i.immediate).kind == InputSlope::Plane);
     return hasFirst ? 2 : highestOrder + 1;
 }
@@ -287,14 +298,20 @@ bool changesWith(const Function &function, const Instruction &i, Direction d) {
     const SlopeRule rule = info(i.op).slope;
     if (rule != SlopeRule::Source && rule != SlopeRule::Service)
         return rule == SlopeRule::Held || rule == SlopeRule::Refused;
+    if (rule == SlopeRule::Service) // With a twin it changes as its operands do.
+        return slopeKind(function, i) == SlopeKind::Held;
     if (i.op == Op::Input)
         if (const InputSlope slope = inputSlope(i.immediate); slope.kind == InputSlope::Parameter)
             return slope.by(d) != 0;
     return slopeKind(function, i) != SlopeKind::Zero;
 }
 
-std::vector<ValueId> differentiableOperands(const Instruction &i) {
+std::vector<ValueId> differentiableOperands(const Function &function, const Instruction &i) {
     switch (info(i.op).slope) {
+    case SlopeRule::Service:
+        return slopeKind(function, i) == SlopeKind::Rule
+                   ? std::vector<ValueId>{i.operands.begin(), i.operands.begin() + twinCoordinates}
+                   : std::vector<ValueId>{};
     case SlopeRule::Choice: return {i.operands[1], i.operands[2]};
     case SlopeRule::Second: return {i.operands[1]};
     case SlopeRule::Raised: return i.operands;
@@ -394,9 +411,11 @@ void JetRules::writePlain(Builder &b, const Instruction &i, WrittenValues &writt
         std::ranges::any_of(i.results, [&](ValueId v) { return ofValue_[v].any(); });
     const Values operands = written.valuesOf(i.operands);
     const bool isLattice = differentiates && i.op == Op::Call;
+    const bool isService = differentiates && i.op == Op::Query;
     const int immediate =
         isLattice ? int(latticeWithSlopes(RuntimeFunction(i.immediate))) : i.immediate;
-    const Values results = b.emit(i.op, operands, immediate, i.number);
+    const Values results = isService ? askTwin(b, serviceOf(b.function(), i), operands)
+                                     : b.emit(i.op, operands, immediate, i.number);
     for (size_t k = 0; k < i.results.size(); ++k)
         written.value[i.results[k]] = results[k];
     if (!differentiates)
@@ -409,6 +428,8 @@ void JetRules::writePlain(Builder &b, const Instruction &i, WrittenValues &writt
     std::vector<Jet> series;
     if (isLattice)
         series = ofLattice(jets, RuntimeFunction(immediate), given, results);
+    else if (isService)
+        series = ofTwin(jets, given, results);
     else if (i.op == Op::Input || i.op == Op::Variable)
         series = {ofSource(jets, i)};
     else

@@ -32,7 +32,7 @@ int firstRefusedOrder(const Instruction &, size_t result);
 /// Whether a result may change with the direction though no operand does.
 bool changesWith(const Function &, const Instruction &, Direction);
 /// The operands that the derivatives of a plain operation's results depend on.
-std::vector<ValueId> differentiableOperands(const Instruction &);
+std::vector<ValueId> differentiableOperands(const Function &, const Instruction &);
 
 /// Writes the wanted derivatives, as Taylor coefficients by partOf(), beside plain operations.
 class JetRules : public CompanionRules {

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world/texture/oiio/color_curve.h"
+
+#include <OpenImageIO/strutil.h>
+
+#include <cmath>
+
+namespace candela {
+
+float ColorCurve::light(float value) const {
+    if (!srgb)
+        return value > 0 ? std::pow(value, gamma) : 0;
+    return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
+}
+
+ColorCurve curveOf(const OIIO::ImageSpec &spec, PictureCurve told) {
+    if (told == PictureCurve::Srgb)
+        return {true, 1};
+    if (told == PictureCurve::Linear || spec.format.is_floating_point() || spec.nchannels < 3)
+        return {};
+    const std::string space = spec.get_string_attribute("oiio:ColorSpace");
+    if (OIIO::Strutil::istarts_with(space, "GammaCorrected"))
+        return {false, spec.get_float_attribute("oiio:Gamma", 2.2f)};
+    if (OIIO::Strutil::iequals(space, "Linear") || OIIO::Strutil::iequals(space, "scene_linear"))
+        return {};
+    const bool isSrgb = OIIO::Strutil::icontains(space, "srgb");
+    return {isSrgb || spec.format == OIIO::TypeDesc::UINT8, 1};
+}
+
+void makeLinear(const ColorCurve &curve, const OIIO::ImageSpec &spec, int pixels, float *values) {
+    const int channels = spec.nchannels, alpha = spec.alpha_channel;
+    const bool multiplies = alpha >= 0 && spec.get_int_attribute("oiio:UnassociatedAlpha") != 0;
+    for (int i = 0; i < pixels; ++i, values += channels)
+        for (int c = 0; c < channels; ++c)
+            if (c != alpha)
+                values[c] = curve.light(values[c]) * (multiplies ? values[alpha] : 1);
+}
+
+} // namespace candela

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world/texture/oiio/lookups.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace candela {
+
+namespace {
+
+constexpr int mostValues = 3;
+
+/// One lane's operands, made harmless: no shader's mistake reaches the library.
+struct Lookup {
+    Lookup(const LookupRow &row, int lane) : operands(row.operands + lane), lanes(row.lanes) {}
+
+    const float *operands;
+    const int lanes;
+
+    float number(LookupOperand operand, float least, float most, float otherwise) const {
+        const float value = operands[int(operand) * lanes];
+        return std::isfinite(value) ? std::clamp(value, least, most) : otherwise;
+    }
+    float place(LookupOperand operand) const { return number(operand, -1e6f, 1e6f, 0); }
+    float extent(LookupOperand operand) const { return number(operand, -64, 64, 64); }
+    float blur(LookupOperand operand) const { return number(operand, 0, 64, 0); }
+};
+
+/// Which channels of the file become the values.
+struct Channels {
+    int first = 0, count = 0; ///< Of the file's; count 0: none is there.
+};
+
+/// Three values of a file that has fewer are one of its channels, three times.
+Channels channelsOf(int inFile, int first, int values) {
+    if (first >= inFile)
+        return {};
+    return {first, values == mostValues && inFile - first >= mostValues ? mostValues : 1};
+}
+
+/// OpenImageIO averages along the longer axis of an anisotropic footprint, M metres over a shorter
+/// one of m, with the variance (M - m)^2 / 4 + m^2 / 12, which is up to three times that of a box
+/// as long as the axis: measured on a step. The axis is made shorter by as much.
+struct Footprint {
+    float dsdx, dtdx, dsdy, dtdy;
+
+    void matchBox() {
+        const float x = std::hypot(dsdx, dtdx), y = std::hypot(dsdy, dtdy);
+        if (!(x > 0 && y > 0))
+            return;
+        const float longer = std::max(x, y), shorter = std::min(x, y);
+        const float root = std::sqrt((longer * longer - shorter * shorter) / 3);
+        const float factor = (shorter + root) / longer;
+        (x > y ? dsdx : dsdy) *= factor, (x > y ? dtdx : dtdy) *= factor;
+    }
+};
+
+struct Answer {
+    float value[mostValues] = {}, byS[mostValues] = {}, byT[mostValues] = {};
+};
+
+void store(const LookupRow &row, int lane, const Channels &channels, const Answer &answer) {
+    const auto plane = [&](int first, const float *from) {
+        for (int k = 0; k < row.values; ++k)
+            row.results[(first + k) * row.lanes + lane] = from[std::min(k, channels.count - 1)];
+    };
+    plane(0, answer.value);
+    if (row.slopes)
+        plane(row.values, answer.byS), plane(2 * row.values, answer.byT);
+}
+
+void storeFill(const LookupRow &row, int lane, float fill) {
+    for (int k = 0; k < row.values; ++k)
+        row.results[k * row.lanes + lane] = fill;
+}
+
+OIIO::TextureOpt optionsOf(const PictureLibrary::Opened &picture, const LookupRow &row) {
+    OIIO::TextureOpt options;
+    options.anisotropic = 64;
+    if (!picture.saysWrap)
+        options.swrap = options.twrap = OIIO::TextureOpt::WrapPeriodic;
+    if (row.around) {
+        options.swrap = OIIO::TextureOpt::WrapPeriodic;
+        options.twrap = OIIO::TextureOpt::WrapClamp;
+    }
+    return options;
+}
+
+} // namespace
+
+bool lookUp(OIIO::TextureSystem &system, const PictureLibrary::Opened &picture,
+            const LookupRow &row) {
+    OIIO::TextureSystem::Perthread *thread = system.get_perthread_info();
+    OIIO::TextureOpt options = optionsOf(picture, row);
+    bool good = true;
+    for (int lane = 0; lane < row.lanes; ++lane) {
+        if (!(row.mask >> lane & 1))
+            continue;
+        using enum LookupOperand;
+        const Lookup at(row, lane);
+        const Channels channels =
+            channelsOf(picture.channels, int(at.number(channel, 0, 65536, 0)), row.values);
+        if (channels.count == 0) {
+            storeFill(row, lane, at.number(fill, -1e30f, 1e30f, 0));
+            continue;
+        }
+        options.firstchannel = channels.first;
+        options.sblur = at.blur(sBlur), options.tblur = at.blur(tBlur);
+        Footprint footprint{at.extent(dsdx), at.extent(dtdx), at.extent(dsdy), at.extent(dtdy)};
+        footprint.matchBox();
+        Answer answer;
+        const bool found = system.texture(
+            picture.handle, thread, options, at.place(s), at.place(t), footprint.dsdx,
+            footprint.dtdx, footprint.dsdy, footprint.dtdy, channels.count, answer.value,
+            row.slopes ? answer.byS : nullptr, row.slopes ? answer.byT : nullptr);
+        if (found)
+            store(row, lane, channels, answer);
+        good &= found;
+    }
+    return good;
+}
+
+} // namespace candela

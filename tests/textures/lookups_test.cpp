@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+// texture() by closed forms: coordinates, channels, what lies beyond a picture, what numbers of
+// files are, what is looked up of files that are not there.
+#include "tests/textures/pictures.h"
+
+#include <gtest/gtest.h>
+
+namespace candela::test {
+namespace {
+
+struct Lookup {
+    const char *expression;
+    float expected, within;
+};
+
+/// Linear in s and t, which every filter keeps; and pictures of one colour.
+void writePictures(const ScratchFolder &folder) {
+    writeExr(folder, "ramps.exr", 64, 64, {"R", "G", "B", "A"}, [](int x, int y, int c) {
+        const float values[] = {(float(x) + 0.5f) / 64, (float(y) + 0.5f) / 64, 0.25f, 0.5f};
+        return values[c];
+    });
+    writeExr(folder, "grey.exr", 8, 8, {"Y"}, [](int, int, int) { return 0.3f; });
+    writeExr(folder, "step.exr", 256, 256, {"Y"},
+             [](int x, int, int) { return x < 128 ? 0.0f : 1.0f; });
+    writeEightBit(folder, "colour.tga", 8, 8, 3, [](int, int, int c) { return c ? 188 : 10; });
+    writeEightBit(folder, "mask.tga", 8, 8, 1, [](int, int, int) { return 128; });
+    // Half black, half white: their mean is light's.
+    writeEightBit(folder, "stripes.tga", 64, 64, 3,
+                  [](int x, int, int) { return x % 2 ? 255 : 0; });
+}
+
+const std::string requests =
+    "MakeTexture \"ramps.exr\" \"periodic.tx\" \"periodic\" \"periodic\" \"box\" 1 1\n"
+    "MakeTexture \"ramps.exr\" \"clamp.tx\" \"clamp\" \"clamp\" \"box\" 1 1\n"
+    "MakeTexture \"ramps.exr\" \"black.tx\" \"black\" \"black\" \"box\" 1 1\n"
+    "MakeTexture \"ramps.exr\" \"mixed.tx\" \"black\" \"periodic\" \"gaussian\" 2 2\n"
+    "MakeTexture \"colour.tga\" \"linear.tx\" \"clamp\" \"clamp\" \"box\" 1 1 "
+    "\"string colorspace\" [\"linear\"]\n"
+    "MakeTexture \"colour.tga\" \"decoded.tx\" \"clamp\" \"clamp\" \"box\" 1 1\n"
+    "MakeTexture \"mask.tga\" \"photo.tx\" \"clamp\" \"clamp\" \"box\" 1 1 "
+    "\"string colorspace\" [\"srgb\"]\n";
+
+const Lookup lookups[] = {
+    // Places: s to the right, t down, the surface's where none are given.
+    {"float texture(\"ramps.exr\", .25, .75)", .25f, 1e-3f},
+    {"float texture(\"ramps.exr\"[1], .25, .75)", .75f, 1e-3f},
+    {"float texture(\"ramps.exr\")", .5f, 1e-3f},
+    {"float texture(\"ramps.exr\"[1], .25, .25, .5, .25, .25, .75, .5, .75)", .5f, 1e-3f},
+    {"float texture(\"ramps.exr\", .25, .25, .5, .25, .25, .75, .5, .75)", .375f, 1e-3f},
+    // Channels.
+    {"float texture(\"ramps.exr\"[2], .5, .5)", .25f, 1e-3f},
+    {"float texture(\"ramps.exr\"[3], .5, .5)", .5f, 1e-3f},
+    {"float texture(\"ramps.exr\"[4], .5, .5)", 0, 0},
+    {"float texture(\"ramps.exr\"[4], .5, .5, \"fill\", .75)", .75f, 0},
+    {"comp(color texture(\"ramps.exr\", .25, .75), 1)", .75f, 1e-3f},
+    {"comp(color texture(\"ramps.exr\"[1], .25, .75), 2)", .5f, 1e-3f},
+    {"comp(color texture(\"grey.exr\", .25, .75), 2)", .3f, 1e-3f},
+    {"comp(color texture(\"grey.exr\"[1], .25, .75, \"fill\", .5), 2)", .5f, 1e-3f},
+    // Beyond the picture.
+    {"float texture(\"periodic.tx\", 1.25, -.5)", .25f, 1e-3f},
+    {"float texture(\"clamp.tx\", 1.25, .5)", .9922f, 1e-3f},
+    {"float texture(\"clamp.tx\"[1], .5, -7)", .0078f, 1e-3f},
+    {"float texture(\"black.tx\", 1.25, .5)", 0, 0},
+    {"float texture(\"mixed.tx\", .5, 3.25)", .5f, 1e-3f},
+    {"float texture(\"mixed.tx\", 1.5, 3.25)", 0, 0},
+    {"float texture(\"ramps.exr\", -2.75, .5)", .25f, 1e-3f},
+    {"float texture(\"ramps.exr\", 1e30, 1e38 * 1e38)", .5f, .5f},
+    // Filters: a ramp keeps its mean, a step is as blurred as is said.
+    {"float texture(\"ramps.exr\", .5, .5, \"blur\", .25)", .5f, 1e-2f},
+    {"float texture(\"step.exr\", .45, .5, \"width\", 0)", 0, 0},
+    {"float texture(\"step.exr\", .45, .5, \"sblur\", .3, \"filter\", \"box\")", .333f, .08f},
+    {"float texture(\"step.exr\", .25, .5, \"blur\", .1)", 0, .02f},
+    {"float texture(\"stripes.tga\", .5, .5, \"blur\", .5)", .5f, .01f},
+    // Numbers become light.
+    {"float texture(\"colour.tga\", .5, .5)", .003035f, 1e-5f},
+    {"float texture(\"colour.tga\"[1], .5, .5)", .50289f, 5e-4f},
+    {"float texture(\"decoded.tx\"[1], .5, .5)", .50289f, 5e-4f},
+    {"float texture(\"linear.tx\"[1], .5, .5)", .73725f, 5e-4f},
+    {"float texture(\"mask.tga\", .5, .5)", .50196f, 5e-4f},
+    {"float texture(\"photo.tx\", .5, .5)", .21586f, 5e-4f},
+};
+
+TEST(Lookups, AreWhatThePicturesHold) {
+    ScratchFolder folder;
+    writePictures(folder);
+    std::vector<std::string> expressions;
+    for (const Lookup &lookup : lookups)
+        expressions.emplace_back(lookup.expression);
+    for (const char *lanes : {"1", "16"}) {
+        const Told told = tell(folder, {expressions, "", requests, lanes});
+        EXPECT_EQ(told.run.status, 0) << told.run.text();
+        EXPECT_EQ(told.run.err, "");
+        ASSERT_EQ(told.values.size(), expressions.size()) << told.run.text();
+        for (std::size_t k = 0; k < expressions.size(); ++k)
+            EXPECT_NEAR(told.values[k], lookups[k].expected, lookups[k].within) << expressions[k];
+    }
+}
+
+TEST(Lookups, ThatGoWrongAreZeroAndSaidOnce) {
+    ScratchFolder folder;
+    writePictures(folder);
+    folder.write("broken.exr", folder.read("ramps.exr").substr(0, 900));
+    folder.write("words.png", "This is no picture.");
+    const Told told = tell(
+        folder, {{"float texture(\"missing.tx\", .5, .5)", "float texture(\"missing.tx\", .2, .5)",
+                  "float texture(\"\", .5, .5)", "float texture(\"words.png\", .5, .5)",
+                  "float texture(\"broken.exr\", .5, .5)", "float texture(\"grey.tx\", .5, .5)",
+                  "comp(environment(\"missing.env\", vector(0, 0, 1)), 0)",
+                  "shadow(\"missing.shd\", P)", "shadow(\"grey.exr\", P)",
+                  "float texture(\"grey.exr\", .5, .5, \"blurr\", 1)"},
+                 "",
+                 "MakeTexture \"nothing.tif\" \"no.tx\" \"black\" \"black\" \"box\" 1 1\n"
+                 "MakeTexture \"words.png\" \"no.tx\" \"wavy\" \"black\" \"box\" 1 1\n"
+                 "MakeShadow \"grey.exr\" \"no.shd\"\n"
+                 "MakeTexture \"grey.exr\" \"../outside.tx\" \"black\" \"black\" \"box\" 1 1\n"});
+    EXPECT_EQ(told.values.size(), 10u) << told.run.text();
+    if (told.values.size() == 10)
+        for (int k = 0; k < 10; ++k)
+            EXPECT_NEAR(told.values[std::size_t(k)], k == 5 || k == 9 ? .3f : 0, 1e-3f) << k;
+    const Outcome &run = told.run;
+    EXPECT_EQ(run.status, 1) << "MakeTexture of nothing is an error";
+    EXPECT_TRUE(folder.has("telling.exr"));
+    EXPECT_FALSE(folder.has("no.tx") || folder.has("no.shd"));
+    for (const char *words :
+         {"telling.sl:3: warning: texture \"missing.tx\": there is no such file",
+          "texture \"words.png\": ", "texture \"broken.exr\": ",
+          "texture \"grey.tx\": there is no such file; ", "texture \"missing.env\": ",
+          "texture \"missing.shd\": ", "texture \"grey.exr\": ", "no parameter \"blurr\"",
+          "scene.rib:1:1: error: MakeTexture: there is no picture \"nothing.tif\"",
+          "scene.rib:2:1: error: MakeTexture: there is no wrap mode \"wavy\"",
+          "scene.rib:3:1: error: MakeShadow: ", "need --allow-programs"})
+        EXPECT_TRUE(run.says(words)) << words << "\n" << run.err;
+    const auto first = run.err.find("\"missing.tx\"");
+    EXPECT_EQ(run.err.find("\"missing.tx\"", first + 1), std::string::npos) << run.err;
+}
+
+TEST(Textureinfo, TellsWhatThereIs) {
+    ScratchFolder folder;
+    writePictures(folder);
+    const Told told = tell(
+        folder, {{"textureinfo(\"ramps.exr\", \"resolution\", size)", "size[0]", "size[1]",
+                  "textureinfo(\"ramps.exr\", \"channels\", n)", "n",
+                  "textureinfo(\"missing.tx\", \"exists\", m)", "m",
+                  "textureinfo(\"grey.exr\", \"exists\", m)", "m",
+                  "textureinfo(\"grey.exr\", \"viewingmatrix\", view)",
+                  "textureinfo(\"grey.exr\", \"channels\", size)", "size[0]"},
+                 "uniform float size[2] = {0, 0}; uniform float n = 0, m = 5; matrix view = 1;",
+                 ""});
+    EXPECT_EQ(told.values, (std::vector<float>{1, 64, 64, 1, 4, 1, 0, 1, 1, 0, 0, 64}))
+        << told.run.text();
+}
+
+} // namespace
+} // namespace candela::test
