@@ -101,7 +101,7 @@ TEST_F(CompileVerb, PrintsOneEntryPointInAllForms) {
 
 TEST_F(CompileVerb, OutputGoesToAFileWholeOrNotAtAll) {
     const std::string good = folder_.write("good.sl", tinted);
-    const std::string bad = folder_.write("bad.sl", "surface b() { Ci = frob(1); }");
+    const std::string bad = folder_.write("bad.sl", "surface b() { Ci = frob; }");
     const std::string out = folder_.path("out.ir");
     const Outcome run = compile({good, "--emit", "ir", "-o", out});
     EXPECT_EQ(run.status, 0) << run.text();

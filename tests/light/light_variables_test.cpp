@@ -40,7 +40,8 @@ TEST(LightVariables, ANewLIsWhatSurfacesSee) {
                                           "] \"point from\" [9 9 -9] \"vector along\" "
                                           "[1.7320508 0 1]\nAttributeEnd\nIlluminate 1 1\n");
                 for (float red : picture.red)
-                    EXPECT_NEAR(red, .5, 1e-6) << integrator << distant << before;
+                    EXPECT_NEAR(red, .5, 1e-5) // Shadow rays start a little off the surface.
+                        << integrator << distant << before;
             }
 }
 

@@ -169,11 +169,20 @@ private:
                       int(use.texts.size()) == use.info->texts &&
                           std::all_of(use.texts.begin(), use.texts.end(), known),
                       "wrong constant strings") &&
-               (use.info->operands == "*" ||
-                checkLetters(i, use.info->operands, i.operands, Type::Float, "operand")) &&
+               checkOperandsOf(i, use.info->operands) &&
                (use.info->results == "*" ||
                 checkLetters(i, use.info->results, i.results, Type::Float, "result")) &&
                checkAll(i, i.results, use.results);
+    }
+
+    /// Of a service; '*' behind the letters stands for further operands of any type.
+    bool checkOperandsOf(const Instruction &i, std::string_view letters) {
+        std::vector<ValueId> named = i.operands;
+        if (letters.ends_with('*')) {
+            letters.remove_suffix(1);
+            named.resize(std::min(named.size(), letters.size()));
+        }
+        return checkLetters(i, letters, named, Type::Float, "operand");
     }
 
     bool checkAll(const Instruction &i, const std::vector<ValueId> &values, int count) {

@@ -193,6 +193,16 @@ Components gathered(BuiltinCall &call, std::string_view name, const Triple &dire
     return {};
 }
 
+/// What a ray that meets nothing does not tell stays as it is.
+Components whereHit(BuiltinCall &call, const Values &hit, const Components &told, size_t variable) {
+    Builder &b = call.b;
+    const ValueId isHit = notEqual(b, hit[HitField::hit], number(b, 0));
+    Components value;
+    for (size_t c = 0; c < told.size(); ++c)
+        value.push_back(select(b, isHit, told[c], call.arguments[variable][c]));
+    return value;
+}
+
 /// A turn of a gather statement: (p, axis, angle, turn, samples, x, y, name, value...). The
 /// directions of all turns fill the cone evenly (Roberts' sequence, shifted by x and y).
 Components gather(BuiltinCall &call) {
@@ -217,7 +227,8 @@ Components gather(BuiltinCall &call) {
         const std::string &name = call.expr.operands[i]->text;
         const Components value = gathered(call, name, direction, hit);
         if (value.size() == call.arguments[i + 1].size())
-            call.assign(i + 1, value);
+            call.assign(i + 1,
+                        name.starts_with("ray:") ? value : whereHit(call, hit, value, i + 1));
         else
             call.lowering.messages.warning(call.expr.operands[i]->where,
                                            "gather does not tell \"" + name +
