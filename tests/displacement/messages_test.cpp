@@ -56,12 +56,13 @@ TEST(Messages, TellTheLeastBoundThatHolds) {
     for (const char *small :
          {"Attribute \"displacementbound\" \"sphere\" [.05] \"coordinatesystem\" [\"shader\"]",
           "Scale .5 .5 .5 Attribute \"displacementbound\" \"float sphere\" [.3]"}) {
-        const Drawn drawn = draw(std::string(small) + "\n" + displaced + "\n" + displaced);
+        const Drawn drawn =
+            draw(std::string(small) + "\n" + displaced + "\n" + "Sphere 1 -1 1 360");
         EXPECT_EQ(drawn.run.status, 0);
         const bool isHalf = small[0] == 'S';
         EXPECT_EQ(times(isHalf ? "at least 0.4" : "at least 0.2", drawn.run.err), 1)
             << drawn.run.err;
-        EXPECT_TRUE(drawn.run.says("scene.rib:9:"));
+        EXPECT_TRUE(drawn.run.says("scene.rib:10:"));
     }
 }
 
@@ -86,7 +87,7 @@ TEST(Messages, TellOfMissingShadersOnce) {
     const Drawn drawn =
         draw("Displacement \"nosuch\"\nSphere 1 -1 1 360\nTranslate .5 0 0\nSphere 1 -1 1 360");
     EXPECT_EQ(drawn.run.status, 1);
-    EXPECT_EQ(times("nosuch", drawn.run.err), 1) << drawn.run.err;
+    EXPECT_EQ(times("no shader \"nosuch\"", drawn.run.err), 1) << drawn.run.err;
     EXPECT_GT(drawn.covered, .99 * sphere);
     EXPECT_EQ(draw("Displacement \"null\"\nSphere 1 -1 1 360").run.err, "");
 }

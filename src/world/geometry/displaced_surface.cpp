@@ -192,8 +192,14 @@ void DisplacedSurface::keepToTriangles(const SurfaceQuery &query,
         const bool isSurface = !isClose || !(cosine(Ng, element) >= displacedCosine);
         if (answer.Ng.x)
             answer.Ng.set(k, isSurface ? element : Ng);
-        if (answer.N.x && isSurface && displacement_->setsNormals())
+        if (!answer.N.x || !displacement_->setsNormals())
+            continue;
+        // What calculatenormal(P) says is the very Ng, but for rounding, and is to stay so where Ng
+        // is turned to the side that was met.
+        if (isSurface)
             answer.N.set(k, element);
+        else if (cosine(answer.N.get(k), Ng) > 1 - 1e-6f)
+            answer.N.set(k, Ng);
     }
 }
 

@@ -123,8 +123,9 @@ void fillOrientation(const PointTables &tables, const float *normalSign, Shading
 
 /// At outlines a ray may meet the front of an element whose named point has its true normal turned
 /// away: what is seen from outside is to be shaded from outside. Such normals are mirrored at the
-/// line of sight, which moves them by as little as they were off.
-void keepSides(const float *const *elementNg, ShadingPoints &points) {
+/// line of sight, which moves them by as little as they were off. Those of displaced surfaces may
+/// be off by much: there the element's own is taken.
+void keepSides(const PointTables &tables, const float *const *elementNg, ShadingPoints &points) {
     const Vec3Planes Ng = vec3(points, ShaderInput::Ng), N = vec3(points, ShaderInput::N);
     const Vec3Planes I = vec3(points, ShaderInput::I);
     for (int i = 0; i < points.count; ++i) {
@@ -134,10 +135,13 @@ void keepSides(const float *const *elementNg, ShadingPoints &points) {
         const float seen = dot(normal, way);
         if (!(met * seen < 0))
             continue;
-        const Vec3 mirrored = normal - way * (2 * seen / dot(way, way));
+        const Shape &shape = tables.shapes[points.shape[i]];
+        const Vec3 turned = shape.curved && !shape.away
+                                ? Vec3{elementNg[0][i], elementNg[1][i], elementNg[2][i]}
+                                : normal - way * (2 * seen / dot(way, way));
         if (N.get(i) == normal)
-            N.set(i, mirrored);
-        Ng.set(i, mirrored);
+            N.set(i, turned);
+        Ng.set(i, turned);
     }
 }
 
@@ -153,7 +157,7 @@ void askSurfaces(const PointTables &tables, const SurfaceCode &code, const float
         std::copy_n(points.input(ShaderInput::Ng, c), points.count, elementNg[c]);
     }
     evaluateRuns(tables, code, normalSign, points);
-    keepSides(elementNg, points);
+    keepSides(tables, elementNg, points);
 }
 
 /// Colours that are the attributes' do not change; those that do are told by their surfaces.

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0
    Tells the normals of "bumps" by itself, as "tellplace" tells N. */
-surface tellbumps(float what = 1;)
+surface tellbumps()
 {
     normal m = normalize(normalize(N) + .4 * sin(8 * xcomp(P)) * vector "current" (1, 0, 0));
     Oi = 1;
