@@ -16,7 +16,7 @@ PathWave::PathWave(FrameContext &frame, Purpose purpose)
     : frame(frame), purpose(purpose),
       results(capacity, purpose == Purpose::Camera ? int(frame.firstHit.size()) : 0),
       active(capacity), next(capacity), hits(capacity), bins(frame.scene, capacity),
-      cameraNumbers(2 * cameraPairs, capacity) {}
+      cameraNumbers(2 * cameraPairs, capacity), shares(capacity) {}
 
 VertexChunk::VertexChunk()
     : vertices(capacity), paths(capacity), numbers(capacity), ambientLight(colorSamples, capacity),
