@@ -46,6 +46,36 @@ def branches(statements, ifs, seed=2):
     return surface("branches", lines + ["f = " + " + ".join(names) + ";"])
 
 
+def everyday(number, count=50):
+    """A shader as people write them, of `count` lines: a pattern of noise, ramps and tiles, a few
+    decisions, and one of the usual illumination models. Equal numbers give equal texts."""
+    chance = random.Random(number)
+    lines = ["point PP = transform(\"shader\", P) * frequency;", "float f, g = 0, h = 0, k;",
+             "color layer, paint = Cs;", "normal Nf = faceforward(normalize(N), I);",
+             "vector V = -normalize(I);"]
+    while len(lines) < count - 6:
+        a, b = chance.random(), chance.random()
+        lines.extend(chance.choice([
+            [f"f = noise(PP * {1 + 9 * a:.2f});", f"g += {b:.3f} * abs(f - .5);"],
+            [f"k = mod(s * {1 + int(20 * a)}, 1);",
+             f"h = smoothstep(.1, .2, k) - smoothstep({.8 + .1 * a:.3f}, .95, k);"],
+            [f"for (k = 0; k < {2 + int(4 * a)}; k += 1)",
+             "    g += snoise(PP * pow(2, k)) / pow(2, k);"],
+            [f"layer = color({a:.3f}, {b:.3f}, {a * b:.3f});", "paint = mix(paint, layer, h);"],
+            [f"if (f > {a:.3f})", f"    paint *= {b:.3f};", "else",
+             f"    paint = paint * .9 + {.1 * b:.3f};"],
+            [f"f = clamp(g * {2 * a:.3f} + t, 0, 1);", "paint = spline(f, paint, layer, Cs, paint);"],
+            [f"g = pow(abs(sin(g * {6 * a:.3f})), {1 + 3 * b:.3f});"],
+            [f"h = max(h, step({a:.3f}, noise(s * 20, t * 20)));"]]))
+    model = chance.choice([
+        "Ci = Oi * (paint * (Ka * ambient() + Kd * diffuse(Nf)) + Ks * specular(Nf, V, roughness));",
+        "Ci = Oi * paint * (Ka * ambient() + Kd * diffuse(Nf) + Ks * phong(Nf, V, 1 / roughness));",
+        "Ci = Oi * paint * (Ka * ambient() + Kd * diffuse(Nf));"])
+    body = "\n".join("    " + line for line in lines + ["Oi = Os;", model])
+    return (f"#define snoise(x) (2 * noise(x) - 1)\nsurface everyday{number}(float Ka = 1, Kd = .6, "
+            f"Ks = .3, roughness = .1, frequency = {1 + 3 * chance.random():.3f})\n{{\n{body}\n}}\n")
+
+
 def many_alive(statements, ifs, alive, seed=6):
     """Many variables that all live to the end, changed behind conditions."""
     chance = random.Random(seed)

@@ -38,5 +38,41 @@ TEST(ShadowRays, LampsATenthOfAMillimetreBehindAPolygonDoNotShineThroughIt) {
         }
 }
 
+/// What casts no shadow is seen, and light passes as if it were not there, lamps of any size.
+TEST(ShadowRays, PassWhatCastsNoShadow) {
+    const std::string casts = "Attribute \"render\" \"string casts_shadows\" ";
+    for (const std::string &integrator : {inClassic, inPath})
+        for (const auto &lamp : {pointLamp, areaLamp})
+            for (const char *object : {"", "ObjectBegin 1\n"}) {
+                const std::string options = integrator + eyeBeyondTheScreen;
+                const std::string placed =
+                    *object ? object + screen +
+                                  "ObjectEnd\nSurface \"matte\"\nColor 0 0 0\nObjectInstance 1\n"
+                            : screen;
+                const auto meanWith = [&](const std::string &before) {
+                    const SmallPicture seen =
+                        takePicture(options, lamp(-1) + before + receiver, 256);
+                    double sum = 0;
+                    for (float value : seen.red)
+                        sum += value / 64;
+                    return sum;
+                };
+                const double free = meanWith("");
+                EXPECT_GT(free, .1);
+                EXPECT_NEAR(meanWith(casts + "[\"none\"]\n" + placed), free, .01 * free);
+                for (const char *other : {"[\"opaque\"]\n", "[\"Os\"]\n", "[\"shade\"]\n"})
+                    EXPECT_EQ(meanWith(casts + other + placed), 0) << other;
+            }
+}
+
+/// Opaque, whatever the shader says.
+TEST(ShadowRays, EndAtWhatIsOpaqueToThem) {
+    const std::string glass = "Opacity .25 .25 .25\n" + screen + "Opacity 1 1 1\n";
+    const std::string options = inPath + eyeBeyondTheScreen;
+    const std::string casts = "Attribute \"render\" \"string casts_shadows\" [\"opaque\"]\n";
+    EXPECT_GT(takePicture(options, pointLamp(-1) + glass + receiver, 4).red[0], .1f);
+    EXPECT_EQ(takePicture(options, pointLamp(-1) + casts + glass + receiver, 4).red[0], 0);
+}
+
 } // namespace
 } // namespace candela::test

@@ -75,4 +75,14 @@ struct Attributes {
     NamedParameters named; ///< RiAttribute.
 };
 
+/// Attribute "render" "casts_shadows": what shadow rays find of a primitive. Shader: as opaque as
+/// its surface shader says ("Os" and "shade"), the default.
+enum class ShadowCasting : std::uint8_t { None, Opaque, Shader };
+inline ShadowCasting shadowCasting(const Attributes &attributes) {
+    const std::string how = attributes.named.string("render:casts_shadows", "shade");
+    return how == "none"     ? ShadowCasting::None
+           : how == "opaque" ? ShadowCasting::Opaque
+                             : ShadowCasting::Shader;
+}
+
 } // namespace candela

@@ -136,9 +136,22 @@ void StateHandlers::basis(const SourceLocation &where, const BasisArgument &u, i
     state_.edit().vBasis = *vBasis;
 }
 
-void StateHandlers::attribute(const SourceLocation &, const std::string &category,
+static bool isKnownCasting(const Parameter &parameter) {
+    constexpr std::array known{"none", "opaque", "Os", "shade"};
+    return parameter.strings.size() == 1 &&
+           std::ranges::find(known, parameter.strings.front()) != known.end();
+}
+
+void StateHandlers::attribute(const SourceLocation &where, const std::string &category,
                               const TokenList &tokens) {
     for (Parameter &parameter : parameters_.ofCategory(tokens, "Attribute", category)) {
+        if (category == "render" && parameter.name == "casts_shadows" &&
+            !isKnownCasting(parameter)) {
+            diagnostics_.error(where, "Attribute",
+                               "casts_shadows: expected \"none\", \"opaque\", \"Os\" or \"shade\"; "
+                               "the attribute is left out");
+            continue;
+        }
         if (category == "identifier" && parameter.name == "name" && !parameter.strings.empty())
             state_.edit().name = parameter.strings.front();
         std::string name = category + ":" + parameter.name;

@@ -57,12 +57,18 @@ RTCGeometry makeSphere(RTCDevice device, const RayShape &shape) {
     return geometry;
 }
 
+unsigned maskOf(const RayShape &shape) {
+    if (!shape.stopsLight)
+        return shadowlessBit;
+    return shape.opaque ? opaqueBit : transparentBit;
+}
+
 RTCGeometry makeGeometry(RTCDevice device, const RayShape &shape) {
     RTCGeometry geometry =
         shape.radius > 0 ? makeSphere(device, shape) : makeTriangles(device, shape);
     if (!geometry)
         return nullptr;
-    rtcSetGeometryMask(geometry, shape.opaque ? opaqueBit : transparentBit);
+    rtcSetGeometryMask(geometry, maskOf(shape));
     rtcSetGeometryUserData(geometry, reinterpret_cast<void *>(std::intptr_t(shape.frontSign)));
     // Filters more than double the time of a ray: only one-sided surfaces have them.
     if (shape.frontSign != 0) {
@@ -117,7 +123,7 @@ int EmbreeDevice::packetWidth() const {
 unsigned maskOf(const RayObject &object) {
     unsigned mask = 0;
     for (const RayShape &shape : object)
-        mask |= shape.opaque ? opaqueBit : transparentBit;
+        mask |= maskOf(shape);
     return mask;
 }
 

@@ -11,7 +11,7 @@
 namespace candela {
 
 /// Ray masks: shadow rays look for opaque shapes first, and walk through the others afterwards.
-inline constexpr unsigned opaqueBit = 1, transparentBit = 2;
+inline constexpr unsigned opaqueBit = 1, transparentBit = 2, shadowlessBit = 4;
 
 /// The device, and the first thing that it has complained of.
 class EmbreeDevice {

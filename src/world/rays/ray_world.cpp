@@ -271,7 +271,8 @@ void RayWorld::intersect(const RayBatch &rays, HitBatch &hits, Which which, bool
     rtcInitIntersectContext(&context);
     context.flags =
         coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
-    const unsigned mask = which == Which::All ? opaqueBit | transparentBit : transparentBit;
+    const unsigned mask =
+        which == Which::All ? opaqueBit | transparentBit | shadowlessBit : transparentBit;
     RTCScene scene = handles_->scene;
     switch (handles_->width) {
     case 16: traceNearest<16>(scene, context, mask, rays, hits); break;

@@ -22,6 +22,7 @@ struct RayShape {
     Vec3 centre;
     float radius = 0; ///< > 0: a whole sphere instead of triangles.
     bool opaque = true;
+    bool stopsLight = true; ///< False: rays see it and shadow rays pass through.
     /// Not zero: only rays that come against this sign times the normal are stopped; the normal is
     /// (p1 - p0) x (p2 - p0), of a sphere the outward one.
     int frontSign = 0;

@@ -357,6 +357,12 @@ void LightBuilder::bindCategories(const ShaderLibrary &library) {
         }
         code->bindCategories(std::move(accepts), int(tags_.size()));
     }
+    // Directions would meet what shadow rays pass: they would find less light than these.
+    if (std::ranges::any_of(state_.points.details, [](const AppearanceDetail &detail) {
+            return shadowCasting(*detail.attributes) == ShadowCasting::None;
+        }))
+        for (const auto &code : library.all())
+            code->leaveLightsToSamples(int(tags_.size()));
 }
 
 namespace {

@@ -13,7 +13,9 @@ namespace {
 /// How rays meet what looks so.
 void dress(RayShape &shape, std::int32_t index, const PointTables &points,
            const AppearanceBuilder &looks) {
-    shape.opaque = looks.isOpaque(index);
+    const ShadowCasting casting = shadowCasting(*points.details[index].attributes);
+    shape.stopsLight = casting != ShadowCasting::None;
+    shape.opaque = casting == ShadowCasting::Opaque || looks.isOpaque(index);
     if (points.details[index].attributes->sides == 1)
         shape.frontSign = points.appearances[index].elementSign < 0 ? -1 : 1;
 }
@@ -36,7 +38,7 @@ RayGeometry arrange(std::vector<RayShape> meshes, std::span<const std::uint32_t>
         for (std::uint32_t k = 0; k < shapeCounts[i]; ++k) {
             RayShape met;
             dress(met, instance.firstAppearance + std::int32_t(k), points, looks);
-            key.push_back(met.opaque * 4 + met.frontSign);
+            key.push_back(met.stopsLight * 8 + met.opaque * 4 + met.frontSign);
             object.push_back(std::move(met));
         }
         auto [place, isNew] =
@@ -44,7 +46,8 @@ RayGeometry arrange(std::vector<RayShape> meshes, std::span<const std::uint32_t>
         if (isNew) {
             for (std::uint32_t k = 0; k < shapeCounts[i]; ++k) {
                 RayShape mesh = meshes[instance.firstShape + k];
-                mesh.opaque = object[k].opaque, mesh.frontSign = object[k].frontSign;
+                mesh.opaque = object[k].opaque, mesh.stopsLight = object[k].stopsLight;
+                mesh.frontSign = object[k].frontSign;
                 object[k] = std::move(mesh);
             }
             geometry.objects.push_back(std::move(object));

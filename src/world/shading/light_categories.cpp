@@ -25,6 +25,11 @@ void LightCategories::bind(std::vector<std::uint8_t> accepts, int lightCount) {
         accepts_.clear(); // What accepts everything need not be asked.
 }
 
+void LightCategories::leaveLightsToSamples(int lightCount) {
+    hearsAsIndirect_.assign(std::size_t(lightCount) + 1, 0);
+    hearsAsIndirect_[0] = 1;
+}
+
 bool LightCategories::hears(std::int32_t light) const {
     const std::size_t row = std::size_t(lightCount_) + 1;
     const auto accepts = [&](int category) {

@@ -18,6 +18,8 @@ public:
 
     /// `accepts[category][light + 1]`, row by row, in the shader's category order.
     void bind(std::vector<std::uint8_t> accepts, int lightCount);
+    /// No light is heard as indirect light: shadow rays may find what other rays do not.
+    void leaveLightsToSamples(int lightCount);
     /// False if every loop refuses the light (index + 1): the shader need not be asked about it.
     bool hears(std::int32_t light) const;
     /// True if all loops treat the light (index + 1, 0 = indirect) as they treat indirect light.

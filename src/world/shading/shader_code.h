@@ -78,6 +78,8 @@ public:
     void bindSpaces(const std::map<std::string, Matrix4> &systems, DiagnosticSink &);
     /// As LightCategories::bind().
     void bindCategories(std::vector<std::uint8_t> accepts, int lightCount);
+    /// As LightCategories::leaveLightsToSamples().
+    void leaveLightsToSamples(int lightCount) { categories_.leaveLightsToSamples(lightCount); }
     const LightCategories &categories() const { return categories_; }
 
     /// Fills what belongs to the shader: parameters, spaces, categories, where it speaks and whom
