@@ -28,14 +28,16 @@ const View views[] = {
 
 enum class Way { Straight, Mirror, Instance };
 
-/// A picture of color(`told`) over a world, rays through the pixels' middles.
+/// A picture of color(`told`) over a world: of places, by rays through the pixels' middles; of
+/// extents, by one ray somewhere in a pixel, which stands for all of it.
 Picture renderWorld(const ScratchFolder &folder, const std::string &world,
                     const std::string &told) {
+    const std::string filter = told == "u, v" ? ".001 .001" : "1 1";
     folder.write("told.sl", "surface told() { Oi = 1; Ci = color(" + told + ", 1); }");
     folder.write("flat_mirror.sl", "surface flat_mirror() { Oi = 1; Ci = trace(P, reflect("
                                    "normalize(I), normalize(N))); }");
     const std::string scene = folder.write(
-        "view.rib", "Format 21 21 1 PixelSamples 1 1 PixelFilter \"box\" .001 .001\n"
+        "view.rib", "Format 21 21 1 PixelSamples 1 1 PixelFilter \"box\" " + filter + "\n"
                     "Display \"view.exr\" \"openexr\" \"rgb\"\n"
                     "Projection \"perspective\" \"fov\" 2 Clipping .01 1e9\nWorldBegin\n" +
                         world + "WorldEnd\n");

@@ -48,6 +48,7 @@ void advance(PathWave &wave) {
         wave.waiting.pop_back();
     }
     wave.next.count = wave.next.rays.count = 0;
+    wave.active.rays.shares = wave.next.rays.shares = nullptr;
     wave.frame.statistics.bounceRays += wave.active.count;
 }
 

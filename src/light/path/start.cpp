@@ -39,6 +39,7 @@ void takeSlots(PathWave &wave, int pixels, const int *x, const int *y, int first
 void takePaths(PathWave &wave) {
     ActivePaths &active = wave.active;
     active.rays.count = active.count = wave.slots;
+    active.rays.shares = nullptr;
     for (int c = 0; c < colorSamples; ++c)
         lanes::fill(wave.slots, 1.0f, active.throughput[c]);
     std::fill_n(active.left.pdf, wave.slots, 0.0f);
@@ -81,8 +82,13 @@ void startCamera(PathWave &wave, int pixels, const int *x, const int *y, int fir
     }
     float *rasterX = numbers[2 * filterPair], *rasterY = numbers[2 * filterPair + 1];
     float *weight = results.weight[0];
+    const bool shares = wave.frame.scene.readsFootprints();
+    if (shares)
+        wave.shares.prepare(wave.frame.filter, last);
     for (int i = 0; i < wave.slots; ++i) {
         FilterSample at = wave.frame.filter.sample(rasterX[i], rasterY[i]);
+        if (shares && wave.shares.areKnown())
+            wave.shares.set(i, rasterX[i], rasterY[i], at.dx, at.dy);
         rasterX[i] = float(results.x[i]) + 0.5f + at.dx;
         rasterY[i] = float(results.y[i]) + 0.5f + at.dy;
         weight[i] = at.weight;
@@ -91,6 +97,7 @@ void startCamera(PathWave &wave, int pixels, const int *x, const int *y, int fir
                 numbers[2 * timePair], wave.active.rays);
     wave.active.rays.count = wave.slots;
     shareFootprints(last, wave.active.rays);
+    wave.active.rays.shares = shares ? wave.shares.shares() : nullptr;
     wave.frame.statistics.paths += wave.slots;
     wave.frame.statistics.cameraRays += wave.slots;
 }

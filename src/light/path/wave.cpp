@@ -17,7 +17,8 @@ PathWave::PathWave(FrameContext &frame, Purpose purpose)
     : frame(frame), purpose(purpose),
       results(capacity, purpose == Purpose::Camera ? int(frame.firstHit.size()) : 0),
       active(capacity, frame.scene.hasVolumes()), next(capacity, frame.scene.hasVolumes()),
-      hits(capacity), bins(frame.scene, capacity), cameraNumbers(2 * cameraPairs, capacity) {}
+      hits(capacity), bins(frame.scene, capacity), cameraNumbers(2 * cameraPairs, capacity),
+      shares(capacity) {}
 
 VertexChunk::VertexChunk()
     : vertices(capacity), paths(capacity), numbers(capacity), ambientLight(colorSamples, capacity),

@@ -12,6 +12,7 @@
 #include "light/path/hit_bins.h"
 #include "light/path/non_finite.h"
 #include "light/path/paths.h"
+#include "light/path/pixel_shares.h"
 #include "light/path/settings.h"
 #include "light/path/shader_channels.h"
 #include "world/camera/pixel_filter.h"
@@ -67,6 +68,7 @@ struct PathWave {
     HitBatch hits;
     HitBins bins;
     Planes<float> cameraNumbers; ///< Camera pairs of the wave's samples.
+    SampleShares shares;         ///< Of their pixels.
     VertexChunk chunk;
     std::unique_ptr<ClassicLight> classic;   ///< Made when the first vertex needs it,
     std::unique_ptr<GatheredLight> gathered; ///< this too,

@@ -34,11 +34,16 @@ public:
     const Matrix4 &rasterFromCamera() const { return rasterFromCamera_; }
     /// Edge length of a pixel, in metres, at depth z: what dicing is measured by.
     float pixelSize(float z) const;
+    /// Steps of a pixel in x and in y, in metres, at depth z.
+    Vec3 pixelStepX(float z) const { return {xStep_[0] * atDepth(z), xStep_[1] * atDepth(z), 0}; }
+    Vec3 pixelStepY(float z) const { return {yStep_[0] * atDepth(z), yStep_[1] * atDepth(z), 0}; }
     /// The least depth (z, metres) at which the frame may show something of the box, whatever the
     /// crop window; nothing if it shows none of it.
     std::optional<float> shownDepth(const Box3 &) const;
 
 private:
+    float atDepth(float z) const { return perspective_ ? z : 1; }
+
     Matrix4 screenFromCamera_, ndcFromCamera_, rasterFromCamera_;
     bool perspective_ = false;
     float near_ = 0, far_ = 0;

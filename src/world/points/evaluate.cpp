@@ -4,7 +4,6 @@
 #include "foundation/base/hot.h"
 #include "foundation/base/lanes.h"
 #include "foundation/base/scratch.h"
-#include "world/points/footprint.h"
 #include "world/points/point_runs.h"
 #include "world/points/surface_points.h"
 
@@ -175,7 +174,7 @@ void clearColorDerivatives(const WantedInputs &wanted, ShadingPoints &points) {
 } // namespace
 
 void evaluatePoints(const PointTables &tables, const Camera &camera, const SurfaceCode &code,
-                    const float *footprint, ShadingPoints &points) {
+                    const RayFootprints *rays, ShadingPoints &points) {
     if (points.count == 0)
         return;
     points.makeRoomForVariables(int(code.variableName.size()));
@@ -198,7 +197,7 @@ void evaluatePoints(const PointTables &tables, const Camera &camera, const Surfa
     limitOffsets(points.count, vec3(points, ShaderInput::P), offsetShare, points.offset);
     addRounding(points.count, vec3(points, ShaderInput::P), pointRounding, points.offset);
     if (code.wanted.footprint)
-        fillFootprints(camera, footprint, points);
+        fillFootprints(camera, rays, points);
 }
 
 void placeElementNormals(const PointTables &tables, int count, const std::uint32_t *instance,

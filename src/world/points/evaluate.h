@@ -4,6 +4,7 @@
 // the instance), variables, footprint.
 #pragma once
 
+#include "world/points/footprint.h"
 #include "world/points/point_tables.h"
 #include "world/points/shading_points.h"
 
@@ -12,10 +13,10 @@ namespace candela {
 /// Evaluates points of which the caller has filled in: instance, shape, element, u and v; P, the
 /// point on the element, and Ng, the element's normal of any length, both in current space, Ng not
 /// yet turned; I, from where they are seen (0 = from nowhere); and count. All shapes share `code`.
-/// Fills all else but E and time. `footprint` is the width of each point's footprint in metres,
-/// null = a pixel's at its distance from the camera.
+/// Fills all else but E and time. `rays` are those that have met the points, as fillFootprints()
+/// has them.
 void evaluatePoints(const PointTables &, const Camera &, const SurfaceCode &code,
-                    const float *footprint, ShadingPoints &);
+                    const RayFootprints *rays, ShadingPoints &);
 
 /// Normals of elements on instances, from object to current space; `count` points.
 void placeElementNormals(const PointTables &, int count, const std::uint32_t *instance,

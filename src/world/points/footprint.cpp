@@ -61,31 +61,66 @@ private:
     const double uu_, uv_, vv_, determinant_;
 };
 
+/// Where the footprints of a batch go.
+struct FootprintPlanes {
+    explicit FootprintPlanes(ShadingPoints &points)
+        : dudx(points.input(ShaderInput::dudx, 0)), dvdx(points.input(ShaderInput::dvdx, 0)),
+          dudy(points.input(ShaderInput::dudy, 0)), dvdy(points.input(ShaderInput::dvdy, 0)),
+          uShift(points.input(ShaderInput::uShift, 0)), vShift(points.input(ShaderInput::vShift, 0)),
+          du(points.input(ShaderInput::du, 0)), dv(points.input(ShaderInput::dv, 0)) {}
+    float *dudx, *dvdx, *dudy, *dvdy, *uShift, *vShift, *du, *dv;
+
+    /// Of a share of a pixel, whose axes are these on the surface.
+    void setShare(int i, const Parameters &parameters, const Vec3 &stepX, const Vec3 &stepY,
+                  const PixelShares &shares) {
+        parameters.of(stepX * shares.wide[i], dudx[i], dvdx[i]);
+        parameters.of(stepY * shares.high[i], dudy[i], dvdy[i]);
+        parameters.of(stepX * shares.x[i] + stepY * shares.y[i], uShift[i], vShift[i]);
+    }
+    void setCone(int i, const Parameters &parameters, const Axes &axes, float width) {
+        parameters.of(axes.across * width, dudx[i], dvdx[i]);
+        parameters.of(axes.along * width, dudy[i], dvdy[i]);
+        uShift[i] = vShift[i] = 0;
+    }
+    void setAlone(int i, const Parameters &parameters, float width) {
+        dudx[i] = parameters.uAlone(width), dvdx[i] = 0;
+        dudy[i] = 0, dvdy[i] = parameters.vAlone(width);
+        uShift[i] = vShift[i] = 0;
+    }
+    void setExtent(int i) {
+        du[i] = std::min(1.0f, std::hypot(dudx[i], dudy[i]));
+        dv[i] = std::min(1.0f, std::hypot(dvdx[i], dvdy[i]));
+    }
+};
+
+/// Along the line of sight a step beside the surface falls on it here.
+Vec3 fallen(const Vec3 &step, const Vec3 &way, const Vec3 &normal) {
+    const float least = leastSlant * length(way), along = dot(normal, way);
+    const float slant = along < 0 ? std::min(along, -least) : std::max(along, least);
+    return slant != 0 ? step - way * (dot(normal, step) / slant) : step;
+}
+
 } // namespace
 
-void fillFootprints(const Camera &camera, const float *width, ShadingPoints &points) {
+void fillFootprints(const Camera &camera, const RayFootprints *rays, ShadingPoints &points) {
     const auto vec = [&](ShaderInput input, int i) {
         return Vec3{points.input(input, 0)[i], points.input(input, 1)[i],
                     points.input(input, 2)[i]};
     };
-    const auto plane = [&](ShaderInput input) { return points.input(input, 0); };
-    float *dudx = plane(ShaderInput::dudx), *dvdx = plane(ShaderInput::dvdx);
-    float *dudy = plane(ShaderInput::dudy), *dvdy = plane(ShaderInput::dvdy);
-    float *du = plane(ShaderInput::du), *dv = plane(ShaderInput::dv);
+    FootprintPlanes footprints(points);
     for (int i = 0; i < points.count; ++i) {
-        const float wide = width ? width[i] : camera.pixelSize(length(vec(ShaderInput::P, i)));
-        const Vec3 dPdu = vec(ShaderInput::dPdu, i);
+        const Vec3 P = vec(ShaderInput::P, i), dPdu = vec(ShaderInput::dPdu, i);
+        const Vec3 way = vec(ShaderInput::I, i), normal = vec(ShaderInput::Ng, i);
         const Parameters parameters(dPdu, vec(ShaderInput::dPdv, i));
-        if (parameters.areGood()) {
-            const Axes axes = axesOf(vec(ShaderInput::I, i), vec(ShaderInput::Ng, i), dPdu);
-            parameters.of(axes.across * wide, dudx[i], dvdx[i]);
-            parameters.of(axes.along * wide, dudy[i], dvdy[i]);
-        } else {
-            dudx[i] = parameters.uAlone(wide), dvdx[i] = 0;
-            dudy[i] = 0, dvdy[i] = parameters.vAlone(wide);
-        }
-        du[i] = std::min(1.0f, std::hypot(dudx[i], dudy[i]));
-        dv[i] = std::min(1.0f, std::hypot(dvdx[i], dvdy[i]));
+        const float width = rays ? rays->width[i] : camera.pixelSize(length(P));
+        if (!parameters.areGood())
+            footprints.setAlone(i, parameters, width);
+        else if (rays && rays->shares)
+            footprints.setShare(i, parameters, fallen(camera.pixelStepX(P.z), way, normal),
+                                fallen(camera.pixelStepY(P.z), way, normal), *rays->shares);
+        else
+            footprints.setCone(i, parameters, axesOf(way, normal, dPdu), width);
+        footprints.setExtent(i);
     }
 }
 

@@ -62,7 +62,7 @@ void WantedInputs::add(const std::vector<bool> &inputsRead) {
     dCs |= reads(ShaderInput::dCsdu, ShaderInput::dCsdvLast_);
     dOs |= reads(ShaderInput::dOsdu, ShaderInput::dOsdvLast_);
     uv |= reads(ShaderInput::u, ShaderInput::v);
-    footprint |= reads(ShaderInput::du, ShaderInput::dvdy);
+    footprint |= reads(ShaderInput::du, ShaderInput::vShift);
     stDerivatives |= reads(ShaderInput::dsdu, ShaderInput::dtdv);
     st |= stDerivatives || reads(ShaderInput::s, ShaderInput::t);
     Cs |= dCs || reads(ShaderInput::Cs, ShaderInput::CsLast_);

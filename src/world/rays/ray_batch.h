@@ -11,6 +11,13 @@ namespace candela {
 
 inline constexpr std::uint32_t noHit = 0xffffffff;
 
+/// What camera rays stand for of their pixels: how far, along the raster's axes and in pixels, the
+/// middle of its share lies from the ray, and how wide the share is. By ray.
+struct PixelShares {
+    const float *x, *y;
+    const float *wide, *high;
+};
+
 /// Points of a ray are origin + t direction with tMin < t <= tMax. A ray that passes a surface
 /// straight on keeps its origin and direction and raises tMin to the t of the surface.
 struct RayBatch {
@@ -30,6 +37,8 @@ struct RayBatch {
     /// The footprint: a cone that is `width` metres wide at the origin and grows by `spread`
     /// metres a unit of t. What one sample stands for is about as wide.
     float *width, *spread;
+    /// Of camera rays, whose footprints these tell better; else null.
+    const PixelShares *shares = nullptr;
 };
 
 /// The tMin of a ray that passes what it has met at t: beyond t by more than the rounding with

@@ -156,6 +156,28 @@ void SceneState::findMediaOfLights() {
             mediaOfLight[std::size_t(light) - 1] = mediaOfAppearance[k].atmosphere;
 }
 
+/// Valid until the thread's next call.
+static RayFootprints footprintsOf(const RayBatch &rays, const HitBatch &hits, const int *order,
+                                  int count) {
+    thread_local AlignedScratch own;
+    const int stride = paddedLanes(count);
+    float *planes = own.get(8 * std::size_t(stride));
+    const auto plane = [&](int k) { return planes + k * stride; };
+    lanes::take(count, order,
+                {{rays.width, plane(0)}, {rays.spread, plane(1)}, {hits.t, plane(2)}});
+    widths(count, plane(0), plane(1), plane(2), plane(3));
+    RayFootprints footprints{plane(3), std::nullopt};
+    if (const PixelShares *shares = rays.shares) {
+        lanes::take(count, order,
+                    {{shares->x, plane(4)},
+                     {shares->y, plane(5)},
+                     {shares->wide, plane(6)},
+                     {shares->high, plane(7)}});
+        footprints.shares = {plane(4), plane(5), plane(6), plane(7)};
+    }
+    return footprints;
+}
+
 void Scene::shadingPoints(const RayBatch &rays, const HitBatch &hits, const int *order, int count,
                           ShadingPoints &points) const {
     points.count = count;
@@ -163,18 +185,11 @@ void Scene::shadingPoints(const RayBatch &rays, const HitBatch &hits, const int 
         return;
     const SurfaceCode &code = state_->points.codes[codeOf(hits, order[0])];
     meetElements(state_->points, rays, hits, order, points);
-    const float *footprint = nullptr;
-    if (code.wanted.footprint) {
-        thread_local AlignedScratch own;
-        const int stride = paddedLanes(count);
-        float *planes = own.get(4 * std::size_t(stride));
-        lanes::take(
-            count, order,
-            {{rays.width, planes}, {rays.spread, planes + stride}, {hits.t, planes + 2 * stride}});
-        widths(count, planes, planes + stride, planes + 2 * stride, planes + 3 * stride);
-        footprint = planes + 3 * stride;
-    }
-    evaluatePoints(state_->points, state_->camera, code, footprint, points);
+    std::optional<RayFootprints> footprints;
+    if (code.wanted.footprint)
+        footprints = footprintsOf(rays, hits, order, count);
+    evaluatePoints(state_->points, state_->camera, code, footprints ? &*footprints : nullptr,
+                   points);
     // What has come far is rounded by the way it came.
     addRounding(count,
                 {points.input(ShaderInput::I, 0), points.input(ShaderInput::I, 1),

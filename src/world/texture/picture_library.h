@@ -33,8 +33,21 @@ struct PictureData {
 };
 
 /// The operands of a lookup, in the order in which the service texture() has them.
-enum class LookupOperand { s, t, dsdx, dtdx, dsdy, dtdy, sBlur, tBlur, channel, fill };
-inline constexpr int lookupOperands = int(LookupOperand::fill) + 1;
+enum class LookupOperand {
+    s,
+    t,
+    dsdx,
+    dtdx,
+    dsdy,
+    dtdy,
+    sBlur,
+    tBlur,
+    channel,
+    fill,
+    sShift, ///< From s to the middle of the footprint.
+    tShift
+};
+inline constexpr int lookupOperands = int(LookupOperand::tShift) + 1;
 
 /// Lookups side by side. (s,t) is (0,0) at the upper left corner of the picture and (1,1) at the
 /// lower right one.

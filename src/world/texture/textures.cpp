@@ -59,20 +59,19 @@ void Textures::bind(const Options &options) {
     if (textures_.empty())
         return;
     textures_.clear();
-    if (PictureLibrary *pictures = library())
-        pictures->forget();
+    if (pictures_)
+        pictures_->forget();
 }
 
-PictureLibrary *Textures::library() {
+bool Textures::hasLibrary() {
+    if (pictures_ || hasFailed_)
+        return pictures_ != nullptr;
     std::string problem;
-    PictureLibrary *pictures = hasFailed_ ? nullptr : pictureLibrary(problem);
-    if (!pictures && !hasFailed_) {
-        hasFailed_ = true;
+    pictures_ = pictureLibrary(problem);
+    hasFailed_ = !pictures_;
+    if (hasFailed_)
         diagnostics_.error({}, problem + "; all textures are black");
-    }
-    if (pictures && megabytes_ > 0)
-        pictures->limitMemory(megabytes_);
-    return pictures;
+    return pictures_ != nullptr;
 }
 
 void Textures::warn(const ServiceCall &call, const std::string &message) {
@@ -114,15 +113,17 @@ void Textures::open(Texture &texture, const ServiceCall &call, Use use) {
                               "; what is looked up in it is 0");
     if (!found->isExact)
         warn(call, "there is no such file; " + found->path + " is taken in its place");
-    if (!library())
+    if (!hasLibrary())
         return;
+    if (megabytes_ > 0)
+        pictures_->limitMemory(megabytes_);
     texture.path = found->path;
     use == Use::Pixels ? openPixels(texture, call) : openDepths(texture, call);
 }
 
 void Textures::openPixels(Texture &texture, const ServiceCall &call) {
     std::string problem;
-    texture.picture = library()->open(texture.path, texture.facts, problem);
+    texture.picture = pictures_->open(texture.path, texture.facts, problem);
     if (!texture.picture)
         warn(call, texture.path + " cannot be read: " + problem + "; what is looked up in it is 0");
 }
@@ -130,7 +131,7 @@ void Textures::openPixels(Texture &texture, const ServiceCall &call) {
 void Textures::openDepths(Texture &texture, const ServiceCall &call) {
     PictureData picture;
     std::string problem;
-    auto map = library()->read(texture.path, PictureCurve::Linear, picture, problem)
+    auto map = pictures_->read(texture.path, PictureCurve::Linear, picture, problem)
                    ? ShadowMap::of(std::move(picture), problem)
                    : std::nullopt;
     if (map)
@@ -141,7 +142,7 @@ void Textures::openDepths(Texture &texture, const ServiceCall &call) {
 
 void Textures::look(Texture &texture, const ServiceCall &call, const LookupRow &row) {
     std::string problem;
-    if (library()->look(*texture.picture, row, problem))
+    if (pictures_->look(*texture.picture, row, problem))
         return;
     const std::scoped_lock lock(mutex_);
     if (!texture.isDamaged)
@@ -181,7 +182,9 @@ void Textures::environment(const ServiceCall &call) {
                                            call.operand(9, lane).number,
                                            call.operand(10, lane).number,
                                            call.operand(11, lane).number,
-                                           call.operand(12, lane).number};
+                                           call.operand(12, lane).number,
+                                           0,
+                                           0};
         for (int k = 0; k < lookupOperands; ++k)
             operands[k * call.laneCount + lane] = row[k];
     }

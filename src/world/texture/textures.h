@@ -52,8 +52,8 @@ private:
     void openDepths(Texture &, const ServiceCall &);
     void look(Texture &, const ServiceCall &, const LookupRow &);
     void warn(const ServiceCall &, const std::string &message);
-    /// The module, or null after an error, once.
-    PictureLibrary *library();
+    /// Loads the module if that is still to be done; false after an error, which is reported once.
+    bool hasLibrary();
 
     const std::vector<std::string> moreFolders_;
     DiagnosticSink &diagnostics_;
@@ -64,7 +64,8 @@ private:
     std::shared_mutex mutex_;
     /// By name and use.
     std::map<std::pair<std::string, Use>, std::unique_ptr<Texture>, std::less<>> textures_;
-    bool hasFailed_ = false; ///< The module cannot be had.
+    PictureLibrary *pictures_ = nullptr; ///< The module, once something has been asked of it.
+    bool hasFailed_ = false;             ///< It cannot be had.
     unsigned generation_ = 0;
 };
 

@@ -21,14 +21,15 @@ void coordinatesFault(BuiltinCall &call, const std::string &expected) {
                                                       "() takes " + expected);
 }
 
-/// A quantity and how far it reaches along the axes of the footprint.
+/// A quantity, how far it reaches along the axes of the footprint, and by how much it differs in
+/// the footprint's middle.
 struct Reach {
-    ValueId at, x, y;
+    ValueId at, x, y, shift;
 };
 
 Reach reachOf(Lowering &lowering, ValueId at) {
     const Extent extent = extentOf(lowering, at);
-    return {at, extent.x, extent.y};
+    return {at, extent.x, extent.y, extent.shift};
 }
 
 ValueId meanOfFour(Builder &b, const ValueId *corner) {
@@ -42,7 +43,7 @@ Reach reachOfCorners(Builder &b, const ValueId *corner) {
     const auto meanOf = [&](ValueId x, ValueId y) { return mul(b, add(b, x, y), number(b, 0.5f)); };
     return {meanOfFour(b, corner),
             meanOf(sub(b, corner[1], corner[0]), sub(b, corner[3], corner[2])),
-            meanOf(sub(b, corner[2], corner[0]), sub(b, corner[3], corner[1]))};
+            meanOf(sub(b, corner[2], corner[0]), sub(b, corner[3], corner[1])), number(b, 0)};
 }
 
 bool areFloats(const BuiltinCall &call, size_t first, size_t end) {
@@ -60,7 +61,7 @@ std::array<Reach, 2> surfaceReach(BuiltinCall &call, size_t first, size_t end) {
     if (!fits || (count == 0 && sl::runsFor(lowering.shader.kind) == sl::RunsFor::Picture)) {
         coordinatesFault(call, "a name, then s and t or four pairs of them");
         const ValueId none = number(call.b, 0);
-        return {Reach{none, none, none}, {none, none, none}};
+        return {Reach{none, none, none, none}, {none, none, none, none}};
     }
     if (count == 0)
         return {reachOf(lowering, lowering.variables.load(sl::PredefinedId::s)[0]),
@@ -82,7 +83,8 @@ std::array<Reach, 3> spatialReach(BuiltinCall &call, const char *what) {
     std::array<Reach, 3> reach;
     if (!fits) {
         coordinatesFault(call, std::string("a name, then a ") + what + " or four of them");
-        reach.fill({number(call.b, 0), number(call.b, 0), number(call.b, 0)});
+        const ValueId none = number(call.b, 0);
+        reach.fill({none, none, none, none});
         return reach;
     }
     for (size_t c = 0; c < 3; ++c) {
@@ -107,6 +109,11 @@ int channelsOf(const BuiltinCall &call) { return call.result() == sl::BaseType::
 
 Values textureOperands(Builder &b, const std::array<Reach, 2> &at, const LookupOptions &o) {
     const auto &[s, t] = at;
+    // A picture that is wanted as it stands is wanted at the very point.
+    const auto shift = [&](const Reach &reach, ValueId width) {
+        const ValueId none = number(b, 0);
+        return select(b, equal(b, width, none), none, reach.shift);
+    };
     return {s.at,
             t.at,
             mul(b, s.x, o.sWidth),
@@ -116,7 +123,9 @@ Values textureOperands(Builder &b, const std::array<Reach, 2> &at, const LookupO
             o.sBlur,
             o.tBlur,
             o.channel,
-            o.fill};
+            o.fill,
+            shift(s, o.sWidth),
+            shift(t, o.tWidth)};
 }
 
 Components texture(BuiltinCall &call) {

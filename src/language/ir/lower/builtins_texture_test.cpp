@@ -38,6 +38,7 @@ struct Asked {
         placeOnPatch(run, 0, u, v);
         run.setInput(ShaderInput::dudx, {0.1f}), run.setInput(ShaderInput::dvdx, {0.2f});
         run.setInput(ShaderInput::dudy, {0.3f}), run.setInput(ShaderInput::dvdy, {-0.4f});
+        run.setInput(ShaderInput::uShift, {0.05f}), run.setInput(ShaderInput::vShift, {-0.01f});
         for (const Service service : {Service::texture, Service::environment, Service::shadow})
             run.batch->services[service] = tellOperand;
         run.batch->services[Service::textureSlopes] = tellRamp;
@@ -75,6 +76,9 @@ TEST(LowerTextures, HandOverPlaceExtentAndOptions) {
         {"texture(\"8\"[2], s, t)", 2},
         {"texture(\"8\"[u], s, t)", u},
         {"texture(\"9\", s, t, \"fill\", .75, \"filter\", \"box\", \"lerp\", 1)", 0.75},
+        {"texture(\"10\")", 3 * 0.05 - 0.01},
+        {"texture(\"11\", s, t, \"width\", 2)", 2 * v * -0.01},
+        {"texture(\"10\", s, t, \"width\", 0)", 0},
         {"comp(color texture(\"0\"), 2)", s},
         // Directions and points: three numbers, then how they change along x, along y.
         {"environment(\"1\", P)", patchP(u, v).y},

@@ -16,14 +16,15 @@ Extent extentOf(Lowering &lowering, ValueId quantity) {
     Builder &b = lowering.b;
     const ValueId none = number(b, 0);
     if (!hasFootprint(lowering) || constantFloat(b, quantity))
-        return {none, none};
+        return {none, none, none};
     lowering.usesFootprints = true;
     const ValueId byU = slope(b, quantity, Direction::U), byV = slope(b, quantity, Direction::V);
     const auto along = [&](ShaderInput u, ShaderInput v) {
         return add(b, mul(b, byU, input(b, u)), mul(b, byV, input(b, v)));
     };
     return {along(ShaderInput::dudx, ShaderInput::dvdx),
-            along(ShaderInput::dudy, ShaderInput::dvdy)};
+            along(ShaderInput::dudy, ShaderInput::dvdy),
+            along(ShaderInput::uShift, ShaderInput::vShift)};
 }
 
 } // namespace candela::ir

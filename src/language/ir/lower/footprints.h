@@ -7,9 +7,9 @@
 
 namespace candela::ir {
 
-/// Changes of a quantity along the two axes of the footprint.
+/// Changes of a quantity along the two axes of the footprint, and from the point to its middle.
 struct Extent {
-    ValueId x, y;
+    ValueId x, y, shift;
 };
 
 /// By the quantity's slopes; zeros where a shader has no footprint (a light's, a picture's), or

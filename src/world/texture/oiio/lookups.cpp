@@ -22,6 +22,9 @@ struct Lookup {
         return std::isfinite(value) ? std::clamp(value, least, most) : otherwise;
     }
     float place(LookupOperand operand) const { return number(operand, -1e6f, 1e6f, 0); }
+    float middle(LookupOperand operand, LookupOperand shift) const {
+        return place(operand) + number(shift, -64, 64, 0);
+    }
     float extent(LookupOperand operand) const { return number(operand, -64, 64, 64); }
     float blur(LookupOperand operand) const { return number(operand, 0, 64, 0); }
 };
@@ -110,7 +113,7 @@ bool lookUp(OIIO::TextureSystem &system, const PictureLibrary::Opened &picture,
         footprint.matchBox();
         Answer answer;
         const bool found = system.texture(
-            picture.handle, thread, options, at.place(s), at.place(t), footprint.dsdx,
+            picture.handle, thread, options, at.middle(s, sShift), at.middle(t, tShift), footprint.dsdx,
             footprint.dtdx, footprint.dsdy, footprint.dtdy, channels.count, answer.value,
             row.slopes ? answer.byS : nullptr, row.slopes ? answer.byT : nullptr);
         if (found)
