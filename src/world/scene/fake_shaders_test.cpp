@@ -157,6 +157,12 @@ ShaderLibrary::ShaderLibrary(ShaderLibrarySettings, DiagnosticSink &)
 ShaderLibrary::~ShaderLibrary() = default;
 void ShaderLibrary::makeReady() {}
 void ShaderLibrary::bindOptions(const Options &) {}
+void ShaderLibrary::bindLights(std::vector<std::vector<ToldParameter>>) {}
+
+std::vector<ToldParameter> ShaderLibrary::parametersTold(ShaderKind, const ShaderRecord &,
+                                                         const Options &, ir::LightRule) {
+    return {};
+}
 
 std::optional<std::vector<ShaderLookup::ParameterType>>
 ShaderLibrary::parametersOf(ShaderKind, const std::string &, const Options &,
@@ -166,7 +172,8 @@ ShaderLibrary::parametersOf(ShaderKind, const std::string &, const Options &,
 
 std::optional<ShaderInstance> ShaderLibrary::instance(ShaderKind, const ShaderRecord &record,
                                                       const Options &, ir::LightRule rule,
-                                                      const std::set<std::string> &variables) {
+                                                      const std::set<std::string> &variables,
+                                                      const OtherShaders &) {
     if (record.name == "missing")
         return std::nullopt;
     std::string key = record.name;
