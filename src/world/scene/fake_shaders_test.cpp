@@ -158,6 +158,12 @@ ShaderLibrary::~ShaderLibrary() = default;
 void ShaderLibrary::makeReady() {}
 void ShaderLibrary::bindOptions(const Options &) {}
 void ShaderLibrary::bindRays(const RayAnswers *) {}
+void ShaderLibrary::bindLights(std::vector<std::vector<ToldParameter>>) {}
+
+std::vector<ToldParameter> ShaderLibrary::parametersTold(ShaderKind, const ShaderRecord &,
+                                                         const Options &, ir::LightRule) {
+    return {};
+}
 
 std::optional<std::vector<ShaderLookup::ParameterType>>
 ShaderLibrary::parametersOf(ShaderKind, const std::string &, const Options &,

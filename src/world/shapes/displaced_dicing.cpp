@@ -8,7 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <utility>
 
 namespace candela {
 
@@ -17,12 +17,13 @@ namespace {
 /// Distinct keys in increasing order, and of each of the given ones which it is.
 struct Numbered {
     explicit Numbered(const std::vector<std::uint64_t> &given) : number(given.size()) {
-        std::vector<std::uint32_t> order(given.size());
-        std::iota(order.begin(), order.end(), 0u);
-        std::ranges::sort(order, {}, [&](std::uint32_t i) { return std::pair(given[i], i); });
-        for (std::uint32_t i : order) {
-            if (keys.empty() || keys.back() != given[i])
-                keys.push_back(given[i]);
+        std::vector<std::pair<std::uint64_t, std::uint32_t>> order(given.size());
+        for (std::uint32_t i = 0; i < order.size(); ++i)
+            order[i] = {given[i], i};
+        std::ranges::sort(order);
+        for (const auto &[key, i] : order) {
+            if (keys.empty() || keys.back() != key)
+                keys.push_back(key);
             number[i] = std::uint32_t(keys.size() - 1);
         }
     }
@@ -50,7 +51,9 @@ public:
         for (const VertexTriple &t : done_)
             triangles[all_.vertices[t[0]].shape].push_back(t);
         std::vector<RayShape> meshes(shapes_.size());
-        parallelFor(shapes_.size(), [&](std::size_t i) { meshes[i] = finish(i, triangles[i]); });
+        std::vector<std::uint32_t> numberOf(all_.vertices.size()); // Each vertex is of one shape.
+        parallelFor(shapes_.size(),
+                    [&](std::size_t i) { meshes[i] = finish(i, triangles[i], numberOf); });
         return meshes;
     }
 
@@ -183,7 +186,8 @@ private:
         return signByVote(undisplaced, mesh);
     }
 
-    RayShape finish(std::size_t number, const std::vector<VertexTriple> &triangles) const {
+    RayShape finish(std::size_t number, const std::vector<VertexTriple> &triangles,
+                    std::vector<std::uint32_t> &numberOf) const {
         const DisplacedDicing &dicing = shapes_[number];
         Shape &shape = *dicing.shape;
         std::vector<std::uint32_t> used;
@@ -195,6 +199,7 @@ private:
         DisplacedMesh mesh;
         for (std::uint32_t i : used) {
             const DisplacedVertex &vertex = all_.vertices[i];
+            numberOf[i] = std::uint32_t(met.positions.size());
             met.positions.push_back(all_.points[vertex.point].moved);
             mesh.positions.push_back(transformPoint(shape.shapeFromOuter, met.positions.back()));
             mesh.vertexUv.push_back({vertex.u, vertex.v});
@@ -202,7 +207,7 @@ private:
         for (const VertexTriple &t : triangles) {
             VertexTriple local;
             for (int k = 0; k < 3; ++k)
-                local[k] = std::uint32_t(std::ranges::lower_bound(used, t[k]) - used.begin());
+                local[k] = numberOf[t[k]];
             mesh.triangles.push_back(local);
             if (dicing.mesh.vertexUv.empty())
                 mesh.pieces.push_back(all_.vertices[t[0]].piece);
