@@ -74,6 +74,18 @@ void askAmbient(PathWave &wave, Crossing &crossing) {
     crossing.segments.ambient = ambient.data();
 }
 
+/// The first segment's output parameters, where displays want to see them.
+void seeOutputParameters(PathWave &wave, const Segments &segments, const Segments::Group &group) {
+    const auto *shown = wave.frame.shaderChannels.ofVolume(*group.code);
+    if (!shown || wave.vertex != 0 || wave.purpose != Purpose::Camera)
+        return;
+    for (const ShaderChannelPlane &from : *shown)
+        for (int i = 0; i < wave.chunk.count(); ++i)
+            if (group.active[std::size_t(i / laneBlock)] >> (i % laneBlock) & 1)
+                wave.results.channels[from.plane][wave.chunk.paths.slot[i]] =
+                    segments.outputs()[std::size_t(from.output)][i];
+}
+
 void askVolumes(PathWave &wave, Crossing &crossing) {
     const Scene &scene = wave.frame.scene;
     VertexChunk &chunk = wave.chunk;
@@ -93,6 +105,7 @@ void askVolumes(PathWave &wave, Crossing &crossing) {
             askLit(wave, crossing, group);
         else
             segments.ask(group, nullptr, true);
+        seeOutputParameters(wave, segments, group);
     }
 }
 

@@ -156,6 +156,11 @@ ShaderLibrary::ShaderLibrary(ShaderLibrarySettings, DiagnosticSink &)
     : state_(std::make_unique<State>()) {}
 ShaderLibrary::~ShaderLibrary() = default;
 void ShaderLibrary::makeReady() {}
+std::vector<ToldParameter> ShaderLibrary::parametersTold(ShaderKind, const ShaderRecord &,
+                                                         const Options &, ir::LightRule) {
+    return {};
+}
+void ShaderLibrary::bindLights(std::vector<std::vector<ToldParameter>>) {}
 void ShaderLibrary::bindOptions(const Options &) {}
 
 std::optional<std::vector<ShaderLookup::ParameterType>>
@@ -166,7 +171,8 @@ ShaderLibrary::parametersOf(ShaderKind, const std::string &, const Options &,
 
 std::optional<ShaderInstance> ShaderLibrary::instance(ShaderKind, const ShaderRecord &record,
                                                       const Options &, ir::LightRule rule,
-                                                      const std::set<std::string> &variables) {
+                                                      const std::set<std::string> &variables,
+                                                      const OtherShaders &) {
     if (record.name == "missing")
         return std::nullopt;
     std::string key = record.name;
