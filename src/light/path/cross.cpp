@@ -79,7 +79,7 @@ void seeParameters(PathWave &wave, const Segments::Group &group, const Segments 
     if (wave.purpose != Purpose::Camera)
         return;
     for (const ShaderChannelPlane &shown : wave.frame.shaderChannels.ofVolume(*group.code))
-        addSeen(wave, shown, segments.parameter(shown.output), group.active.data());
+        addSeen(wave, shown, segments.outputs()[std::size_t(shown.output)], group.active.data());
 }
 
 void askVolumes(PathWave &wave, Crossing &crossing) {

@@ -112,7 +112,7 @@ ShaderChannels::ShaderChannels(const Scene &scene, std::span<const ChannelInfo> 
         empty_ = false;
     }
     for (const ShaderCode *code : volumesOf(scene))
-        volumes_[code] = planesOf(*code, Segments::questionFor(*code), channels);
+        volumes_[code] = planesOf(*code, Segments::askedOf(*code), channels);
 }
 
 std::span<const ShaderChannelPlane> ShaderChannels::ofVolume(const ShaderCode &code) const {

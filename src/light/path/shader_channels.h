@@ -14,7 +14,7 @@ namespace candela {
 /// A plane of a channel, and which of a shader's outputs it shows.
 struct ShaderChannelPlane {
     int plane;  ///< Of PathResults::channels.
-    int output; ///< Of ir::Question::Outputs; of volumes, of Segments::questionFor().
+    int output; ///< Of ir::Question::Outputs; of volumes, of Segments::askedOf().
     int sample; ///< Of a colour; -1 = it is no colour.
 };
 

@@ -74,23 +74,26 @@ void Segments::give(ShaderInput first, float value) {
         lanes::fill(count, value, input(first, c));
 }
 
+void Segments::placeParameters(const ir::Function &function) {
+    const int count = int(function.outputs.size());
+    if (parameters_.planes() < count)
+        parameters_ = Planes<float>(count, inputs_.lanes());
+    outputs_.clear();
+    for (int slot = 0; slot < count; ++slot)
+        outputs_.push_back(parameters_[slot]);
+}
+
 void Segments::run(const Group &group, ir::Question which, VolumeLights *lights, bool prints) {
     const QuestionCode &question = group.code->question(which);
     if (!question.code) // Reported.
         return;
-    thread_local std::vector<float *> outputs;
-    outputs.clear();
-    const int slots = int(question.function.outputs.size());
-    if (parameters_.planes() < slots)
-        parameters_ = Planes<float>(slots, inputs_.lanes());
-    for (int output = 0; output < slots; ++output)
-        outputs.push_back(parameters_[output]);
+    placeParameters(question.function);
     const bool whole = which == ir::Question::Volume;
-    question.place(ir::OutputKind::Ci, whole ? Ci_.data() : answers_.Ci.data(), outputs);
-    question.place(ir::OutputKind::Oi, whole ? Oi_.data() : answers_.Oi.data(), outputs);
-    question.place(ir::OutputKind::CiOfCi, answers_.CiOfCi.data(), outputs);
-    question.place(ir::OutputKind::CiOfOi, answers_.CiOfOi.data(), outputs);
-    question.place(ir::OutputKind::OiOfOi, answers_.OiOfOi.data(), outputs);
+    question.place(ir::OutputKind::Ci, whole ? Ci_.data() : answers_.Ci.data(), outputs_);
+    question.place(ir::OutputKind::Oi, whole ? Oi_.data() : answers_.Oi.data(), outputs_);
+    question.place(ir::OutputKind::CiOfCi, answers_.CiOfCi.data(), outputs_);
+    question.place(ir::OutputKind::CiOfOi, answers_.CiOfOi.data(), outputs_);
+    question.place(ir::OutputKind::OiOfOi, answers_.OiOfOi.data(), outputs_);
     ShaderArgs args;
     args.count = count;
     args.active = group.active.data();
@@ -98,15 +101,11 @@ void Segments::run(const Group &group, ir::Question which, VolumeLights *lights,
     args.parameterOffset = integers_[1];
     args.objectIndex = objectIndex_;
     args.objectMatrices = objectMatrices_;
-    args.outputs = outputs.data();
+    args.outputs = outputs_.data();
     args.volumeLights = lights;
     args.ambient = ambient;
     group.code->bind(args, prints);
     question.code(&args);
-}
-
-ir::Question Segments::questionFor(const ShaderCode &code) {
-    return code.volumeFacts().affine ? ir::Question::Segment : ir::Question::Volume;
 }
 
 void Segments::ask(const Group &group, VolumeLights *lights, bool prints) {
@@ -136,16 +135,17 @@ void Segments::askWhole(const Group &group, VolumeLights *lights, bool prints) {
                 for (std::size_t c = 0; c < colorSamples; ++c)
                     visit(i, c);
     };
+    runWhole(group, 1, 0, lights, false);
+    forActive([&](int i, std::size_t c) { answers_.CiOfCi[c][i] = Ci_[c][i]; });
+    runWhole(group, 0, 1, lights, false);
+    forActive([&](int i, std::size_t c) {
+        answers_.CiOfOi[c][i] = Ci_[c][i], answers_.OiOfOi[c][i] = Oi_[c][i];
+    });
     runWhole(group, 0, 0, lights, prints);
     forActive([&](int i, std::size_t c) {
         answers_.Ci[c][i] = Ci_[c][i], answers_.Oi[c][i] = Oi_[c][i];
-    });
-    runWhole(group, 1, 0, lights, false);
-    forActive([&](int i, std::size_t c) { answers_.CiOfCi[c][i] = Ci_[c][i] - answers_.Ci[c][i]; });
-    runWhole(group, 0, 1, lights, false);
-    forActive([&](int i, std::size_t c) {
-        answers_.CiOfOi[c][i] = Ci_[c][i] - answers_.Ci[c][i];
-        answers_.OiOfOi[c][i] = Oi_[c][i] - answers_.Oi[c][i];
+        answers_.CiOfCi[c][i] -= Ci_[c][i], answers_.CiOfOi[c][i] -= Ci_[c][i];
+        answers_.OiOfOi[c][i] -= Oi_[c][i];
     });
 }
 

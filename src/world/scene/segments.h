@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace candela {
@@ -55,22 +56,27 @@ public:
         std::array<float *, colorSamples> Ci, Oi, CiOfCi, CiOfOi, OiOfOi;
     };
     const Answers &answers() const { return answers_; }
-    /// What the segments of the group that ask() was called with last have in an output parameter:
-    /// an output of questionFor(its code).
-    const float *parameter(int output) const { return parameters_[output]; }
-    /// What ask() asks.
-    static ir::Question questionFor(const ShaderCode &);
+    /// What was asked last of a group, planes of Function::outputs: its own output parameters among
+    /// them, as they are for a black and clear end.
+    std::span<float *const> outputs() const { return outputs_; }
+    /// Which question that is.
+    static ir::Question askedOf(const ShaderCode &code) {
+        return code.volumeFacts().affine ? ir::Question::Segment : ir::Question::Volume;
+    }
 
 private:
     using Colors = std::array<float *, colorSamples>;
     Colors colors(int first) const;
     void give(ShaderInput, float);
+    /// Room for all outputs of the function.
+    void placeParameters(const ir::Function &);
     void run(const Group &, ir::Question, VolumeLights *, bool prints);
     /// Question::Volume of this Ci and Oi; what it says is in Ci_ and Oi_.
     void runWhole(const Group &, float Ci, float Oi, VolumeLights *, bool prints);
     void askWhole(const Group &, VolumeLights *, bool prints);
 
     Planes<float> inputs_, results_, parameters_;
+    std::vector<float *> outputs_;
     std::vector<const float *> inputTable_;
     Planes<std::int32_t> integers_;
     const std::int32_t *objectIndex_ = nullptr;
