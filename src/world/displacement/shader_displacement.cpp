@@ -106,12 +106,16 @@ void ShaderDisplacement::locate(const SurfaceQuery &query, const SurfaceCode &co
             planes.set(k, {});
     if (pixel_ > 0) {
         const std::vector<float> footprint(std::size_t(n), pixel_ * rate_);
-        evaluatePoints(tables_, camera_, code, footprint.data(), points);
+        const RayFootprints footprints{footprint.data(), std::nullopt};
+        evaluatePoints(tables_, camera_, code, &footprints, points);
     } else {
         evaluatePoints(tables_, camera_, code, nullptr, points);
-        for (ShaderInput extent : {ShaderInput::du, ShaderInput::dv})
-            for (int k = 0; code.wanted.footprint && k < n; ++k)
-                points.input(extent, 0)[k] = std::min(points.input(extent, 0)[k] * rate_, 1.0f);
+        for (ShaderInput extent : {ShaderInput::du, ShaderInput::dv, ShaderInput::dudx,
+                                   ShaderInput::dvdx, ShaderInput::dudy, ShaderInput::dvdy})
+            for (int k = 0; code.wanted.footprint && k < n; ++k) {
+                float &value = points.input(extent, 0)[k];
+                value = std::clamp(value * rate_, -1.0f, 1.0f);
+            }
     }
     for (int k = 0; k < n; ++k)
         I.set(k, P.get(k));

@@ -66,7 +66,7 @@ TEST(Dataflow, FollowsBranchesLightLoopsAndArrays) {
     const ValueId u = input(b, ShaderInput::u);
     const int array = addArray(b, Type::Float, 2);
     const auto lit = lightLoop(b, addRequest(b, {}), input3(b, ShaderInput::P), {}, {number(b, 0)},
-                               [&](const Triple &, const Values &, const Values &carried) {
+                               [&](const LoopLight &, const Values &carried) {
                                    const Values chosen = ifElse(
                                        b, less(b, carried[0], number(b, 1)),
                                        [&] {

@@ -29,8 +29,8 @@ Function sample() {
         return Values{less(b, next, u), next};
     });
     auto lit = lightLoop(b, addRequest(b, {}), input3(b, ShaderInput::P), {}, {chosen[0]},
-                         [&](const Triple &L, const Values &Cl, const Values &carried) {
-                             return Values{add(b, carried[0], mul(b, Cl[0], L[2]))};
+                         [&](const LoopLight &light, const Values &carried) {
+                             return Values{add(b, carried[0], mul(b, light.Cl[0], light.L[2]))};
                          });
     output(b, "Ci", 0, add(b, lit[0], counted[1]));
     query(b, info(Service::option), {"Shutter", "float[2]"}, {}, 3);
