@@ -56,9 +56,11 @@ struct CompiledFilter {
     explicit CompiledFilter(const ir::Function &whole, int width = laneBlock) {
         JitOptions options;
         options.width = width;
-        code = FilterCode::compile(whole, std::make_shared<Jit>(options, diagnostics),
-                                   std::make_shared<const ShaderMessages>(diagnostics),
-                                   std::make_shared<const ShaderAnswers>(), diagnostics);
+        code = FilterCode::compile(
+            whole, std::make_shared<Jit>(options, diagnostics),
+            std::make_shared<const ShaderMessages>(diagnostics),
+            std::make_shared<const ShaderAnswers>(std::vector<std::string>{}, diagnostics),
+            diagnostics);
         EXPECT_TRUE(code) << diagnostics.text();
     }
     void run(ImageMaps &maps) {
