@@ -88,6 +88,8 @@ private:
     std::vector<Names> ownOutputs() const {
         if (kind_ == sl::ShaderKind::Light)
             return {{"L", "L"}, {"Cl", "Cl"}};
+        if (kind_ == sl::ShaderKind::Volume)
+            return {{"Ci", "Ci"}, {"Oi", "Oi"}};
         return {{"Ci", "Ci"}, {"Oi", "Oi"}, {"alpha", "alpha"}};
     }
 
