@@ -72,6 +72,12 @@ std::string summaryOf(const sl::TypedShader &shader, const CompiledShader &compi
     } else if (shader.kind == sl::ShaderKind::Light) {
         line += countOf(compiled.lightFacts.cones.size(), "cone") + " of emission, ";
         line += compiled.lightFacts.conesAreTheLights ? "" : "which differ by what is lit, ";
+    } else if (shader.kind == sl::ShaderKind::Volume) {
+        const ir::VolumeFacts &facts = compiled.volumeFacts;
+        line += facts.affine ? "affine in what it is given, "
+                             : "not affine in what it is given (line " +
+                                   std::to_string(facts.notAffineLine) + "), ";
+        line += facts.asksForLight ? "asks for light, " : "";
     } else if (shader.kind == sl::ShaderKind::Filter) {
         line += countOf(pixelLoops, "pixel loop") + ", ";
     }

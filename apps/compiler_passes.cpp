@@ -47,6 +47,8 @@ std::optional<CompiledShader> compileShader(const sl::TypedShader &shader, ir::L
         compiled.facts = ir::surfaceFacts(*plan);
     } else if (lowered->kind == sl::ShaderKind::Light) {
         compiled.lightFacts = ir::lightFacts(whole);
+    } else if (lowered->kind == sl::ShaderKind::Volume) {
+        compiled.volumeFacts = ir::volumeFacts(whole);
     }
     compiled.displacement = ir::displacementFacts(whole);
     std::vector<ir::Question> questions = ir::questionsOf(lowered->kind);

@@ -19,8 +19,9 @@ struct CompiledShader {
         ir::Question question;
         ir::Function function;
     };
-    ir::SurfaceFacts facts;    ///< Of surfaces.
-    ir::LightFacts lightFacts; ///< Of lights.
+    ir::SurfaceFacts facts;      ///< Of surfaces.
+    ir::LightFacts lightFacts;   ///< Of lights.
+    ir::VolumeFacts volumeFacts; ///< Of volumes.
     ir::DisplacementFacts displacement;
     std::vector<Answer> answers;
 };

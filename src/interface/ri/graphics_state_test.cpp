@@ -238,7 +238,7 @@ TEST_F(State, whatComesLaterIsWarnedAboutOnce) {
     state.worldBegin(at);
     state.points(at, numbers("P", {0, 0, 0}));
     state.points(at, numbers("P", {0, 0, 0}));
-    state.exterior(at, "fog", {});
+    state.geometricRepresentation(at, "primitive");
     EXPECT_EQ(errors(), 0);
     EXPECT_EQ(warnings(), 2);
     EXPECT_TRUE(says("Points: this version does not draw it"));

@@ -45,6 +45,9 @@ private:
     bool isFlat(const SourceLocation &, const char *request, const char *what);
     ShaderRecord shader(const SourceLocation &, const char *request, ShaderKind,
                         const std::string &name, const TokenList &);
+    std::shared_ptr<const ShaderRecord> shaderOrNone(const SourceLocation &, const char *request,
+                                                     ShaderKind, const std::string &name,
+                                                     const TokenList &);
     ShaderRecord pictureShader(const SourceLocation &, const char *request, ShaderKind,
                                const std::string &name, const TokenList &);
     void addLight(const SourceLocation &, const char *request, const std::string &name,

@@ -23,23 +23,40 @@ void StateHandlers::surface(const SourceLocation &where, const std::string &name
         shader(where, "Surface", ShaderKind::Surface, name, tokens));
 }
 
+/// RI 3.2, 4.2.1 and 5.6: the null shader is none at all.
+std::shared_ptr<const ShaderRecord>
+StateHandlers::shaderOrNone(const SourceLocation &where, const char *request, ShaderKind kind,
+                            const std::string &name, const TokenList &tokens) {
+    if (name.empty() || name == "null")
+        return nullptr;
+    return std::make_shared<const ShaderRecord>(shader(where, request, kind, name, tokens));
+}
+
 void StateHandlers::displacement(const SourceLocation &where, const std::string &name,
                                  const TokenList &tokens) {
-    // RI 3.2, 4.2.1: the null shader is none at all.
-    if (name.empty() || name == "null")
-        state_.edit().displacement.reset();
-    else
-        state_.edit().displacement = std::make_shared<const ShaderRecord>(
-            shader(where, "Displacement", ShaderKind::Displacement, name, tokens));
+    state_.edit().displacement =
+        shaderOrNone(where, "Displacement", ShaderKind::Displacement, name, tokens);
 }
 
 void StateHandlers::deformation(const SourceLocation &where, const std::string &name,
                                 const TokenList &tokens) {
-    if (name.empty() || name == "null")
-        state_.edit().deformation.reset();
-    else
-        state_.edit().deformation = std::make_shared<const ShaderRecord>(
-            shader(where, "Deformation", ShaderKind::Transformation, name, tokens));
+    state_.edit().deformation =
+        shaderOrNone(where, "Deformation", ShaderKind::Transformation, name, tokens);
+}
+
+void StateHandlers::atmosphere(const SourceLocation &where, const std::string &name,
+                               const TokenList &tokens) {
+    state_.edit().atmosphere = shaderOrNone(where, "Atmosphere", ShaderKind::Volume, name, tokens);
+}
+
+void StateHandlers::interior(const SourceLocation &where, const std::string &name,
+                             const TokenList &tokens) {
+    state_.edit().interior = shaderOrNone(where, "Interior", ShaderKind::Volume, name, tokens);
+}
+
+void StateHandlers::exterior(const SourceLocation &where, const std::string &name,
+                             const TokenList &tokens) {
+    state_.edit().exterior = shaderOrNone(where, "Exterior", ShaderKind::Volume, name, tokens);
 }
 
 /// Of a picture, which lies in no space.

@@ -74,6 +74,9 @@ struct PixelLoopRunner {
                 float *results) = nullptr;
 };
 
+/// Declared here only: world/shading/volume_lights.h.
+class VolumeLights;
+
 /// No question but finite light samples: see ShaderArgs::answeredRequest.
 inline constexpr std::int32_t finiteRequests = -1;
 
@@ -158,6 +161,9 @@ struct ShaderArgs {
     /// Pixel loops: the column of the picture that lane 0 stands at; lanes go on from there.
     std::int32_t firstColumn = 0;
     const PixelLoopRunner *pixelLoops = nullptr;
+
+    /// Volumes: who answers gatherlight and lightsample; null = it is dark.
+    VolumeLights *volumeLights = nullptr;
 
     const ShaderCallbacks *callbacks = nullptr;
     const ShaderServices *services = nullptr;

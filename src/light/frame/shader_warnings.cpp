@@ -6,6 +6,16 @@
 namespace candela {
 
 void ShaderWarnings::look(const Scene &scene) {
+    for (int number = 1; number < scene.mediaCount(); ++number) {
+        const ShaderCode &code = *scene.medium(number).code;
+        const int line = code.volumeFacts().notAffineLine; // 0 = none in particular.
+        if (!code.volumeFacts().affine)
+            once("volume shader \"" + code.name() + "\"" +
+                 (line > 0 ? ", line " + std::to_string(line) : "") +
+                 ": what it makes of the light that it is given does not grow in proportion to "
+                 "it, channel by channel; it is taken for the straight line through what it makes "
+                 "of black and of 1");
+    }
     if (scene.isClassic())
         return;
     for (int index = 0; index < scene.codeCount(); ++index) {

@@ -16,7 +16,8 @@ public:
 
     /// Warns of surface shaders in the scene that are not affine in the light (their pictures
     /// depend on GatheredLight::rounds) and of those whose requests are not static (they cost
-    /// time). Nothing under `classic`, which runs every shader whole.
+    /// time): nothing under `classic`, which runs every surface shader whole. And of volume shaders
+    /// that are not affine in what they are given.
     void look(const Scene &);
 
 private:

@@ -144,7 +144,7 @@ void finish(PathWave &wave, AlbedoPlanes &own) {
         for (int c = 0; c < colorSamples; ++c)
             finite &= bool(std::isfinite(own.sum[c][i]));
         if (!finite)
-            reportNonFinite(wave, i);
+            reportNonFinite(wave, i, vertices.code().name());
         const bool black = !finite || (completed && !(completed[i] > 0));
         for (int c = 0; c < colorSamples; ++c) {
             const float answer = black ? 0.0f : mirror ? 1.0f : own.sum[c][i];

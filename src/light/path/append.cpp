@@ -45,7 +45,7 @@ ActivePaths &roomFor(PathWave &wave, int count) {
         wave.next.rays.count = wave.next.count;
         wave.waiting.push_back({wave.vertex + 1, std::move(wave.next)});
         if (wave.spare.empty())
-            wave.spare.emplace_back(PathWave::capacity);
+            wave.spare.emplace_back(PathWave::capacity, wave.frame.scene.hasVolumes());
         wave.next = std::move(wave.spare.back());
         wave.spare.pop_back();
         wave.next.count = wave.next.rays.count = 0;
@@ -147,6 +147,8 @@ void append(PathWave &wave, const ConstVec3Planes &direction, int count) {
     std::fill_n(next.seen + first, count, 0);
     if (!chunk.events.finite())
         correctSpecialEvents(wave, direction, count, first);
+    if (wave.frame.scene.hasVolumes())
+        leaveMedia(wave, direction, count, first);
 }
 
 } // namespace candela

@@ -11,10 +11,12 @@ namespace {
 
 void seeOpacity(PathWave &wave) {
     const PathsAtVertices &paths = wave.chunk.paths;
+    const Scene &scene = wave.frame.scene;
     const int count = wave.chunk.count();
     for (int c = 0; c < colorSamples; ++c) {
         float *opacity = wave.results.opacity[c];
-        const float *through = paths.throughput[c], *Oi = wave.chunk.vertices.prepared().Oi[c];
+        const float *through = scene.hasVolumes() ? paths.cover[c] : paths.throughput[c];
+        const float *Oi = wave.chunk.vertices.prepared().Oi[c];
         if (slotsAreConsecutive(wave)) { // All of them are seen.
             lanes::multiplyAdd(count, through, Oi, opacity + paths.slot[0]);
             continue;
@@ -76,6 +78,10 @@ void ask(PathWave &wave) {
 
 void see(PathWave &wave) {
     VertexChunk &chunk = wave.chunk;
+    if (wave.frame.scene.hasVolumes())
+        for (int c = 0; c < colorSamples; ++c)
+            lanes::multiplyAdd(chunk.count(), chunk.paths.veil[c], chunk.vertices.prepared().Oi[c],
+                               chunk.paths.light[c]);
     if (!lanes::allEqual(chunk.count(), chunk.paths.seen, 0)) {
         seeOpacity(wave);
         if (wave.vertex == 0)

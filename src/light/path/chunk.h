@@ -21,9 +21,11 @@ struct PathsAtVertices {
           keys(2, capacity) {
         slot = integers[0], depth = integers[1], seen = integers[2];
         pixelKey = keys[0], sampleIndex = keys[1];
+        veil = Planes<float>(colorSamples, capacity), cover = Planes<float>(colorSamples, capacity);
     }
     Planes<float> throughput;
-    Planes<float> light; ///< Gathered at this vertex, times throughput.
+    Planes<float> veil, cover; ///< As PathMedia has them.
+    Planes<float> light;       ///< Gathered at this vertex, times throughput.
     Planes<int> integers;
     int *slot, *depth, *seen;
     Planes<std::uint32_t> keys;

@@ -16,7 +16,7 @@ void dropNonFinite(PathWave &wave) {
         if (!lanes::allFinite(chunk.count(), chunk.paths.light[c]))
             for (int i = 0; i < chunk.count(); ++i)
                 if (!std::isfinite(chunk.paths.light[c][i])) {
-                    reportNonFinite(wave, i);
+                    reportNonFinite(wave, i, chunk.vertices.code().name());
                     for (int k = 0; k < colorSamples; ++k)
                         chunk.paths.light[k][i] = 0;
                 }
@@ -47,13 +47,12 @@ void deliver(PathWave &wave) {
         lanes::add(count, paths.light[c], radiance[c] + paths.slot[0]);
 }
 
-void reportNonFinite(PathWave &wave, int i) {
+void reportNonFinite(PathWave &wave, int i, const std::string &shader) {
     const int slot = wave.chunk.paths.slot[i];
     int sample = wave.results.sampleIndex[slot];
     if (wave.purpose == Purpose::Gathering)
         sample /= GatheredLight::rounds;
-    wave.frame.nonFinite.found(wave.chunk.vertices.code().name(), wave.results.x[slot],
-                               wave.results.y[slot], sample);
+    wave.frame.nonFinite.found(shader, wave.results.x[slot], wave.results.y[slot], sample);
 }
 
 } // namespace candela

@@ -13,12 +13,13 @@ namespace {
 /// is passed but once, so that paths end without it; it bounds the time of those that don't.
 constexpr int mostVertices = 1 << 20;
 
-constexpr Stage pathStages[] = {meet,       emit,  ask,     see,    seeOutputParameters,
+constexpr Stage pathStages[] = {meet,       cross, emit,    ask,    see, seeOutputParameters,
                                 stateLobes, light, scatter, deliver};
 constexpr Stage gatheringStages[] = {
-    meet, emit, ask, see, lightGathered, seeOutputParameters, scatterBesidesFiniteLobes, deliver};
-constexpr Stage classicStages[] = {meet,   emit,   ask, see, lightClassic, seeOutputParameters,
-                                   branch, deliver};
+    meet,   cross, emit, ask, see, lightGathered, seeOutputParameters, scatterBesidesFiniteLobes,
+    deliver};
+constexpr Stage classicStages[] = {
+    meet, cross, emit, ask, see, lightClassic, seeOutputParameters, branch, deliver};
 
 void shadeBin(PathWave &wave, int bin) {
     std::span<const int> rays = wave.bins.rays(bin);

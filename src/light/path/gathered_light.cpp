@@ -124,6 +124,11 @@ void followDirections(PathWave &wave, GatheredLight &gathered) {
     gathered.mixture.pdf(along, rays.pdf);
     vertices.rayOrigins(along, origin);
     spreadOfDirections(chunk.count(), rays.pdf, rays.spread);
+    const bool inMedia = wave.frame.scene.hasVolumes();
+    for (int i = 0; inMedia && i < chunk.count(); ++i) {
+        const MediaAround around = vertices.mediaAlong(i, along);
+        rays.around[0][i] = around.inner(), rays.around[1][i] = around.outer();
+    }
     startGathering(*gathered.wave, int(rays.lanes.size()), rays.lanes.data(),
                    {{origin[0], origin[1], origin[2]},
                     along,
@@ -135,6 +140,7 @@ void followDirections(PathWave &wave, GatheredLight &gathered) {
                     chunk.paths.depth,
                     vertices.points.lightSet,
                     chunk.code,
+                    inMedia ? &rays.around : nullptr,
                     rays.x,
                     rays.y,
                     numbers.pixelKey,

@@ -24,6 +24,7 @@ struct GatheringRays {
     const int *depth; ///< Scatterings up to the vertex; the gathering is one more.
     const int *lightSet;
     int code;
+    const Planes<std::uint32_t> *around;         ///< MediaAround; null where there are no volumes.
     const int *x, *y;                            ///< The pixel, for messages.
     const std::uint32_t *pixelKey, *sampleIndex; ///< The address of the paths' random numbers.
 };
@@ -57,7 +58,8 @@ struct GatheringCones {
 /// The rays of a round, and what weighs them.
 struct RoundRays {
     explicit RoundRays(int capacity)
-        : direction(3, capacity), origin(3, capacity), floats(5, capacity), integers(4, capacity) {
+        : direction(3, capacity), origin(3, capacity), floats(5, capacity), integers(4, capacity),
+          around(2, capacity) {
         wanted = floats[0], pdf = floats[1], factor = floats[2];
         width = floats[3], spread = floats[4];
         x = integers[0], y = integers[1], inShadow = integers[2], shadowed = integers[3];
@@ -66,7 +68,8 @@ struct RoundRays {
     float *wanted, *pdf, *factor, *width, *spread;
     Planes<int> integers;
     int *x, *y, *inShadow, *shadowed;
-    std::vector<int> lanes; ///< Those that want light.
+    Planes<std::uint32_t> around; ///< As PathMedia has it.
+    std::vector<int> lanes;       ///< Those that want light.
 };
 
 struct GatheredLight {

@@ -45,11 +45,21 @@ struct RayOrigins {
     int *code;     ///< Of that vertex's shader; -1 = none.
 };
 
+/// What rays carry in scenes that have volumes: what they are in, and what the opacity that they
+/// lead to is worth. Volumes may make light of it (a fog that hides nothing where nothing is).
+struct PathMedia {
+    explicit PathMedia(int capacity)
+        : around(2, capacity), veil(colorSamples, capacity), cover(colorSamples, capacity) {}
+    Planes<std::uint32_t> around; ///< MediaAround: inner, outer.
+    Planes<float> veil;           ///< The radiance that a unit of opacity brings.
+    Planes<float> cover;          ///< The opacity that it brings, as long as the camera sees.
+};
+
 /// The paths that are still under way, packed: entry i moves as others end.
 struct ActivePaths {
-    explicit ActivePaths(int capacity)
+    ActivePaths(int capacity, bool inMedia)
         : rays(capacity), left(capacity), throughput(colorSamples, capacity), integers(3, capacity),
-          keys(1, capacity) {
+          keys(1, capacity), media(inMedia ? capacity : 0) {
         slot = integers[0], depth = integers[1], seen = integers[2];
         sampleIndex = keys[0];
     }
@@ -64,6 +74,7 @@ struct ActivePaths {
     int *seen;  ///< 1 as long as the camera sees along this ray: it adds to opacity.
     Planes<std::uint32_t> keys;
     std::uint32_t *sampleIndex; ///< The path's number within its pixel: see path/split.h.
+    PathMedia media;            ///< Empty if the scene has no volumes.
 };
 
 } // namespace candela

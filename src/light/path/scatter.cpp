@@ -88,11 +88,13 @@ void respond(PathWave &wave, const ConstVec3Planes &direction) {
         count, {before[0], before[1], before[2]}, {g[0], g[1], g[2]},
         {vertices.prepared().Oi[0], vertices.prepared().Oi[1], vertices.prepared().Oi[2]},
         chunk.events.event(), way.scale, {after[0], after[1], after[2]}, way.brightest);
+    if (wave.frame.scene.hasVolumes() && !chunk.events.finite())
+        weighOpacityBehind(wave);
     if (lanes::allFinite(count, way.brightest))
         return;
     for (int i = 0; i < count; ++i)
         if (!std::isfinite(way.brightest[i])) {
-            reportNonFinite(wave, i);
+            reportNonFinite(wave, i, vertices.code().name());
             way.brightest[i] = 0;
         }
 }

@@ -3,6 +3,7 @@
 
 #include "light/path/first_hit.h"
 #include "light/path/stages.h"
+#include "world/scene/segments.h"
 
 #include <algorithm>
 
@@ -69,32 +70,56 @@ GivenLight lightFor(PathWave &wave) {
 
 std::vector<ChannelInfo> outputParametersOf(const Scene &scene) {
     std::vector<ChannelInfo> channels;
-    for (int code = 0; code < scene.codeCount(); ++code)
-        for (const ir::ShaderParameter &parameter : scene.code(code).shader().parameters)
+    const auto add = [&](const ShaderCode &code) {
+        for (const ir::ShaderParameter &parameter : code.shader().parameters)
             if (isShown(parameter) &&
                 std::ranges::find(channels, parameter.name, &ChannelInfo::name) == channels.end())
                 channels.push_back(channelOf(parameter));
+    };
+    for (int code = 0; code < scene.codeCount(); ++code)
+        add(scene.code(code));
+    for (int number = 1; number < scene.mediaCount(); ++number)
+        add(*scene.medium(number).code);
     return channels;
 }
+
+namespace {
+
+/// What of the code's answer to the question is to be seen where.
+std::vector<ShaderChannelPlane> planesOf(const ShaderCode &code, ir::Question which,
+                                         std::span<const ChannelInfo> channels) {
+    std::vector<ShaderChannelPlane> planes;
+    for (const ir::ShaderParameter &parameter : code.shader().parameters) {
+        const auto channel = std::ranges::find(channels, parameter.name, &ChannelInfo::name);
+        if (!isShown(parameter) || channel == channels.end() ||
+            channel->components != int(parameter.defaults.size()))
+            continue;
+        const ir::Function &function = code.question(which).function;
+        const int first = firstPlane(channels, std::size_t(channel - channels.begin()));
+        for (int c = 0; c < channel->components; ++c)
+            planes.push_back({first + c, ir::slotOf(function.outputs, parameter.name, c),
+                              isColor(parameter) ? c % colorSamples : -1});
+    }
+    return planes;
+}
+
+} // namespace
 
 ShaderChannels::ShaderChannels(const Scene &scene, std::span<const ChannelInfo> channels)
     : codes_(std::size_t(scene.codeCount())) {
     for (int number = 0; number < scene.codeCount(); ++number) {
         const ShaderCode &code = scene.code(number);
-        for (const ir::ShaderParameter &parameter : code.shader().parameters) {
-            const auto channel = std::ranges::find(channels, parameter.name, &ChannelInfo::name);
-            if (!isShown(parameter) || channel == channels.end() ||
-                channel->components != int(parameter.defaults.size()))
-                continue;
-            const QuestionCode &question = code.question(ir::Question::Outputs);
-            const int first = firstPlane(channels, std::size_t(channel - channels.begin()));
-            for (int c = 0; c < channel->components; ++c)
-                codes_[std::size_t(number)].planes.push_back(
-                    {first + c, ir::slotOf(question.function.outputs, parameter.name, c),
-                     isColor(parameter) ? c % colorSamples : -1});
-            codes_[std::size_t(number)].needLight = ir::asksForLight(question.function);
-            empty_ = false;
-        }
+        Code &own = codes_[std::size_t(number)];
+        own.planes = planesOf(code, ir::Question::Outputs, channels);
+        if (own.planes.empty())
+            continue;
+        own.needLight = ir::asksForLight(code.question(ir::Question::Outputs).function);
+        empty_ = false;
+    }
+    for (int number = 1; number < scene.mediaCount(); ++number) {
+        const ShaderCode &code = *scene.medium(number).code;
+        if (const auto planes = planesOf(code, Segments::askedOf(code), channels); !planes.empty())
+            volumes_[&code] = planes;
     }
 }
 

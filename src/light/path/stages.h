@@ -26,6 +26,9 @@ using Stage = void (*)(PathWave &);
 
 /// Shading points, and what the stages need of their paths.
 void meet(PathWave &);
+/// What volumes make of the segments to the vertices: what they send joins the light gathered, what
+/// they let through is what the vertices' light is worth.
+void cross(PathWave &);
 /// What lamps and emitting surfaces send along the rays that met them.
 void emit(PathWave &);
 /// Asks the shader for importance, opacity and the answer to ambient light.

@@ -2,6 +2,7 @@
 // Where the paths of a wave begin.
 #include "foundation/base/lanes.h"
 #include "light/path/stages.h"
+#include "light/path/steps.h"
 #include "light/sampling/sobol.h"
 
 #include <algorithm>
@@ -49,6 +50,8 @@ void takePaths(PathWave &wave) {
     std::fill_n(active.depth, wave.slots, 0);
     lanes::fill(wave.slots, 1, active.seen);
     std::copy_n(wave.results.sampleIndex, wave.slots, reinterpret_cast<int *>(active.sampleIndex));
+    if (wave.frame.scene.hasVolumes())
+        beginMedia(wave.slots, active.media);
 }
 
 } // namespace
@@ -114,6 +117,9 @@ void startGathering(PathWave &wave, int count, const int *lane, const GatheringR
                  {from.pdf, left.pdf},
                  {from.lightSet, left.lightSet},
                  {from.depth, active.depth}});
+    if (from.around)
+        for (int word = 0; word < 2; ++word)
+            lanes::take(count, lane, {{(*from.around)[word], active.media.around[word]}});
     std::fill_n(rays.tMin, count, 0.0f);
     lanes::fill(count, INFINITY, rays.tMax);
     lanes::fill(count, from.code, left.code);

@@ -15,8 +15,15 @@ bool drawsLightChoice(const PathWave &);
 void stateLightNormals(VertexChunk &, const ConeMixture &);
 /// True if slot()[i] = slot()[0] + i.
 bool slotsAreConsecutive(const PathWave &);
-/// Tells of a value that is not finite at vertex i of the chunk.
-void reportNonFinite(PathWave &, int i);
+/// Tells of a value that a shader has given, and which is not finite, at vertex i of the chunk.
+void reportNonFinite(PathWave &, int i, const std::string &shader);
+/// What paths that have met nothing yet are in: air.
+void beginMedia(int count, PathMedia &);
+/// What the `count` paths that append() has put at next[first] on are in, and what opacity is worth
+/// to those that go straight on.
+void leaveMedia(PathWave &, const ConstVec3Planes &direction, int count, int first);
+/// Raises way.brightest where a path goes straight on to opacity that counts, dark as it is.
+void weighOpacityBehind(PathWave &);
 /// Numbers for events of one direction and for roulette between them; must come first. The
 /// importance of finite lobes is null where they are not followed.
 void beginEvents(PathWave &, const float *finiteTotal);

@@ -10,13 +10,14 @@ FrameContext::FrameContext(const Scene &scene, const IntegratorSettings &setting
                            const PixelFilterSampler &filter, std::span<const ChannelInfo> channels,
                            TransportStatistics &statistics, DiagnosticSink &diagnostics)
     : scene(scene), settings(settings), filter(filter), firstHit(firstHitPlanes(channels)),
-      shaderChannels(scene, channels), statistics(statistics), nonFinite(statistics, diagnostics) {}
+      shaderChannels(scene, channels), statistics(statistics), nonFinite(statistics, diagnostics),
+      diagnostics(diagnostics) {}
 
 PathWave::PathWave(FrameContext &frame, Purpose purpose)
     : frame(frame), purpose(purpose),
       results(capacity, purpose == Purpose::Camera ? int(frame.firstHit.size()) : 0),
-      active(capacity), next(capacity), hits(capacity), bins(frame.scene, capacity),
-      cameraNumbers(2 * cameraPairs, capacity) {}
+      active(capacity, frame.scene.hasVolumes()), next(capacity, frame.scene.hasVolumes()),
+      hits(capacity), bins(frame.scene, capacity), cameraNumbers(2 * cameraPairs, capacity) {}
 
 VertexChunk::VertexChunk()
     : vertices(capacity), paths(capacity), numbers(capacity), ambientLight(colorSamples, capacity),

@@ -6,6 +6,7 @@
 #include "light/path/albedo.h"
 #include "light/path/chunk.h"
 #include "light/path/classic_light.h"
+#include "light/path/crossing.h"
 #include "light/path/first_hit.h"
 #include "light/path/gathered_light.h"
 #include "light/path/hit_bins.h"
@@ -16,6 +17,7 @@
 #include "world/camera/pixel_filter.h"
 
 #include <memory>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -32,6 +34,8 @@ struct FrameContext {
     ShaderChannels shaderChannels;
     TransportStatistics &statistics;
     NonFiniteReporter nonFinite;
+    DiagnosticSink &diagnostics;
+    std::once_flag refusedLight; ///< Volumes have asked for light at too many points: said.
 };
 
 /// Camera: paths of pictures. Gathering: paths that find light for a shader that isn't affine in
@@ -66,7 +70,8 @@ struct PathWave {
     VertexChunk chunk;
     std::unique_ptr<ClassicLight> classic;   ///< Made when the first vertex needs it,
     std::unique_ptr<GatheredLight> gathered; ///< this too,
-    std::unique_ptr<AlbedoPlanes> albedo;    ///< and this.
+    std::unique_ptr<AlbedoPlanes> albedo;    ///< this,
+    std::unique_ptr<Crossing> crossing;      ///< and this.
 };
 
 } // namespace candela

@@ -35,32 +35,76 @@ CANDELA_HOT void towardsLight(int count, const ConstVec3Planes &P, const ConstVe
 
 ShadowRays::ShadowRays(int capacity)
     : rays_(capacity), origin_(3, capacity), direction_(3, capacity), end_(1, capacity),
-      factor_(1, capacity), transmittance_(colorSamples, capacity) {}
+      factor_(1, capacity), transmittance_(colorSamples, capacity), around_(2, capacity),
+      atmosphere_(1, capacity) {}
 
 int ShadowRays::attenuate(SurfaceVertices &vertices, const LightSamples &samples, int count,
                           const int *lanes, float *const *light) {
     const int all = vertices.count();
     const ConstVec3Planes L{samples.L[0], samples.L[1], samples.L[2]};
     const MutableVec3Planes origin{origin_[0], origin_[1], origin_[2]};
-    const MutableVec3Planes direction{direction_[0], direction_[1], direction_[2]};
     vertices.rayOrigins(L, origin);
     towardsLight(all, vertices.litPoints(), {origin[0], origin[1], origin[2]}, L, samples.distance,
-                 direction, end_[0]);
+                 {direction_[0], direction_[1], direction_[2]}, end_[0]);
+    take(count, lanes, vertices.points.input(int(ShaderInput::time)));
+    const Scene &scene = vertices.scene();
+    const bool inMedia = scene.hasVolumes() && !scene.isClassic();
+    for (int ray = 0; inMedia && ray < count; ++ray) {
+        const int i = lanes[ray];
+        enter(ray, vertices.mediaAlong(i, L), scene, samples, i, vertices.mediaOf(i).atmosphere);
+    }
+    multiply(scene, all, count, lanes, inMedia, light);
+    return count;
+}
+
+int ShadowRays::attenuate(const FreePoints &points, const LightSamples &samples, int count,
+                          const int *lanes, float *const *light) {
+    const int all = points.count;
+    for (int c = 0; c < 3; ++c)
+        std::copy_n(points.P[c], all, origin_[c]);
+    towardsLight(all, points.P, points.P, {samples.L[0], samples.L[1], samples.L[2]},
+                 samples.distance, {direction_[0], direction_[1], direction_[2]}, end_[0]);
+    take(count, lanes, points.time);
+    const bool inMedia = !points.scene.isClassic();
+    for (int ray = 0; inMedia && ray < count; ++ray) {
+        const int i = lanes[ray];
+        enter(ray, {points.inner[i], points.outer[i]}, points.scene, samples, i,
+              points.atmosphere[i]);
+    }
+    multiply(points.scene, all, count, lanes, inMedia, light);
+    return count;
+}
+
+void ShadowRays::take(int count, const int *lanes, const float *time) {
     rays_.count = count; // tMin is 0 ever since it was made.
     lanes::take(count, lanes,
-                {{origin[0], rays_.origin[0]},
-                 {origin[1], rays_.origin[1]},
-                 {origin[2], rays_.origin[2]},
-                 {direction[0], rays_.direction[0]},
-                 {direction[1], rays_.direction[1]},
-                 {direction[2], rays_.direction[2]},
+                {{origin_[0], rays_.origin[0]},
+                 {origin_[1], rays_.origin[1]},
+                 {origin_[2], rays_.origin[2]},
+                 {direction_[0], rays_.direction[0]},
+                 {direction_[1], rays_.direction[1]},
+                 {direction_[2], rays_.direction[2]},
                  {end_[0], rays_.tMax},
-                 {vertices.points.input(int(ShaderInput::time)), rays_.time}});
+                 {time, rays_.time}});
+}
 
+/// A lamp's own atmosphere counts, as where a ray meets it; of lights that no ray can meet, that of
+/// what is lit.
+void ShadowRays::enter(int ray, MediaAround around, const Scene &scene, const LightSamples &samples,
+                       int i, std::int32_t atmosphere) {
+    around_[0][ray] = around.inner(), around_[1][ray] = around.outer();
+    atmosphere_[0][ray] =
+        samples.pdfSolidAngle[i] > 0 ? scene.mediumOfLight(samples.light[i]) : atmosphere;
+}
+
+void ShadowRays::multiply(const Scene &scene, int all, int count, const int *lanes, bool inMedia,
+                          float *const *light) {
     std::array<float *, colorSamples> transmittance;
     for (int c = 0; c < colorSamples; ++c)
         transmittance[c] = transmittance_[c];
-    const bool colored = vertices.scene().transmittance(rays_, transmittance.data());
+    const ShadowMedia media{around_[0], around_[1], atmosphere_[0]};
+    const bool colored =
+        scene.transmittance(rays_, transmittance.data(), inMedia ? &media : nullptr);
     float *factor = factor_[0];
     lanes::fill(all, 1.0f, factor);
     for (int c = 0; c < colorSamples; ++c) {
@@ -69,7 +113,6 @@ int ShadowRays::attenuate(SurfaceVertices &vertices, const LightSamples &samples
                 factor[lanes[ray]] = transmittance[c][ray];
         lanes::multiply(all, factor, light[c]);
     }
-    return count;
 }
 
 } // namespace candela

@@ -84,6 +84,7 @@ SurfaceVertices::SurfaceVertices(int capacity)
     : points(capacity), capacity_(paddedLanes(capacity)) {
     storage_.facing = Planes<float>(3, capacity);
     storage_.litPoints = Planes<float>(3, capacity);
+    storage_.around = Planes<std::uint32_t>(2, capacity);
 }
 
 ConstVec3Planes SurfaceVertices::input(ShaderInput first) {
@@ -105,6 +106,19 @@ void SurfaceVertices::meet(const Scene &scene, int code, const RayBatch &rays, c
 
 void SurfaceVertices::rayOrigins(const ConstVec3Planes &along, const MutableVec3Planes &origin) {
     offsetOrigins(count(), P(), facingPlanes(), along, points.offset, origin);
+}
+
+bool SurfaceVertices::isMetFromInside(int i) {
+    const ConstVec3Planes n = input(ShaderInput::Ng), along = input(ShaderInput::I);
+    return n[0][i] * along[0][i] + n[1][i] * along[1][i] + n[2][i] * along[2][i] > 0;
+}
+
+MediaAround SurfaceVertices::mediaAlong(int i, const ConstVec3Planes &direction) {
+    const ConstVec3Planes n = input(ShaderInput::Ng);
+    const float side =
+        n[0][i] * direction[0][i] + n[1][i] * direction[1][i] + n[2][i] * direction[2][i];
+    return MediaAround(around()[0][i], around()[1][i])
+        .beyond(mediaOf(i), isMetFromInside(i), side < 0);
 }
 
 ShaderArgs SurfaceVertices::arguments() const {

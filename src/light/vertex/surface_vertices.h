@@ -60,6 +60,16 @@ public:
     /// Where rays start that leave the vertices along `direction` (docs/ray-offset.md).
     void rayOrigins(const ConstVec3Planes &direction, const MutableVec3Planes &origin);
     ConstVec3Planes P() { return input(ShaderInput::P); }
+
+    /// What the rays that met the vertices were in (MediaAround); only where scenes have volumes.
+    const Planes<std::uint32_t> &around() const { return storage_.around; }
+    const SurfaceMedia &mediaOf(int i) const {
+        return scene_->mediaOf(points.instance[i], points.shape[i]);
+    }
+    /// Vertex i was met from the inside.
+    bool isMetFromInside(int i);
+    /// What rays are in that leave vertex i along `direction`.
+    MediaAround mediaAlong(int i, const ConstVec3Planes &direction);
     ConstVec3Planes input(ShaderInput first);
 
     const PreparedSurface &prepared() const { return prepared_; }
@@ -70,6 +80,7 @@ private:
     struct Storage {
         Planes<float> facing, litPoints, surfaceFrame, viewFrame, outputs, shadeOutputs;
         std::vector<float *> outputTable, parameterTable;
+        Planes<std::uint32_t> around;
     };
     ShaderArgs arguments() const;
     ShaderArgs litArguments(int sampleCount, float *const *L, float *const *Cl,

@@ -34,6 +34,11 @@ SurfaceCode surfaceCode(std::shared_ptr<ShaderCode> code, const ir::Function *as
     return result;
 }
 
+void addNeeds(const ShaderCode &other, SurfaceCode &surface) {
+    surface.wanted.add(other.shader().whole.inputsRead);
+    surface.readsObjectSpace |= usesObjectSpace(other.shader().whole.body);
+}
+
 std::set<std::string> overridingNames(const Surface &surface) {
     const std::set<std::string> inputs{"Cs", "Os", "s", "t"};
     std::set<std::string> names;

@@ -82,6 +82,9 @@ struct SurfaceCode {
 /// `asked`: the functions that are asked read no more than this one; by default the whole text.
 SurfaceCode surfaceCode(std::shared_ptr<ShaderCode>, const ir::Function *asked = nullptr);
 
+/// The surface's points are to tell what another shader that is asked there reads, too.
+void addNeeds(const ShaderCode &, SurfaceCode &);
+
 /// Names of the surface's variables that override parameters of their name: those that are no
 /// shader inputs.
 std::set<std::string> overridingNames(const Surface &);

@@ -17,7 +17,9 @@ const ShaderRecord &defaultSurface() {
 } // namespace
 
 AppearanceBuilder::AppearanceBuilder(SceneState &state, ShaderLibrary &library)
-    : state_(state), library_(library) {}
+    : state_(state), library_(library) {
+    state_.media.emplace_back();
+}
 
 int AppearanceBuilder::numberOf(std::shared_ptr<ShaderCode> code) {
     auto &codes = state_.points.codes;
@@ -61,6 +63,33 @@ int AppearanceBuilder::lightSetOf(const Attributes &attributes) {
     return place->second;
 }
 
+std::int32_t AppearanceBuilder::mediumOf(const std::shared_ptr<const ShaderRecord> &record) {
+    if (!record)
+        return 0;
+    auto [place, isNew] = media_.try_emplace(record.get(), 0);
+    if (!isNew)
+        return place->second;
+    const auto rule = state_.classic ? ir::LightRule::Classic : ir::LightRule::Path;
+    const auto instance = library_.instance(ShaderKind::Volume, *record, state_.options, rule, {});
+    if (!instance || int(state_.media.size()) > mostMedia)
+        return 0;
+    const std::span<const float> block = instance->code->block(instance->parameterOffset);
+    auto [same, isOther] = sameMedia_.try_emplace(
+        {instance->code.get(), {block.begin(), block.end()}}, int(state_.media.size()));
+    if (isOther)
+        state_.media.push_back(*instance);
+    return place->second = same->second;
+}
+
+SurfaceMedia AppearanceBuilder::mediaOf(const Attributes &attributes) {
+    SurfaceMedia media;
+    media.atmosphere = mediumOf(attributes.atmosphere);
+    media.exterior = mediumOf(attributes.exterior);
+    media.interior = attributes.sides == 1 ? 0 : mediumOf(attributes.interior);
+    media.lightSet = lightSetOf(attributes);
+    return media;
+}
+
 bool AppearanceBuilder::add(std::uint32_t shape,
                             const std::shared_ptr<const Attributes> &attributes, bool turned) {
     PointTables &points = state_.points;
@@ -78,6 +107,7 @@ bool AppearanceBuilder::add(std::uint32_t shape,
     for (const std::string &name : points.codes[shading.code].variableNames)
         detail.overriding.push_back(numericVariable(surface, name));
     points.appearances.push_back(appearance);
+    state_.mediaOfAppearance.push_back(mediaOf(*attributes));
     points.details.push_back(std::move(detail));
     shapes_.push_back(shape);
     return true;
@@ -99,6 +129,9 @@ bool AppearanceBuilder::isOpaque(std::int32_t index) const {
 
 void AppearanceBuilder::finish() {
     PointTables &points = state_.points;
+    for (SurfaceCode &code : points.codes) // Any volume may end at any surface.
+        for (std::size_t k = 1; k < state_.media.size(); ++k)
+            addNeeds(*state_.media[k].code, code);
     for (SurfaceCode &code : points.codes)
         code.fromElements = code.wanted.isPlain() && code.variableNames.empty();
     for (std::size_t i = 0; i < points.appearances.size(); ++i) {

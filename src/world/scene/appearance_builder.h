@@ -42,6 +42,9 @@ private:
     Shading shadingOf(const Attributes &, const std::set<std::string> &variables);
     int numberOf(std::shared_ptr<ShaderCode>);
     int lightSetOf(const Attributes &);
+    /// The number of the volume; 0 where there is none, also where it can't be had.
+    std::int32_t mediumOf(const std::shared_ptr<const ShaderRecord> &);
+    SurfaceMedia mediaOf(const Attributes &);
 
     SceneState &state_;
     ShaderLibrary &library_;
@@ -49,6 +52,9 @@ private:
     std::map<std::tuple<OtherShaders, std::set<std::string>>, Shading> shadings_;
     std::map<const ShaderCode *, int> codeNumbers_;
     std::map<std::vector<int>, int> lightSets_;
+    std::map<const ShaderRecord *, std::int32_t> media_;
+    /// By what they do: a body's faces may each have been told of its Interior.
+    std::map<std::pair<const ShaderCode *, std::vector<float>>, std::int32_t> sameMedia_;
 };
 
 } // namespace candela

@@ -156,13 +156,12 @@ ShaderLibrary::ShaderLibrary(ShaderLibrarySettings, DiagnosticSink &)
     : state_(std::make_unique<State>()) {}
 ShaderLibrary::~ShaderLibrary() = default;
 void ShaderLibrary::makeReady() {}
-void ShaderLibrary::bindOptions(const Options &) {}
-void ShaderLibrary::bindLights(std::vector<std::vector<ToldParameter>>) {}
-
 std::vector<ToldParameter> ShaderLibrary::parametersTold(ShaderKind, const ShaderRecord &,
                                                          const Options &, ir::LightRule) {
     return {};
 }
+void ShaderLibrary::bindLights(std::vector<std::vector<ToldParameter>>) {}
+void ShaderLibrary::bindOptions(const Options &) {}
 
 std::optional<std::vector<ShaderLookup::ParameterType>>
 ShaderLibrary::parametersOf(ShaderKind, const std::string &, const Options &,

@@ -134,6 +134,28 @@ void SceneState::numberBins() {
     binOfAppearance.push_back(-1); // Rays that miss look at an entry, too.
 }
 
+bool Scene::hasVolumes() const { return mediaCount() > 1; }
+int Scene::mediaCount() const { return int(state_->media.size()); }
+
+const SurfaceMedia &Scene::mediaOf(std::uint32_t instance, std::uint32_t shape) const {
+    return state_->mediaOfAppearance[std::size_t(state_->points.appearanceOf(instance, shape))];
+}
+
+const ShaderInstance &Scene::medium(std::int32_t number) const {
+    return state_->media[std::size_t(number)];
+}
+
+std::int32_t Scene::mediumOfLight(std::int32_t light) const {
+    return light > 0 ? state_->mediaOfLight[std::size_t(light) - 1] : 0;
+}
+
+void SceneState::findMediaOfLights() {
+    mediaOfLight.assign(lights.lights.size(), 0);
+    for (std::size_t k = 0; k < points.appearances.size(); ++k)
+        if (const std::int32_t light = points.appearances[k].light)
+            mediaOfLight[std::size_t(light) - 1] = mediaOfAppearance[k].atmosphere;
+}
+
 void Scene::shadingPoints(const RayBatch &rays, const HitBatch &hits, const int *order, int count,
                           ShadingPoints &points) const {
     points.count = count;

@@ -8,6 +8,7 @@
 #include "world/points/shading_points.h"
 #include "world/rays/ray_batch.h"
 #include "world/scene/lights.h"
+#include "world/scene/media.h"
 #include "world/shading/shader_library.h"
 
 #include <functional>
@@ -16,6 +17,13 @@
 namespace candela {
 
 struct SceneState;
+
+/// The volumes that shadow rays go through, ray by ray: what each is in where it begins, and the
+/// number of the atmosphere to what it ends at.
+struct ShadowMedia {
+    const std::uint32_t *inner, *outer;
+    const std::int32_t *atmosphere;
+};
 
 enum class Coherence { Primary, Secondary };
 
@@ -35,7 +43,9 @@ public:
     /// transmittance[c][i]: what part of light comes through along ray i up to tMax: 0 behind
     /// opaque surfaces, the product of (1 - Oi) through transparent ones, else 1. False if
     /// nothing is transparent: then all c are the same, and transmittance[0] alone is filled.
-    bool transmittance(const RayBatch &, float *const *transmittance) const;
+    /// With media the volumes on the way count, too: each segment up to tMax, if that is finite.
+    bool transmittance(const RayBatch &, float *const *transmittance,
+                       const ShadowMedia *media = nullptr) const;
 
     // ---- Surfaces ----
     /// Surface shader codes, numbered.
@@ -63,6 +73,18 @@ public:
     void bind(int code, const ShadingPoints &, ShaderArgs &) const;
     /// The documented ray-offset rule: where a ray that leaves P along `direction` starts.
     static Vec3 offsetOrigin(Vec3 P, Vec3 Ng, Vec3 direction, float offset);
+
+    // ---- Volumes ----
+    /// False if there are none: no segment of a ray need be looked at.
+    bool hasVolumes() const;
+    /// Those of what a ray has met.
+    const SurfaceMedia &mediaOf(std::uint32_t instance, std::uint32_t shape) const;
+    /// One more than there are.
+    int mediaCount() const;
+    /// By its number, from 1.
+    const ShaderInstance &medium(std::int32_t number) const;
+    /// The atmosphere of what light `light` (index + 1) shines from; 0 where it has no surface.
+    std::int32_t mediumOfLight(std::int32_t light) const;
 
     Lights lights() const;
 

@@ -122,6 +122,7 @@ void SceneCompiler::worldEnd() {
     makeReady(state_->library, state->points);
     lights.attachShapes(geometry);
     lights.bindCategories(state_->library);
+    state->findMediaOfLights();
     leaveOutRefusedLights(*state);
     state->rays = std::make_unique<RayWorld>(geometry.world, geometry.objects, geometry.instances);
     geometry = {};

@@ -4,6 +4,7 @@
 
 #include "world/points/evaluate.h"
 #include "world/scene/light_sources.h"
+#include "world/scene/media.h"
 #include "world/scene/scene.h"
 
 #include <memory>
@@ -24,6 +25,9 @@ struct SceneState {
     std::vector<std::vector<int>> lightSets;     ///< Indices of the lights on, by lightSet.
     std::unique_ptr<RayWorld> rays;
     LightTable lights;
+    std::vector<ShaderInstance> media;           ///< Volumes by their numbers; the first is none.
+    std::vector<SurfaceMedia> mediaOfAppearance; ///< In the order of points.appearances.
+    std::vector<std::int32_t> mediaOfLight;      ///< By index: the atmosphere of what shines.
     std::vector<const ShaderCode *> areaLightCodes; ///< Distinct shaders of Area lights.
     Scene::Statistics statistics;
     Vec3 centre; ///< Of a sphere around the scene, current space.
@@ -31,6 +35,8 @@ struct SceneState {
 
     /// Numbers the bins, once it is known what is a light.
     void numberBins();
+    /// Fills mediaOfLight, likewise.
+    void findMediaOfLights();
     /// Lights::emission; `prints` as in ShaderCode::bind().
     void emission(int code, ShadingPoints &, float *const *radiance, bool prints = true) const;
 };

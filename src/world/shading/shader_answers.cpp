@@ -3,6 +3,9 @@
 
 #include "interface/ri/declarations.h"
 #include "language/ir/core/print_format.h"
+#include "language/runtime/shader_abi.h"
+
+#include "world/shading/volume_lights.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -69,6 +72,14 @@ ShaderAnswers::ShaderAnswers() {
     services_[Service::print] = print;
     services_[Service::option] = [](void *context, const ServiceCall &call) {
         static_cast<const ShaderAnswers *>(context)->option(call);
+    };
+    services_[Service::gatherlight] = [](void *, const ServiceCall &call) {
+        if (VolumeLights *lights = call.args->volumeLights)
+            lights->gather(call);
+    };
+    services_[Service::lightsample] = [](void *, const ServiceCall &call) {
+        if (VolumeLights *lights = call.args->volumeLights)
+            lights->sample(call);
     };
     services_[Service::lightsource] = [](void *context, const ServiceCall &call) {
         static_cast<const ShaderAnswers *>(context)->lightsource(call);

@@ -22,6 +22,8 @@ void ShaderCode::readText() {
         plan_ = ir::makePlan(shader_.whole);
         facts_ = ir::surfaceFacts(*plan_);
     }
+    if (shader_.kind == sl::ShaderKind::Volume)
+        volumeFacts_ = ir::volumeFacts(shader_.whole);
     categories_ = LightCategories(shader_.whole.requests);
 }
 
@@ -55,6 +57,8 @@ std::vector<ir::Question> ShaderCode::questionsAsked() const {
     if (shader_.kind == sl::ShaderKind::Displacement ||
         shader_.kind == sl::ShaderKind::Transformation)
         return asked;
+    if (shader_.kind == sl::ShaderKind::Volume && volumeFacts_.affine)
+        return {Question::Segment, Question::Transmission};
     if (!plan_)
         return {ir::questionsOf(shader_.kind).front()};
     asked.insert(asked.end(), {Question::Prepare, Question::Scatter, Question::Opacity});

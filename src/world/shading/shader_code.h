@@ -55,6 +55,8 @@ public:
     ir::LightRule lightRule() const { return rule_; }
     /// Surface shaders only.
     const ir::SurfaceFacts &facts() const { return facts_; }
+    /// Volume shaders only.
+    const ir::VolumeFacts &volumeFacts() const { return volumeFacts_; }
     /// Whether it displaces: displacement shaders, and surface shaders that set P.
     const ir::DisplacementFacts &displacement() const { return displacement_; }
     /// Compiled on first use, once; thread-safe.
@@ -76,6 +78,9 @@ public:
     /// Adds an instance's parameter block; its offset for ShaderArgs::parameterOffset. Not to be
     /// called once rendering has begun.
     std::int32_t addBlock(const std::vector<float> &values);
+    std::span<const float> block(std::int32_t offset) const {
+        return std::span(blocks_).subspan(std::size_t(offset), shader_.whole.parameters.size());
+    }
     /// Named coordinate systems; with a warning for those that are not there.
     void bindSpaces(const std::map<std::string, Matrix4> &systems, DiagnosticSink &);
     /// As LightCategories::bind().
@@ -101,6 +106,7 @@ private:
     ir::LightRule rule_;
     std::shared_ptr<const ir::Plan> plan_; ///< Of surfaces.
     ir::SurfaceFacts facts_;
+    ir::VolumeFacts volumeFacts_;
     ir::DisplacementFacts displacement_;
     bool isStandIn_ = false;
     std::shared_ptr<Jit> jit_;

@@ -45,11 +45,13 @@ public:
     /// The slices answer as the whole text does.
     std::string interpret() {
         monitor_.enter(Stage::Interpret, "whole");
-        const RunResult lit = batch_.run(whole_, ir::interpret, Light::Given);
+        // Volumes ask for their light, and here nobody answers.
+        const Light light = kind_ == sl::ShaderKind::Volume ? Light::None : Light::Given;
+        const RunResult lit = batch_.run(whole_, ir::interpret, light);
         countNumbers(lit);
         ++monitor_.tally().interpreted;
         if (!isSurface_)
-            return expectOutputs(ir::questionsOf(kind_).front(), Light::Given, lit, ownOutputs());
+            return expectOutputs(ir::questionsOf(kind_).front(), light, lit, ownOutputs());
         std::string problem =
             expectOutputs(Question::Shade, Light::Given, lit, {{"Ci", "Ci"}, {"Oi", "Oi"}});
         if (!problem.empty())

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 namespace candela::ir {
 
@@ -12,13 +13,19 @@ namespace {
 
 constexpr int noCarry = -1;
 
+/// Of what a form is a function.
+enum class Of {
+    Light,   ///< What light loops and answers bring.
+    Arrival, ///< A volume's Ci and Oi as they are at the segment's end.
+};
+
 /// A value as a function of the light: offset + (carried value of a light loop) + linear part.
 struct Form {
     bool known = false;  ///< Reached by the sweep.
     bool broken = false; ///< Not affine, since `line`.
     int line = 0;
     bool offset = false;   ///< May have a part that no light changes.
-    unsigned channels = 0; ///< Of Cl that it is linear in.
+    unsigned channels = 0; ///< Of Cl that it is linear in; of Ci, and then of Oi.
     int carry = noCarry;   ///< The ValueId of the light loop's argument that it adds to.
 
     bool lit() const { return broken || channels || carry != noCarry; }
@@ -33,7 +40,9 @@ Form lightOf(int channel) { return {true, false, 0, false, 1u << channel, noCarr
 
 /// Forms only rise: zero, unlit, linear, broken; what is broken stays so, with its first line.
 struct AffineAnalysis : ForwardAnalysis<Form> {
-    using ForwardAnalysis::ForwardAnalysis;
+    explicit AffineAnalysis(const Function &function, Of of) : ForwardAnalysis(function), of(of) {}
+
+    const Of of;
 
     /// What is one or the other, by a choice that light does not make.
     static Form either(const Form &a, const Form &b, int line) {
@@ -88,7 +97,10 @@ struct AffineAnalysis : ForwardAnalysis<Form> {
     Form result(const Instruction &i, std::size_t k, const Enclosing *) const {
         if (at(i.results[k]).broken)
             return at(i.results[k]);
-        if (isAnswer(i.op))
+        if (of == Of::Arrival && i.op == Op::Input)
+            if (const auto channel = arrivalChannel(function, i.immediate))
+                return lightOf(*channel);
+        if (of == Of::Light && isAnswer(i.op))
             return anyLit(i.operands) ? brokenAt(i.line) : lightOf(int(k));
         return formOf(i);
     }
@@ -142,7 +154,7 @@ struct AffineAnalysis : ForwardAnalysis<Form> {
         if (known.broken)
             return known;
         const bool goesIn = flow.to != i.results[flow.index];
-        if (i.op == Op::LightLoop)
+        if (i.op == Op::LightLoop && of == Of::Light)
             return goesIn ? Form{true, false, 0, false, 0, int(flow.to)} : gathered(flow);
         if (flow.from.size() == 1)
             return at(flow.from[0]);
@@ -150,7 +162,7 @@ struct AffineAnalysis : ForwardAnalysis<Form> {
         if (i.op == Op::If)
             return flow.from[0] == flow.from[1] ? a : choice(at(i, 0), a, b, i.line);
         // A carried value that no turn changes does not depend on how many there are.
-        if (flow.from[1] != flow.to && at(*conditionOf(i)).lit())
+        if (flow.from[1] != flow.to && i.op == Op::Loop && at(*conditionOf(i)).lit())
             return brokenAt(i.line);
         return either(either(a, known, i.line), b, i.line);
     }
@@ -170,7 +182,7 @@ struct AffineAnalysis : ForwardAnalysis<Form> {
 
     Form given(const Instruction &, std::size_t k) const {
         const auto sample = sampleOfCl(function, k);
-        return sample ? lightOf(*sample) : unlit();
+        return sample && of == Of::Light ? lightOf(*sample) : unlit();
     }
 
     static int lineOf(const Region &region, ValueId v, int otherwise) {
@@ -183,15 +195,34 @@ struct AffineAnalysis : ForwardAnalysis<Form> {
 
 } // namespace
 
-AffineProof proveAffine(const Function &whole) {
-    AffineAnalysis analysis(whole);
-    solve(analysis);
-    std::map<int, ValueId> outputs; // The last one to a slot counts.
+std::optional<int> arrivalChannel(const Function &function, int input) {
+    const int samples = function.colors.samples;
+    const int Ci = input - int(ShaderInput::pixelCi), Oi = input - int(ShaderInput::pixelOi);
+    if (Ci >= 0 && Ci < samples)
+        return Ci;
+    if (Oi >= 0 && Oi < samples)
+        return samples + Oi;
+    return std::nullopt;
+}
+
+namespace {
+
+/// The values of the outputs: the last one to a slot counts.
+std::map<int, ValueId> outputsOf(const Function &whole) {
+    std::map<int, ValueId> outputs;
     forEachInstruction(whole.body, [&](const Instruction &i) {
         if (i.op == Op::Output)
             outputs[i.immediate] = i.operands[0];
     });
-    for (auto [slot, v] : outputs) {
+    return outputs;
+}
+
+} // namespace
+
+AffineProof proveAffine(const Function &whole) {
+    AffineAnalysis analysis(whole, Of::Light);
+    solve(analysis);
+    for (auto [slot, v] : outputsOf(whole)) {
         const OutputSlot &output = whole.outputs[slot];
         const Form &form = analysis.at(v);
         if (output.name == OutputKind::Ci &&
@@ -199,6 +230,31 @@ AffineProof proveAffine(const Function &whole) {
             return {false, form.line};
     }
     return {};
+}
+
+ArrivalProof proveAffineInArrival(const Function &whole) {
+    AffineAnalysis analysis(whole, Of::Arrival);
+    solve(analysis);
+    const int samples = whole.colors.samples;
+    ArrivalProof proof;
+    for (auto [slot, v] : outputsOf(whole)) {
+        const OutputSlot &output = whole.outputs[slot];
+        const Form &form = analysis.at(v);
+        const unsigned byCi = 1u << output.component, byOi = byCi << samples;
+        const bool isCi = output.name == OutputKind::Ci, isOi = output.name == OutputKind::Oi;
+        const unsigned allowed = isCi ? byCi | byOi : byOi;
+        if (proof.affine && (isCi || isOi) && (form.broken || (form.channels & ~allowed)))
+            proof.affine = false, proof.line = form.line;
+    }
+    const unsigned ofCi = (1u << samples) - 1;
+    const auto changes = [&](const Form &form) {
+        return ArrivalProof::Changes{(form.channels & ofCi) != 0, (form.channels & ~ofCi) != 0};
+    };
+    for (const auto &cell : analysis.values)
+        proof.ofValue.push_back(changes(cell.fact));
+    for (const auto &cell : analysis.arrays)
+        proof.ofArray.push_back(changes(cell.fact));
+    return proof;
 }
 
 } // namespace candela::ir

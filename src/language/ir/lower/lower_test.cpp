@@ -132,9 +132,9 @@ TEST(Lower, PrintsThroughTheService) {
 }
 
 TEST(Lower, OtherKindsAreRefused) {
-    ShaderRun run("volume fog() { Ci = 0; }");
+    ShaderRun run("transformation bend() { P = P; }");
     EXPECT_FALSE(run.lowered);
-    EXPECT_NE(run.diagnostics.text().find("volume shaders"), std::string::npos);
+    EXPECT_NE(run.diagnostics.text().find("transformation shaders"), std::string::npos);
 }
 
 /// Each kind that is compiled writes its outputs, from the start values of its variables.

@@ -18,7 +18,8 @@ struct Start {
     float number = 0;
     char kind = 0;
     PictureFact fact{};
-    std::optional<ShaderInput> ofPixel{}; ///< In imagers this input, whatever it is elsewhere.
+    /// In imagers and volumes this input, whatever it is elsewhere.
+    std::optional<ShaderInput> ofPixel{};
 };
 
 Start startOfPixel(ShaderInput input, Start elsewhere) {
@@ -57,7 +58,8 @@ Start startOf(sl::PredefinedId id) {
 Components startOf(Builder &b, sl::ShaderKind kind, const sl::PredefinedVariable &variable) {
     const auto count = size_t(componentCount(b, variable.type.base));
     Start start = startOf(variable.id);
-    if (kind == sl::ShaderKind::Imager && start.ofPixel)
+    const bool changesLight = kind == sl::ShaderKind::Imager || kind == sl::ShaderKind::Volume;
+    if (changesLight && start.ofPixel)
         start = {Start::From::Input, *start.ofPixel};
     Components result;
     switch (start.from) {

@@ -98,6 +98,17 @@ struct LightFacts {
 };
 LightFacts lightFacts(const Function &whole);
 
+/// What is known of a volume shader without running it.
+struct VolumeFacts {
+    /// Question::Segment and Transmission may be asked; else Volume alone, at known ends.
+    bool affine = true;
+    int notAffineLine = 0;     ///< The line that makes it not so.
+    bool asksForLight = false; ///< It has light loops.
+    bool readsAmbient = false; ///< It calls ambient().
+    bool speaks = false;       ///< It has services with effects.
+};
+VolumeFacts volumeFacts(const Function &whole);
+
 SurfaceFacts surfaceFacts(const Plan &);
 
 /// What is known of a text that displaces: of displacement and transformation shaders, and of

@@ -6,8 +6,10 @@
 #include "language/ir/questions/answers.h"
 #include "language/ir/questions/emission.h"
 #include "language/ir/questions/questions.h"
+#include "language/ir/transform/arrival.h"
 #include "language/ir/transform/dead_code.h"
 #include "language/ir/transform/late_loads.h"
+#include "language/ir/transform/light_services.h"
 #include "language/ir/transform/short_loops.h"
 
 #include <algorithm>
@@ -95,6 +97,41 @@ bool asksForLight(const Function &function) {
 Function answerLight(const Function &whole) { return answerWhole(whole); }
 
 Function answerImager(const Function &whole) { return answerWhole(whole); }
+
+/// Leaves outputs of that kind alone.
+static void keepOutputs(Function &function, OutputKind kind) {
+    std::vector<OutputSlot> kept;
+    std::vector<int> slots; ///< By what they were; -1 = gone.
+    for (const OutputSlot &slot : function.outputs) {
+        slots.push_back(slot.name == kind ? int(kept.size()) : -1);
+        if (slot.name == kind)
+            kept.push_back(slot);
+    }
+    const auto goes = [&](const Instruction &i) {
+        return i.op == Op::Output && slots[std::size_t(i.immediate)] < 0;
+    };
+    std::erase_if(function.body.body, goes);
+    forEachInstruction(function.body, [&](Instruction &i) {
+        if (i.op == Op::Output)
+            i.immediate = slots[std::size_t(i.immediate)];
+    });
+    function.outputs = std::move(kept);
+    removeDeadCode(function);
+}
+
+Function answerVolume(const Function &whole) {
+    Function result = answerWhole(whole);
+    askServicesForLight(result);
+    return result;
+}
+
+Function answerSegment(const Function &whole) { return affineParts(answerVolume(whole)); }
+
+Function answerTransmission(const Function &whole) {
+    Function parts = affineParts(answerVolume(silenced(whole)));
+    keepOutputs(parts, OutputKind::CiOfCi);
+    return parts;
+}
 
 /// A filter gives nothing but its maps: output parameters have nowhere to go.
 Function answerFilter(const Function &whole) {
@@ -194,6 +231,21 @@ SurfaceFacts surfaceFacts(const Plan &plan) {
     facts.staticRequests = plan.dependence.staticRequests;
     facts.notStaticLine = plan.dependence.notStaticLine;
     facts.printsLightLine = printsLightLine(plan);
+    return facts;
+}
+
+VolumeFacts volumeFacts(const Function &whole) {
+    const Function text = answerVolume(whole);
+    VolumeFacts facts;
+    const ArrivalProof proof = proveAffineInArrival(text);
+    facts.affine = proof.affine, facts.notAffineLine = proof.line;
+    facts.asksForLight = std::ranges::any_of(text.services, [](const ServiceUse &use) {
+        return use.info->service == Service::gatherlight;
+    });
+    const auto has = [&](Op op) {
+        return anyInstruction(text.body, [op](const Instruction &i) { return i.op == op; });
+    };
+    facts.readsAmbient = has(Op::Ambient), facts.speaks = has(Op::Command);
     return facts;
 }
 

@@ -1,0 +1,2 @@
+// SPDX-License-Identifier: Apache-2.0
+surface onemirror() { Oi = 1; Ci = trace(P, reflect(I, normalize(N))); }
