@@ -98,27 +98,6 @@ Function answerLight(const Function &whole) { return answerWhole(whole); }
 
 Function answerImager(const Function &whole) { return answerWhole(whole); }
 
-/// Leaves outputs of that kind alone.
-static void keepOutputs(Function &function, OutputKind kind) {
-    std::vector<OutputSlot> kept;
-    std::vector<int> slots; ///< By what they were; -1 = gone.
-    for (const OutputSlot &slot : function.outputs) {
-        slots.push_back(slot.name == kind ? int(kept.size()) : -1);
-        if (slot.name == kind)
-            kept.push_back(slot);
-    }
-    const auto goes = [&](const Instruction &i) {
-        return i.op == Op::Output && slots[std::size_t(i.immediate)] < 0;
-    };
-    std::erase_if(function.body.body, goes);
-    forEachInstruction(function.body, [&](Instruction &i) {
-        if (i.op == Op::Output)
-            i.immediate = slots[std::size_t(i.immediate)];
-    });
-    function.outputs = std::move(kept);
-    removeDeadCode(function);
-}
-
 Function answerVolume(const Function &whole) {
     Function result = answerWhole(whole);
     askServicesForLight(result);
@@ -129,7 +108,8 @@ Function answerSegment(const Function &whole) { return affineParts(answerVolume(
 
 Function answerTransmission(const Function &whole) {
     Function parts = affineParts(answerVolume(silenced(whole)));
-    keepOutputs(parts, OutputKind::CiOfCi);
+    keepOutputs(parts, [](const OutputName &name) { return name.kind == OutputKind::CiOfCi; });
+    removeDeadCode(parts);
     return parts;
 }
 
