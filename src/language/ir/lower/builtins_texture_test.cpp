@@ -42,7 +42,8 @@ struct Asked {
         for (const Service service : {Service::texture, Service::environment, Service::shadow})
             run.batch->services[service] = tellOperand;
         run.batch->services[Service::textureSlopes] = tellRamp;
-        for (const auto &plane : run.run().at("result"))
+        const auto outputs = run.run();
+        for (const auto &plane : outputs.at("result"))
             result.push_back(plane[0]);
     }
     ShaderRun run;
