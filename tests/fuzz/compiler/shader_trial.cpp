@@ -90,6 +90,8 @@ private:
             return {{"L", "L"}, {"Cl", "Cl"}};
         if (kind_ == sl::ShaderKind::Displacement || kind_ == sl::ShaderKind::Transformation)
             return {{"P", "P"}, {"N", "N"}};
+        if (kind_ == sl::ShaderKind::Volume)
+            return {{"Ci", "Ci"}, {"Oi", "Oi"}};
         return {{"Ci", "Ci"}, {"Oi", "Oi"}, {"alpha", "alpha"}};
     }
 
