@@ -72,8 +72,7 @@ void addRender(CLI::App &app, int &status) {
     app.add_option("--archive-path", s.archivePath, "Folders to look for archives in: a:b:c")
         ->delimiter(':')
         ->allow_extra_args(false);
-    app.add_option("--texture-path", s.texturePath,
-                   "Folders to look for textures in: a:b:c")
+    app.add_option("--texture-path", s.texturePath, "Folders to look for textures in: a:b:c")
         ->delimiter(':')
         ->allow_extra_args(false);
     app.add_flag("--allow-programs", s.allowPrograms,

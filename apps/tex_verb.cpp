@@ -27,10 +27,10 @@ int refuse(const std::string &problem, int status) {
 
 TextureOrder::Kind kindOf(const Arguments &a) {
     using enum TextureOrder::Kind;
-    return a.shadow                      ? Shadow
+    return a.shadow                     ? Shadow
            : a.environment == "latlong" ? LatLongEnvironment
            : a.environment == "cube"    ? CubeFaceEnvironment
-                                         : Texture;
+                                        : Texture;
 }
 
 TextureOrder orderOf(const Arguments &a) {
@@ -54,10 +54,11 @@ TextureOrder orderOf(const Arguments &a) {
 int makeFile(const Arguments &a) {
     const std::size_t pictures = kindOf(a) == TextureOrder::Kind::CubeFaceEnvironment ? 6 : 1;
     if (a.files.size() != pictures + 1)
-        return refuse("expected " + std::string(pictures == 6 ? "six pictures (px nx py ny pz nz)"
-                                                              : "a picture") +
-                          " and the texture to be made",
-                      2);
+        return refuse(
+            "expected " +
+                std::string(pictures == 6 ? "six pictures (px nx py ny pz nz)" : "a picture") +
+                " and the texture to be made",
+            2);
     if (a.shadow && !a.environment.empty())
         return refuse("--shadow and --env exclude each other", 2);
     const TextureOrder order = orderOf(a);
@@ -77,11 +78,13 @@ void addTex(CLI::App &app, int &status) {
     CLI::App *tex = app.add_subcommand(
         "tex", "Make a texture, an environment or a shadow map from pictures, as MakeTexture and "
                "its like do in RIB: candela tex wood.png wood.tx");
-    tex->footer("Textures hold linear light in all sizes that lookups want. Scenes may name pictures "
-                "directly, too; ready textures are read faster and say how they repeat.\n"
-                "Exit status: 0 all went well, 1 something was wrong and has been reported, 2 the "
-                "command line cannot be understood.");
-    tex->add_option("files", a.files, "A picture (of --env cube: px nx py ny pz nz), then the texture")
+    tex->footer(
+        "Textures hold linear light in all sizes that lookups want. Scenes may name pictures "
+        "directly, too; ready textures are read faster and say how they repeat.\n"
+        "Exit status: 0 all went well, 1 something was wrong and has been reported, 2 the "
+        "command line cannot be understood.");
+    tex->add_option("files", a.files,
+                    "A picture (of --env cube: px nx py ny pz nz), then the texture")
         ->required();
     tex->add_option("--wrap", a.wrap,
                     "periodic, black or clamp: what lies beyond the picture; S,T for either way; "
@@ -91,8 +94,8 @@ void addTex(CLI::App &app, int &status) {
         ->allow_extra_args(false)
         ->check(CLI::IsMember({"periodic", "black", "clamp"}));
     tex->add_option("--filter", a.filter, "By which smaller sizes are made; default box")
-        ->check(CLI::IsMember({"box", "triangle", "gaussian", "catmull-rom", "b-spline", "sinc",
-                               "mitchell"}));
+        ->check(CLI::IsMember(
+            {"box", "triangle", "gaussian", "catmull-rom", "b-spline", "sinc", "mitchell"}));
     tex->add_option("--env", a.environment,
                     "latlong: the picture shows all directions; cube: six pictures do")
         ->check(CLI::IsMember({"latlong", "cube"}));

@@ -83,8 +83,8 @@ TEST(Environments, ShowEveryDirectionWithoutSeamsAndWithWholePoles) {
         for (const Direction &d : directions())
             for (int channel = 0; channel < 3; ++channel) {
                 const double size = std::hypot(d[0], d[1], d[2]);
-                expressions.push_back(fmt::format("float environment(\"{}\"[{}], {})", file,
-                                                  channel, inWords(d)));
+                expressions.push_back(
+                    fmt::format("float environment(\"{}\"[{}], {})", file, channel, inWords(d)));
                 expected.push_back(shown({d[0] / size, d[1] / size, d[2] / size}, channel));
             }
         const Told told = tell(folder, {expressions, "", requests});
@@ -100,16 +100,15 @@ TEST(Environments, BlurAndFourCornersAverage) {
     // White above the horizon, black below.
     writeExr(folder, "halves.exr", 128, 64, {"Y"},
              [](int, int y, int) { return y < 32 ? 1.0f : 0.0f; });
-    const Told told = tell(
-        folder,
-        {{"float environment(\"halves.exr\", vector(1, 0, .2))",
-          "float environment(\"halves.exr\", vector(1, 0, 0))",
-          "float environment(\"halves.exr\", vector(1, 0, .2), \"blur\", 1)",
-          "float environment(\"halves.exr\", vector(1, 0, -.2), vector(0, 1, -.2), "
-          "vector(1, 0, .2), vector(0, 1, .2))",
-          "comp(color environment(\"halves.exr\", vector(0, 0, 5)), 2)"},
-         "",
-         ""});
+    const Told told =
+        tell(folder, {{"float environment(\"halves.exr\", vector(1, 0, .2))",
+                       "float environment(\"halves.exr\", vector(1, 0, 0))",
+                       "float environment(\"halves.exr\", vector(1, 0, .2), \"blur\", 1)",
+                       "float environment(\"halves.exr\", vector(1, 0, -.2), vector(0, 1, -.2), "
+                       "vector(1, 0, .2), vector(0, 1, .2))",
+                       "comp(color environment(\"halves.exr\", vector(0, 0, 5)), 2)"},
+                      "",
+                      ""});
     ASSERT_EQ(told.values.size(), 5u) << told.run.text();
     EXPECT_NEAR(told.values[0], 1, 1e-3);
     EXPECT_NEAR(told.values[1], 0.5, 0.05);

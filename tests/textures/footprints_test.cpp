@@ -37,12 +37,13 @@ Picture renderWorld(const ScratchFolder &folder, const std::string &world,
     folder.write("flat_mirror.sl", "surface flat_mirror() { Oi = 1; Ci = trace(P, reflect("
                                    "normalize(I), normalize(N))); }");
     const std::string scene = folder.write(
-        "view.rib", "Format 21 21 1 PixelSamples 1 1 PixelFilter \"box\" " + filter + "\n"
-                    "Display \"view.exr\" \"openexr\" \"rgb\"\n"
-                    "Projection \"perspective\" \"fov\" 2 Clipping .01 1e9\nWorldBegin\n" +
+        "view.rib", "Format 21 21 1 PixelSamples 1 1 PixelFilter \"box\" " + filter +
+                        "\n"
+                        "Display \"view.exr\" \"openexr\" \"rgb\"\n"
+                        "Projection \"perspective\" \"fov\" 2 Clipping .01 1e9\nWorldBegin\n" +
                         world + "WorldEnd\n");
-    const Outcome run = runCandela(
-        {"--quiet", "--integrator", "classic", "--output-dir", folder.path(), scene});
+    const Outcome run =
+        runCandela({"--quiet", "--integrator", "classic", "--output-dir", folder.path(), scene});
     EXPECT_EQ(run.status, 0) << run.text();
     std::string problem;
     return readPicture(folder.path("view.exr"), problem).value_or(Picture{});
@@ -51,10 +52,9 @@ Picture renderWorld(const ScratchFolder &folder, const std::string &world,
 Picture render(const ScratchFolder &folder, const View &view, Way way, const std::string &told) {
     const std::string thing = std::string(view.placing) + "\n" + view.shape + "\n";
     if (way == Way::Instance)
-        return renderWorld(folder,
-                           "ObjectBegin 1\n" + thing +
-                               "ObjectEnd\nSurface \"told\"\nObjectInstance 1\n",
-                           told);
+        return renderWorld(
+            folder, "ObjectBegin 1\n" + thing + "ObjectEnd\nSurface \"told\"\nObjectInstance 1\n",
+            told);
     std::string world = "Surface \"told\"\n" + thing;
     // The camera looks to the side, by way of a mirror of 45 degrees, at the same things.
     if (way == Way::Mirror)

@@ -5,6 +5,7 @@
 
 #include "image/picture_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -33,14 +34,40 @@ double patternAt(double x, double y) {
     return half(across) == half(z) ? 1 : 0;
 }
 
+/// The mean of the pattern from y to y + 1 at x, by where it changes.
+double columnMean(double x, double y) {
+    // Finer than the reference needs to know.
+    const double grey = std::sqrt(0.01 * focal / period), top = std::max(y, grey);
+    if (top >= y + 1)
+        return 0.5;
+    std::vector<double> places{top, y + 1};
+    const auto addChanges = [&](double numerator) { // Where numerator / y is a half period.
+        for (double k = std::ceil(std::abs(numerator) / (y + 1) / (period / 2));; ++k) {
+            const double place = std::abs(numerator) / (k * period / 2);
+            if (!(k > 0) || place >= y + 1)
+                continue;
+            if (place <= top)
+                return;
+            places.push_back(place);
+        }
+    };
+    addChanges(focal);
+    if (x != 0)
+        addChanges(x);
+    std::sort(places.begin(), places.end());
+    double sum = (top - y) / 2;
+    for (std::size_t k = 1; k < places.size(); ++k)
+        sum += (places[k] - places[k - 1]) * patternAt(x, (places[k] + places[k - 1]) / 2);
+    return sum;
+}
+
 /// The pixel's mean, of a box of one pixel.
 double reference(int column, int row) {
-    constexpr int n = 48;
+    constexpr int n = 32;
     double sum = 0;
-    for (int j = 0; j < n; ++j)
-        for (int i = 0; i < n; ++i)
-            sum += patternAt(column - columns / 2 + (i + 0.5) / n, row + (j + 0.5) / n);
-    return sum / (n * n);
+    for (int i = 0; i < n; ++i)
+        sum += columnMean(column - columns / 2 + (i + 0.5) / n, row);
+    return sum / n;
 }
 
 /// The root mean square error of row k, in grey levels of 255.

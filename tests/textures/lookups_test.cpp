@@ -102,17 +102,17 @@ TEST(Lookups, ThatGoWrongAreZeroAndSaidOnce) {
     folder.write("broken.exr", folder.read("ramps.exr").substr(0, 900));
     folder.write("words.png", "This is no picture.");
     const Told told = tell(
-        folder, {{"float texture(\"missing.tx\", .5, .5)", "float texture(\"missing.tx\", .2, .5)",
-                  "float texture(\"\", .5, .5)", "float texture(\"words.png\", .5, .5)",
-                  "float texture(\"broken.exr\", .5, .5)", "float texture(\"grey.tx\", .5, .5)",
-                  "comp(environment(\"missing.env\", vector(0, 0, 1)), 0)",
-                  "shadow(\"missing.shd\", P)", "shadow(\"grey.exr\", P)",
-                  "float texture(\"grey.exr\", .5, .5, \"blurr\", 1)"},
-                 "",
-                 "MakeTexture \"nothing.tif\" \"no.tx\" \"black\" \"black\" \"box\" 1 1\n"
-                 "MakeTexture \"words.png\" \"no.tx\" \"wavy\" \"black\" \"box\" 1 1\n"
-                 "MakeShadow \"grey.exr\" \"no.shd\"\n"
-                 "MakeTexture \"grey.exr\" \"../outside.tx\" \"black\" \"black\" \"box\" 1 1\n"});
+        folder,
+        {{"float texture(\"missing.tx\", .5, .5)", "float texture(\"missing.tx\", .2, .5)",
+          "float texture(\"\", .5, .5)", "float texture(\"words.png\", .5, .5)",
+          "float texture(\"broken.exr\", .5, .5)", "float texture(\"grey.tx\", .5, .5)",
+          "comp(environment(\"missing.env\", vector(0, 0, 1)), 0)", "shadow(\"missing.shd\", P)",
+          "shadow(\"grey.exr\", P)", "float texture(\"grey.exr\", .5, .5, \"blurr\", 1)"},
+         "",
+         "MakeTexture \"nothing.tif\" \"no.tx\" \"black\" \"black\" \"box\" 1 1\n"
+         "MakeTexture \"words.png\" \"no.tx\" \"wavy\" \"black\" \"box\" 1 1\n"
+         "MakeShadow \"grey.exr\" \"no.shd\"\n"
+         "MakeTexture \"grey.exr\" \"../outside.tx\" \"black\" \"black\" \"box\" 1 1\n"});
     EXPECT_EQ(told.values.size(), 10u) << told.run.text();
     if (told.values.size() == 10)
         for (int k = 0; k < 10; ++k)

@@ -43,8 +43,8 @@ Told tell(const ScratchFolder &folder, const Telling &telling) {
     std::string source = "surface telling() {\n" + telling.before + "\n";
     // A pixel's neighbours are shaded with it, and tell the same.
     for (std::size_t k = 0; k < telling.expressions.size(); ++k)
-        source += "printf(\"told" + std::to_string(k) + " %f\\n\", " + telling.expressions[k] +
-                  ");\n";
+        source +=
+            "printf(\"told" + std::to_string(k) + " %f\\n\", " + telling.expressions[k] + ");\n";
     folder.write("telling.sl", source + "Ci = 0; Oi = 1; }\n");
     const std::string scene = folder.write(
         "scene.rib", telling.requests +
@@ -58,8 +58,7 @@ Told tell(const ScratchFolder &folder, const Telling &telling) {
                            "--output-dir", folder.path(), scene});
     std::istringstream lines(told.run.out);
     for (std::string word; lines >> word;)
-        if (float value = 0;
-            word == "told" + std::to_string(told.values.size()) && lines >> value)
+        if (float value = 0; word == "told" + std::to_string(told.values.size()) && lines >> value)
             told.values.push_back(value);
     return told;
 }

@@ -30,8 +30,8 @@ struct Told {
 };
 struct Telling {
     std::vector<std::string> expressions;
-    std::string before{};          ///< Statements of the shader.
-    std::string requests{};        ///< Of the RIB, before the world.
+    std::string before{};   ///< Statements of the shader.
+    std::string requests{}; ///< Of the RIB, before the world.
     std::string lanes = "16";
     std::string integrator = "classic";
 };

@@ -35,8 +35,8 @@ std::string scene(const Light &light, const std::string &map, bool makes, const 
     std::string rib = fmt::format(
         "FrameBegin 1 Format 256 256 1 PixelSamples 1 1 PixelFilter \"box\" 1 1\n"
         "Display \"depths.z\" \"{}\" \"z\" Projection {} {}\n{}\nWorldBegin\n{}WorldEnd FrameEnd\n",
-        makes ? "zfile" : "shadow", light.projection,
-        parallel ? "ScreenWindow -6 6 -6 6" : "", light.placing, world);
+        makes ? "zfile" : "shadow", light.projection, parallel ? "ScreenWindow -6 6 -6 6" : "",
+        light.placing, world);
     if (makes)
         rib += "MakeShadow \"depths.z\" \"depths.shd\"\n";
     // The light looks along its own z: its space is the inverse of the placing.
@@ -81,9 +81,10 @@ TEST(ShadowMaps, LieWhereRaysSayAndNowhereElse) {
             for (const bool makes : {true, false}) {
                 SCOPED_TRACE(fmt::format("{} {} {}", light.name, integrator, makes));
                 ScratchFolder folder;
-                const Outcome run = runCandela(
-                    {"--quiet", "--output-dir", folder.path(),
-                     folder.write("shadow.rib", scene(light, inverseOf(light), makes, integrator))});
+                const Outcome run =
+                    runCandela({"--quiet", "--output-dir", folder.path(),
+                                folder.write("shadow.rib",
+                                             scene(light, inverseOf(light), makes, integrator))});
                 EXPECT_EQ(run.status, 0) << run.text();
                 EXPECT_EQ(run.err, "");
                 std::string problem;

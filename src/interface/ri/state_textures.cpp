@@ -49,8 +49,15 @@ void StateHandlers::makeLatLongEnvironment(const SourceLocation &where, const st
                                            float, float, const TokenList &tokens) {
     using enum TextureOrder::Kind;
     order(where,
-          {LatLongEnvironment, "MakeLatLongEnvironment", {picture}, texture, "periodic", "clamp",
-           filter, 90, {}},
+          {LatLongEnvironment,
+           "MakeLatLongEnvironment",
+           {picture},
+           texture,
+           "periodic",
+           "clamp",
+           filter,
+           90,
+           {}},
           tokens);
 }
 
@@ -67,8 +74,15 @@ void StateHandlers::makeCubeFaceEnvironment(const SourceLocation &where, const s
         fieldOfView = 90;
     }
     order(where,
-          {CubeFaceEnvironment, "MakeCubeFaceEnvironment", {px, nx, py, ny, pz, nz}, texture,
-           "periodic", "clamp", filter, fieldOfView, {}},
+          {CubeFaceEnvironment,
+           "MakeCubeFaceEnvironment",
+           {px, nx, py, ny, pz, nz},
+           texture,
+           "periodic",
+           "clamp",
+           filter,
+           fieldOfView,
+           {}},
           tokens);
 }
 

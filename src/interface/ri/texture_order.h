@@ -13,9 +13,9 @@ struct TextureOrder {
     enum class Kind { Texture, Bump, LatLongEnvironment, CubeFaceEnvironment, Shadow };
 
     Kind kind = Kind::Texture;
-    std::string request;               ///< Its name, for messages.
-    std::vector<std::string> pictures; ///< One; of cube faces px, nx, py, ny, pz, nz.
-    std::string texture;               ///< The file to be made.
+    std::string request;                          ///< Its name, for messages.
+    std::vector<std::string> pictures;            ///< One; of cube faces px, nx, py, ny, pz, nz.
+    std::string texture;                          ///< The file to be made.
     std::string sWrap = "black", tWrap = "black"; ///< "black", "clamp" or "periodic".
     std::string filter = "box";
     float fieldOfView = 90;   ///< Of cube faces, degrees.

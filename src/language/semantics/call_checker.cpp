@@ -54,7 +54,7 @@ const ast::Expr *CallChecker::channelOf(const Builtin &function, const ast::Expr
         return nullptr;
     const TypeSet types = typesOf(*argument.operands[0], here_);
     return types.isOnly(BaseType::String) && !types.arrayLength ? argument.operands[1].get()
-                                                               : nullptr;
+                                                                : nullptr;
 }
 
 /// Behind the arguments, as a parameter like "blur".
@@ -101,7 +101,8 @@ ExprPtr CallChecker::builtin(const ast::Expr &e, const BuiltinOverload &overload
     if (arguments.size() != e.operands.size())
         return nullptr;
     checkStrings(e, function.id, arguments, here_.reporter);
-    if (const ast::Expr *channel = e.operands.empty() ? nullptr : channelOf(function, *e.operands[0]))
+    if (const ast::Expr *channel =
+            e.operands.empty() ? nullptr : channelOf(function, *e.operands[0]))
         addChannel(*channel, arguments);
     if (!componentsExist(e, overload, here_.reporter))
         return nullptr;

@@ -96,18 +96,19 @@ void passOn(const ActivePaths &from, const HitBatch &hits, int i, ActivePaths &t
     to.depth[at] = from.depth[i], to.seen[at] = from.seen[i];
 }
 
-/// How much wider the cone of a ray becomes, metres a metre, that leaves vertex i mirrored or bent: a
-/// direction turns with the normal, which changes over the footprint.
+/// How much wider the cone of a ray becomes, metres a metre, that leaves vertex i mirrored or bent:
+/// a direction turns with the normal, which changes over the footprint.
 float spreadByCurvature(ShadingPoints &points, int i, const Vec3 &direction) {
     constexpr float mirrored = 2, bent = 0.5f; // Of the normal's turn; bent by water or glass.
     const auto vec = [&](ShaderInput input) {
-        return Vec3{points.input(input, 0)[i], points.input(input, 1)[i], points.input(input, 2)[i]};
+        return Vec3{points.input(input, 0)[i], points.input(input, 1)[i],
+                    points.input(input, 2)[i]};
     };
     const auto number = [&](ShaderInput input) { return points.input(input, 0)[i]; };
     const Vec3 byU = vec(ShaderInput::dNdu), byV = vec(ShaderInput::dNdv), N = vec(ShaderInput::N);
-    const float turn = std::max(
-        length(byU * number(ShaderInput::dudx) + byV * number(ShaderInput::dvdx)),
-        length(byU * number(ShaderInput::dudy) + byV * number(ShaderInput::dvdy)));
+    const float turn =
+        std::max(length(byU * number(ShaderInput::dudx) + byV * number(ShaderInput::dvdx)),
+                 length(byU * number(ShaderInput::dudy) + byV * number(ShaderInput::dvdy)));
     const bool isMirrored = dot(direction, N) * dot(vec(ShaderInput::I), N) < 0;
     const float more = turn * (isMirrored ? mirrored : bent);
     return more < widestSpread ? more : widestSpread; // Also of what is no number.

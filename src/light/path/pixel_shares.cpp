@@ -31,7 +31,8 @@ void SampleShares::prepare(const PixelFilterSampler &filter, int samples) {
     if (filter.hasNegativeLobes())
         return;
     const int halvings = std::bit_width(unsigned(std::max(1, samples))) - 1;
-    x_ = cellsOf(1 << (halvings + 1) / 2, [&](float number) { return filter.sample(number, 0.5f).dx; });
+    x_ = cellsOf(1 << (halvings + 1) / 2,
+                 [&](float number) { return filter.sample(number, 0.5f).dx; });
     y_ = cellsOf(1 << halvings / 2, [&](float number) { return filter.sample(0.5f, number).dy; });
 }
 

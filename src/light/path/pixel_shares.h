@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What each camera sample stands for of its pixel. Samples are stratified: each of N has a cell of
-// the pixel filter to itself. What a texture shows over the whole cell, rather than around where the
-// sample happens to lie in it, makes no noise: the cells of a pixel add up to what the filter sees.
+// the pixel filter to itself. What a texture shows over the whole cell, rather than around where
+// the sample happens to lie in it, makes no noise: the cells of a pixel add up to what the filter
+// sees.
 #pragma once
 
 #include "foundation/base/planes.h"

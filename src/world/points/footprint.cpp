@@ -66,8 +66,9 @@ struct FootprintPlanes {
     explicit FootprintPlanes(ShadingPoints &points)
         : dudx(points.input(ShaderInput::dudx, 0)), dvdx(points.input(ShaderInput::dvdx, 0)),
           dudy(points.input(ShaderInput::dudy, 0)), dvdy(points.input(ShaderInput::dvdy, 0)),
-          uShift(points.input(ShaderInput::uShift, 0)), vShift(points.input(ShaderInput::vShift, 0)),
-          du(points.input(ShaderInput::du, 0)), dv(points.input(ShaderInput::dv, 0)) {}
+          uShift(points.input(ShaderInput::uShift, 0)),
+          vShift(points.input(ShaderInput::vShift, 0)), du(points.input(ShaderInput::du, 0)),
+          dv(points.input(ShaderInput::dv, 0)) {}
     float *dudx, *dvdx, *dudy, *dvdy, *uShift, *vShift, *du, *dv;
 
     /// Of a share of a pixel, whose axes are these on the surface.

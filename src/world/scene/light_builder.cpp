@@ -110,8 +110,8 @@ void LightBuilder::declare(const std::vector<std::shared_ptr<const LightRecord>>
             tags = tagsOf(*record, *instance->code);
         }
         light.si = record->units == LightUnits::Si;
-        light.castsShadow = (!state_.classic || record->shadows) &&
-                            !(instance && bringsShadows(*instance->code));
+        light.castsShadow =
+            (!state_.classic || record->shadows) && !(instance && bringsShadows(*instance->code));
         light.currentFromShader = record->shader.currentFromShader.atOpen();
         state_.lights.lights.push_back(std::move(light));
         tags_.push_back(std::move(tags));

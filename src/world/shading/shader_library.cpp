@@ -20,7 +20,8 @@ struct ShaderLibrary::State {
           libraryFolders(settings.libraryFolders),
           jit(std::make_shared<Jit>(settings.jit, diagnostics)),
           messages(std::make_shared<const ShaderMessages>(diagnostics)),
-          answers(std::make_shared<ShaderAnswers>(std::move(settings.textureFolders), diagnostics)) {}
+          answers(
+              std::make_shared<ShaderAnswers>(std::move(settings.textureFolders), diagnostics)) {}
 
     DiagnosticSink &diagnostics;
     ShaderSources sources;

@@ -37,7 +37,8 @@ int faceOf(const Vec3 &direction) {
 /// on.
 void addBetween(const PictureData &face, float x, float y, float weight, float *to) {
     const int width = face.facts.width, height = face.facts.height, n = face.facts.channels;
-    x = std::clamp(x - 0.5f, 0.0f, float(width - 1)), y = std::clamp(y - 0.5f, 0.0f, float(height - 1));
+    x = std::clamp(x - 0.5f, 0.0f, float(width - 1)),
+    y = std::clamp(y - 0.5f, 0.0f, float(height - 1));
     const int column = std::min(int(x), std::max(0, width - 2));
     const int row = std::min(int(y), std::max(0, height - 2));
     const float right = x - float(column), below = y - float(row);
@@ -84,10 +85,10 @@ std::optional<PictureData> latLongOfFaces(const std::array<PictureData, 6> &face
     parallelFor(std::size_t(facts.height), [&](std::size_t row) {
         for (int column = 0; column < facts.width; ++column)
             for (int k = 0; k < samples * samples; ++k) {
-                const float s = (float(column) + (float(k % samples) + 0.5f) / samples) /
-                                float(facts.width);
-                const float t = (float(row) + (float(k / samples) + 0.5f) / samples) /
-                                float(facts.height);
+                const float s =
+                    (float(column) + (float(k % samples) + 0.5f) / samples) / float(facts.width);
+                const float t =
+                    (float(row) + (float(k / samples) + 0.5f) / samples) / float(facts.height);
                 addDirection(faces, latLongDirection(s, t), halfWidth, 1.0f / (samples * samples),
                              result.values.data() + row * rowValues +
                                  std::size_t(column) * std::size_t(facts.channels));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Directions and places on latitude-longitude pictures (RI 3.2, 7.1.2): longitude 0 is the left edge
-// and grows from +x by +y, latitude 90 degrees, +z, is the top.
+// Directions and places on latitude-longitude pictures (RI 3.2, 7.1.2): longitude 0 is the left
+// edge and grows from +x by +y, latitude 90 degrees, +z, is the top.
 #pragma once
 
 #include "foundation/base/vec3.h"

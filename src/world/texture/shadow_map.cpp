@@ -66,7 +66,9 @@ double ShadowMap::hiddenAround(const Place &place, double depth) const {
     const double x = place.x - 0.5, y = place.y - 0.5;
     const double left = std::floor(x), top = std::floor(y), right = x - left, below = y - top;
     const int column = int(left), row = int(top);
-    const auto at = [&](int dx, int dy) { return double(isHiddenAt(column + dx, row + dy, depth)); };
+    const auto at = [&](int dx, int dy) {
+        return double(isHiddenAt(column + dx, row + dy, depth));
+    };
     return (at(0, 0) * (1 - right) + at(1, 0) * right) * (1 - below) +
            (at(0, 1) * (1 - right) + at(1, 1) * right) * below;
 }

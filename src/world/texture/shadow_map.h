@@ -22,9 +22,9 @@ public:
 
     /// The share of the footprint that is hidden, in [0,1]: comparisons are averaged, not depths
     /// (percentage closer filtering). `sBlur` and `tBlur` are shares of the whole map that are
-    /// averaged besides; `samples` places are compared, with the four pixels around each. A point is
-    /// hidden by what lies nearer than its own depth less `bias` (in the world's units); a bias below
-    /// 0 stands for what a surface that slants by 45 degrees needs over the area that is
+    /// averaged besides; `samples` places are compared, with the four pixels around each. A point
+    /// is hidden by what lies nearer than its own depth less `bias` (in the world's units); a bias
+    /// below 0 stands for what a surface that slants by 45 degrees needs over the area that is
     /// averaged. Outside the map and behind its camera nothing is hidden.
     float hidden(const PointReach &worldPoint, float sBlur, float tBlur, float bias,
                  int samples) const;

@@ -8,10 +8,9 @@
 namespace candela {
 
 /// Ready textures first, then pictures by how much they can hold.
-static constexpr const char *extensions[] = {".tx",  ".tex",  ".exr", ".tif", ".tiff",
-                                             ".hdr", ".png",  ".jpg", ".jpeg", ".tga",
-                                             ".bmp", ".sgi",  ".rgb", ".pic",  ".env",
-                                             ".shd", ".webp", ".gif"};
+static constexpr const char *extensions[] = {".tx",  ".tex", ".exr",  ".tif", ".tiff", ".hdr",
+                                             ".png", ".jpg", ".jpeg", ".tga", ".bmp",  ".sgi",
+                                             ".rgb", ".pic", ".env",  ".shd", ".webp", ".gif"};
 
 std::optional<FoundTexture> findTexture(const std::string &name,
                                         const std::vector<std::string> &folders) {

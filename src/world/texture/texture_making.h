@@ -10,8 +10,8 @@ namespace candela {
 /// Makes the file `order.texture` of the files `order.pictures`, whole or not at all: linear light
 /// with all smaller levels; environments as latitude-longitude pictures; of shadow maps the depths
 /// and their camera. The order's parameter "string colorspace" ("srgb", "linear") says what the
-/// pictures' numbers are where they do not say it themselves. False, and `problem` says why, if that
-/// cannot be done.
+/// pictures' numbers are where they do not say it themselves. False, and `problem` says why, if
+/// that cannot be done.
 bool makeTexture(const TextureOrder &order, std::string &problem);
 
 } // namespace candela

@@ -212,9 +212,8 @@ void Textures::shadow(const ServiceCall &call) {
 
 void Textures::textureinfo(const ServiceCall &call) {
     const Texture &texture = find(call, Use::Pixels);
-    const std::vector<float> fact =
-        textureFact(texture.facts, texture.picture != nullptr, call.site->texts[1],
-                    call.site->texts[2]);
+    const std::vector<float> fact = textureFact(texture.facts, texture.picture != nullptr,
+                                                call.site->texts[1], call.site->texts[2]);
     if (fact.size() + 1 != std::size_t(call.site->resultCount))
         return;
     for (int lane = 0; lane < call.laneCount; ++lane) {

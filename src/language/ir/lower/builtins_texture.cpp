@@ -158,8 +158,8 @@ Components environment(BuiltinCall &call) {
     Values operands = spatialOperands(call.b, spatialReach(call, "direction"), options);
     operands.push_back(options.channel);
     operands.push_back(options.fill);
-    return asResult(call, query(call.b, info(Service::environment), {file}, operands,
-                                channelsOf(call)));
+    return asResult(call,
+                    query(call.b, info(Service::environment), {file}, operands, channelsOf(call)));
 }
 
 Components shadow(BuiltinCall &call) {
@@ -189,19 +189,18 @@ Components bump(BuiltinCall &call) {
         return zero(b, sl::BaseType::Normal);
     }
     const auto at = surfaceReach(call, 4, end);
-    const Values height = query(b, info(Service::textureSlopes), {file},
-                                textureOperands(b, at, readLookupOptions(call)),
-                                1 + twinCoordinates);
+    const Values height =
+        query(b, info(Service::textureSlopes), {file},
+              textureOperands(b, at, readLookupOptions(call)), 1 + twinCoordinates);
     const Triple n = normalize(b, call.triple(1)), byS = call.triple(2), byT = call.triple(3);
     const Triple flat = cross(b, byS, byT);
-    const Triple rise = add(b, scale(b, cross(b, n, byT), height[1]),
-                            scale(b, cross(b, byS, n), height[2]));
+    const Triple rise =
+        add(b, scale(b, cross(b, n, byT), height[1]), scale(b, cross(b, byS, n), height[2]));
     // norm may stand on either side of dPds ^ dPdt.
-    const ValueId side = select(b, less(b, dot(b, flat, n), number(b, 0)), number(b, -1),
-                                number(b, 1));
+    const ValueId side =
+        select(b, less(b, dot(b, flat, n), number(b, 0)), number(b, -1), number(b, 1));
     const Triple raised = add(b, scale(b, n, length(b, flat)), scale(b, rise, side));
-    return componentsOf(
-        scale(b, normalize(b, raised), length(b, call.triple(1))));
+    return componentsOf(scale(b, normalize(b, raised), length(b, call.triple(1))));
 }
 
 /// The variable gets the fact, or stays as it is if there is none of that type.

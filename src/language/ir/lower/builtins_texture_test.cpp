@@ -11,9 +11,9 @@ constexpr double u = 0.3, v = 0.6, s = 3 * u + v, t = v * v;
 void tellOperand(void *, const ServiceCall &call) {
     const std::string name = call.site->texts[0];
     for (int lane = 0; lane < call.laneCount; ++lane) {
-        const float value = name == "ramp" ? 2 * call.operand(0, lane).number +
-                                                 3 * call.operand(1, lane).number
-                                           : call.operand(std::stoi(name), lane).number;
+        const float value =
+            name == "ramp" ? 2 * call.operand(0, lane).number + 3 * call.operand(1, lane).number
+                           : call.operand(std::stoi(name), lane).number;
         for (int k = 0; k < call.site->resultCount; ++k)
             call.result(k, lane) = value;
     }
@@ -119,8 +119,7 @@ TEST(LowerTextures, ChangeAsTheirCoordinatesDo) {
 TEST(LowerTextures, BumpTiltsTheNormalAgainstTheSlope) {
     // h = 2 s + 3 t over a plane of unit tangents: N becomes (-2, -3, 1), of N's length and side.
     for (const float side : {1.0f, -1.0f}) {
-        const auto n = Asked("result = bump(\"ramp\", normal (0, 0, " +
-                                 std::to_string(7 * side) +
+        const auto n = Asked("result = bump(\"ramp\", normal (0, 0, " + std::to_string(7 * side) +
                                  "), vector (1, 0, 0), vector (0, 1, 0), s, t);",
                              "normal")
                            .result;
@@ -151,8 +150,8 @@ TEST(LowerTextures, SayWhatIsWrong) {
     for (const auto &[body, words] : faults) {
         ShaderRun run(surfaceWith("float", body));
         EXPECT_FALSE(run.lowered) << body;
-        EXPECT_NE(run.diagnostics.text().find(words), std::string::npos)
-            << body << "\n" << run.diagnostics.text();
+        EXPECT_NE(run.diagnostics.text().find(words), std::string::npos) << body << "\n"
+                                                                         << run.diagnostics.text();
     }
     ShaderRun run(surfaceWith("float", "result = texture(\"a\", s, t, \"soft\", 1);"));
     EXPECT_TRUE(run.lowered);

@@ -30,9 +30,10 @@ const OptionName optionNames[] = {
     {"bias", {&Options::bias}},
 };
 
-/// Parameters of other renderers that choose how, and not what, is looked up: there is one way here.
-constexpr std::string_view passedOver[] = {"filter",     "lerp",     "source",    "expandwidth",
-                                           "mipinterp",  "mapname",  "minfilter", "maxfilter",
+/// Parameters of other renderers that choose how, and not what, is looked up: there is one way
+/// here.
+constexpr std::string_view passedOver[] = {"filter",     "lerp",      "source",    "expandwidth",
+                                           "mipinterp",  "mapname",   "minfilter", "maxfilter",
                                            "resolution", "samplebase"};
 
 class OptionReader {

@@ -226,8 +226,7 @@ SlopeKind slopeKind(const Function &function, const Instruction &i) {
     case SlopeRule::Source: return kindOfSource(function, i);
     case SlopeRule::Held: return SlopeKind::Held;
     case SlopeRule::Refused: return SlopeKind::Refused;
-    case SlopeRule::Service:
-        return kindOfService(serviceOf(function, i).info->slope);
+    case SlopeRule::Service: return kindOfService(serviceOf(function, i).info->slope);
     case SlopeRule::Call:
         return runtime::coordinatesOf(RuntimeFunction(i.immediate)) > 0 ? SlopeKind::Rule
                                                                         : SlopeKind::Zero;

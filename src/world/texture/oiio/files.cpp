@@ -59,8 +59,8 @@ bool writeLevels(const PictureData &picture, const OIIO::ImageSpec &spec,
     wanted.attribute("maketx:fileformatname", "openexr");
     wanted.attribute("maketx:filtername", filterName(recipe.filter));
     wanted.attribute("compression", "zip");
-    const bool good = OIIO::ImageBufAlgo::make_texture(OIIO::ImageBufAlgo::MakeTxTexture, pixels,
-                                                       path, wanted);
+    const bool good =
+        OIIO::ImageBufAlgo::make_texture(OIIO::ImageBufAlgo::MakeTxTexture, pixels, path, wanted);
     if (!good)
         problem = OIIO::geterror();
     return good;

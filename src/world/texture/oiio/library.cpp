@@ -36,8 +36,9 @@ public:
         const OIIO::ustring name(isLight ? path : linearName(path));
         const std::scoped_lock lock(mutex_);
         if (!isLight)
-            cache_->add_file(name, [] { return static_cast<OIIO::ImageInput *>(new LinearInput); },
-                              nullptr, true);
+            cache_->add_file(
+                name, [] { return static_cast<OIIO::ImageInput *>(new LinearInput); }, nullptr,
+                true);
         const bool saysWrap = file->spec().find_attribute("wrapmodes") != nullptr;
         Opened opened{system_->get_texture_handle(name), facts.channels, saysWrap};
         if (!opened.handle || !system_->good(opened.handle)) {

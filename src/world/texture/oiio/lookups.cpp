@@ -48,6 +48,10 @@ struct Footprint {
     float dsdx, dtdx, dsdy, dtdy;
 
     void matchBox() {
+        // Its averages have longer tails than a box has: on a chequered plane to the horizon
+        // (tests/textures) this share of the length comes nearest to one.
+        constexpr float share = 0.88f;
+        dsdx *= share, dtdx *= share, dsdy *= share, dtdy *= share;
         const float x = std::hypot(dsdx, dtdx), y = std::hypot(dsdy, dtdy);
         if (!(x > 0 && y > 0))
             return;
@@ -113,9 +117,9 @@ bool lookUp(OIIO::TextureSystem &system, const PictureLibrary::Opened &picture,
         footprint.matchBox();
         Answer answer;
         const bool found = system.texture(
-            picture.handle, thread, options, at.middle(s, sShift), at.middle(t, tShift), footprint.dsdx,
-            footprint.dtdx, footprint.dsdy, footprint.dtdy, channels.count, answer.value,
-            row.slopes ? answer.byS : nullptr, row.slopes ? answer.byT : nullptr);
+            picture.handle, thread, options, at.middle(s, sShift), at.middle(t, tShift),
+            footprint.dsdx, footprint.dtdx, footprint.dsdy, footprint.dtdy, channels.count,
+            answer.value, row.slopes ? answer.byS : nullptr, row.slopes ? answer.byT : nullptr);
         if (found)
             store(row, lane, channels, answer);
         good &= found;
