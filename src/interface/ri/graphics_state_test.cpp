@@ -238,9 +238,8 @@ TEST_F(State, whatComesLaterIsWarnedAboutOnce) {
     state.worldBegin(at);
     state.points(at, numbers("P", {0, 0, 0}));
     state.points(at, numbers("P", {0, 0, 0}));
-    state.exterior(at, "fog", {});
     EXPECT_EQ(errors(), 0);
-    EXPECT_EQ(warnings(), 2);
+    EXPECT_EQ(warnings(), 1);
     EXPECT_TRUE(says("Points: this version does not draw it"));
 }
 
