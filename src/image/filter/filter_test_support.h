@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -25,11 +26,11 @@ inline std::optional<ir::Function> filterText(const std::string &source,
     const auto lowered = front ? ir::lower(*front->shaders[0], {}, {}, diagnostics) : std::nullopt;
     if (!lowered)
         return {};
-    std::vector<ir::FoldedValue> folded;
+    std::vector<float> block(lowered->whole.parameters.size());
     for (const ir::ShaderParameter &parameter : lowered->parameters)
-        for (std::size_t c = 0; parameter.firstSlot >= 0 && c < parameter.defaults.size(); ++c)
-            folded.push_back({parameter.firstSlot + int(c), parameter.defaults[c]});
-    return ir::fold(lowered->whole, folded);
+        if (parameter.firstSlot >= 0)
+            std::ranges::copy(parameter.defaults, block.begin() + parameter.firstSlot);
+    return ir::foldAll(lowered->whole, block);
 }
 
 /// A picture of which no two pixels are alike, in (0, 1).

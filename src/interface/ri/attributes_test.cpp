@@ -169,7 +169,7 @@ TEST_F(State, namedOptionsAndAttributesAreKept) {
 }
 
 TEST_F(State, searchPathsAreExpanded) {
-    GraphicsState other(builder, shaders, policy, {{"lib:more", "", ""}, {}});
+    GraphicsState other(builder, shaders, policy, {{"lib:more", "", ""}, {}, {}});
     other.option(at, "searchpath", text("shader", "mine:@"));
     other.option(at, "searchpath", text("string shader", "first:&"));
     other.worldBegin(at);

@@ -113,7 +113,7 @@ TEST_F(State, optionsAreFrozenInTheWorld) {
 
 TEST_F(State, theCommandLineHasTheLastWord) {
     GraphicsState other(builder, shaders, policy,
-                        {{}, [](Options &options) { options.format.xResolution = 77; }});
+                        {{}, [](Options &options) { options.format.xResolution = 77; }, {}});
     other.format(at, 10, 10, 1);
     other.worldBegin(at);
     EXPECT_EQ(builder.worlds[0].options.format.xResolution, 77);
