@@ -36,6 +36,7 @@ struct Asked {
         if (!run.lowered)
             return;
         placeOnPatch(run, 0, u, v);
+        run.setInput(ShaderInput::orientation, {1.0f});
         run.setInput(ShaderInput::dudx, {0.1f}), run.setInput(ShaderInput::dvdx, {0.2f});
         run.setInput(ShaderInput::dudy, {0.3f}), run.setInput(ShaderInput::dvdy, {-0.4f});
         run.setInput(ShaderInput::uShift, {0.05f}), run.setInput(ShaderInput::vShift, {-0.01f});
