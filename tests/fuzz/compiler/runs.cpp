@@ -137,7 +137,16 @@ void Batch::fit(const ir::Function &function) {
     answers_ = randomPlanes(function.requests.size() * samples, points_.padded(), chance);
 }
 
+/// Slices that differentiate read the derivatives of variables, too, behind those of the text.
+void Batch::fitVariables(const ir::Function &function) {
+    Chance chance(seed_ + 1);
+    const std::size_t there = points_.variables.size(), wanted = function.variables.size();
+    for (Plane &plane : randomPlanes(wanted > there ? wanted - there : 0, points_.padded(), chance))
+        points_.variables.push_back(std::move(plane));
+}
+
 RunResult Batch::run(const ir::Function &function, const Code &code, Light light) {
+    fitVariables(function);
     RunResult result;
     points_.callbacks = {&result, noteOutside, [](void *context, const char *, std::int32_t) {
                              static_cast<RunResult *>(context)->ended = true;

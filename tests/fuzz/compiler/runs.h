@@ -65,6 +65,7 @@ public:
     ir::TestFrames &frames() { return points_.frames; }
 
 private:
+    void fitVariables(const ir::Function &);
     ir::TestBatch points_;
     std::vector<ir::TestBatch::Plane> ambient_, answers_;
     std::uint64_t seed_;
