@@ -99,14 +99,27 @@ Values sampledLoop(Specialization &s, int h, const Instruction &i) {
     return ifElse(s.b, sampleReaches(s, h, i), body, [&] { return initial; });
 }
 
+/// What a lobe sends on of light from everywhere, where its peak is 1: the integral of a power n of
+/// the cosine, over pi, 2 / (n + 1). So the share of directions that a highlight gets goes by its
+/// energy and not by its brightness; narrow ones would have too many.
+ValueId energyOf(Specialization &s, int h, const Cone &cone) {
+    if (cone.kind != Cone::Kind::Lobe || !cone.exponent)
+        return number(s.b, 1);
+    const ValueId scale = number(s.b, cone.exponentScale);
+    const ValueId exponent = mul(s.b, s.mapping.value(h, *cone.exponent), scale);
+    const ValueId one = number(s.b, 1);
+    return div(s.b, number(s.b, 2), add(s.b, max(s.b, exponent, number(s.b, 0)), one));
+}
+
 /// The loop's results as if the probed cone had brought a unit of light.
 Values probedLoop(Specialization &s, int h, const Instruction &i) {
     Values results = initialOf(s, h, i);
     const Cone &probe = *s.assumptions[h].probe;
     if (probe.request != i.immediate)
         return results;
+    const ValueId energy = energyOf(s, h, probe);
     for (const Cone::Weight &weight : probe.weights) {
-        ValueId contribution = number(s.b, 1);
+        ValueId contribution = energy;
         for (ValueId factor : weight.factors)
             contribution = mul(s.b, contribution, s.mapping.value(h, factor));
         results[weight.result] = add(s.b, results[weight.result], contribution);
