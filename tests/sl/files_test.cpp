@@ -35,8 +35,6 @@ TEST_P(Files, Compile) {
     const auto front = analyzeSource({GetParam(), *text}, {}, diagnostics);
     ASSERT_TRUE(front) << diagnostics.text();
     for (const auto &shader : front->shaders) {
-        if (runsFor(shader->kind) == RunsFor::Never)
-            continue;
         const auto lowered = ir::lower(*shader, {}, {}, diagnostics);
         ASSERT_TRUE(lowered) << diagnostics.text();
         const ir::Function whole = ir::applyLightRule(lowered->whole, ir::LightRule::Path);

@@ -192,6 +192,17 @@ TEST_F(State, displaysReplaceOrAdd) {
     EXPECT_EQ(options.colorQuantize->ditherAmplitude, 0.5f);
 }
 
+TEST_F(State, displaysThatAreAddedBeforeTheFirstOneStay) {
+    state.display(at, "+w", "file", "weight", {});
+    state.display(at, "a", "file", "rgb", {});
+    state.display(at, "+z", "file", "z", {});
+    state.worldBegin(at);
+    std::vector<std::string> names;
+    for (const DisplayRecord &display : builder.worlds[0].options.displays)
+        names.push_back(display.name);
+    EXPECT_EQ(names, (std::vector<std::string>{"a", "w", "z"}));
+}
+
 TEST_F(State, nonsenseInOptionsIsReportedAndHasNoEffect) {
     state.format(at, 0, 10, 1);
     state.frameAspectRatio(at, -1);

@@ -34,6 +34,7 @@ struct DisplayRecord {
     std::string mode;                       ///< "rgb", "rgba", "z", ... or the name of a channel.
     std::optional<QuantizeRecord> quantize; ///< Given with this display; else Options'.
     ParameterList parameters;
+    bool isAdded = false; ///< Its name had the '+'.
 };
 
 struct CameraRecord {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Options (RI 3.2, section 4.1).
-#include "interface/ri/search_path.h"
 #include "interface/ri/option_checks.h"
+#include "interface/ri/search_path.h"
 #include "interface/ri/state_handlers.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace candela {
@@ -191,9 +192,14 @@ void StateHandlers::display(const SourceLocation &where, const std::string &name
     DisplayRecord record{adds ? name.substr(1) : name, type, mode, std::nullopt,
                          parameters_.ofRequest(where, tokens, "Display")};
     record.quantize = displayQuantize(record.parameters);
-    if (!adds)
-        state_.options.displays.clear();
-    state_.options.displays.push_back(std::move(record));
+    record.isAdded = adds;
+    std::vector<DisplayRecord> &displays = state_.options.displays;
+    if (adds)
+        return displays.push_back(std::move(record));
+    // What was added to nothing yet waits for this one; else it replaces all that there are.
+    if (!std::ranges::all_of(displays, &DisplayRecord::isAdded))
+        displays.clear();
+    displays.insert(displays.begin(), std::move(record));
 }
 
 void StateHandlers::hider(const SourceLocation &where, const std::string &type,

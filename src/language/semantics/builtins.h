@@ -20,11 +20,10 @@ enum class BuiltinId {
 #undef SL_BUILTIN
 };
 
-/// Whether the function can be called yet.
+/// What a call of the function gets.
 enum class Available {
-    Now,
-    Later, ///< A call is a compile error.
-    Zero   ///< Calls give zero, with one warning a file; the doc line says what is missing.
+    Now, ///< What it asks for.
+    Zero ///< Calls give zero, with one warning a file; the doc line says what is missing.
 };
 
 /// Who does the work.

@@ -21,10 +21,6 @@ ExprPtr CallChecker::check(const ast::Expr &e, ExpressionChecker::Wanted wanted)
     Callee callee = chooseCallee(e, wanted, here_);
     if (callee.definition)
         return user(e, *callee.definition);
-    if (function && function->available == Available::Later)
-        return here_.error(e.where, "function " + e.text +
-                                        "() is not available yet in this version "
-                                        "of Candela");
     return callee.overload ? builtin(e, *callee.overload) : fittingNone(e);
 }
 

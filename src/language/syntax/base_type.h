@@ -34,9 +34,8 @@ enum class LightUse {
 
 /// What a kind of shader is run for.
 enum class RunsFor {
-    Points,  ///< Each point, in batches.
-    Picture, ///< A whole picture at once; all values are uniform.
-    Never    ///< It is checked but not compiled.
+    Points, ///< Each point, in batches.
+    Picture ///< A whole picture at once; all values are uniform.
 };
 
 /// By precedence class in RI order; see operators.h for the table.

@@ -98,14 +98,6 @@ std::vector<KindOutput> outputsOf(sl::ShaderKind kind) {
     return {};
 }
 
-std::string compiledKinds() {
-    std::string names;
-    for (int kind = 0; kind < sl::shaderKindCount; ++kind)
-        if (sl::runsFor(sl::ShaderKind(kind)) != sl::RunsFor::Never)
-            names += (names.empty() ? "" : " and ") + std::string(sl::nameOf(sl::ShaderKind(kind)));
-    return names;
-}
-
 /// An output only where the text sets it.
 bool isSetAtWill(sl::ShaderKind kind, const sl::Symbol &predefined) {
     const bool isBound = predefined.name.size() > 1 && predefined.name[1] == 'C';
@@ -214,13 +206,6 @@ std::optional<LoweredShader> lower(const sl::TypedShader &shader,
                                    const std::vector<StringValue> &strings,
                                    const std::vector<std::string> &variables, DiagnosticSink &sink,
                                    const LoweringOptions &options) {
-    if (sl::runsFor(shader.kind) == sl::RunsFor::Never) {
-        sink.report(sl::diagnosticAt(Severity::Error, shader.where,
-                                     std::string(sl::nameOf(shader.kind)) +
-                                         " shaders are not compiled yet; " + compiledKinds() +
-                                         " shaders are"));
-        return std::nullopt;
-    }
     if (!arraysFit(shader, options.colors.samples, sink))
         return std::nullopt;
     LoweredShader lowered;
