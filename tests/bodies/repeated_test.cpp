@@ -82,14 +82,7 @@ TEST_P(RepeatedLamps, LightTheSameAsInstances) {
     const auto pictures = render(frames, {64, 1, "bodies/shaders"});
     ASSERT_EQ(pictures.size(), frames.size());
     for (std::size_t i = 0; i < frames.size(); i += 2) {
-        std::vector<double> differences;
-        double sum = 0;
-        for (std::size_t k = 0; k < pictures[i].red.size(); ++k) {
-            differences.push_back(pictures[i].red[k] - pictures[i + 1].red[k]);
-            sum += pictures[i].red[k];
-        }
-        const MeanAndError difference = meanAndError(differences);
-        const double mean = sum / double(differences.size());
+        const auto [mean, difference] = compareRed(pictures[i], pictures[i + 1]);
         EXPECT_GT(mean, .01);
         EXPECT_LE(difference.standardError, .02 * mean);
         EXPECT_LE(std::abs(difference.mean),

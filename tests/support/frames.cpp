@@ -47,4 +47,14 @@ std::vector<FramePixels> render(const std::vector<Frame> &frames, const FrameSet
     return all;
 }
 
+RedComparison compareRed(const FramePixels &picture, const FramePixels &other) {
+    std::vector<double> differences;
+    double sum = 0;
+    for (std::size_t k = 0; k < picture.red.size(); ++k) {
+        differences.push_back(picture.red[k] - other.red[k]);
+        sum += picture.red[k];
+    }
+    return {sum / double(differences.size()), meanAndError(differences)};
+}
+
 } // namespace candela::test

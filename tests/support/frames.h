@@ -2,6 +2,8 @@
 // Many small pictures of one run.
 #pragma once
 
+#include "tests/support/student.h"
+
 #include <string>
 #include <vector>
 
@@ -26,5 +28,12 @@ struct FrameSettings {
 /// Renders all frames in one run, in si units with a box filter of one pixel; 8 x 8 pixels, unless
 /// options have another Format. A run that fails gives nothing.
 std::vector<FramePixels> render(const std::vector<Frame> &frames, const FrameSettings &);
+
+/// The red of a picture, and by how much it is more than another's, over all pixels.
+struct RedComparison {
+    double mean = 0; ///< Of the first picture.
+    MeanAndError difference;
+};
+RedComparison compareRed(const FramePixels &, const FramePixels &other);
 
 } // namespace candela::test

@@ -23,7 +23,7 @@ ChannelInfo channelOf(const ir::ShaderParameter &parameter) {
 
 /// What a first hit tells goes by its own name.
 bool isShown(const ir::ShaderParameter &parameter) {
-    const std::vector<ChannelInfo> others = firstHitChannels();
+    static const std::vector<ChannelInfo> others = firstHitChannels();
     return parameter.output && parameter.type != "string" &&
            std::ranges::find(others, parameter.name, &ChannelInfo::name) == others.end();
 }
@@ -53,10 +53,6 @@ GivenLight lightFor(PathWave &wave) {
         wave.chunk.vertices.code().facts().affine ? gatherLight(wave, 1) : wave.gathered->rowCount;
     return {&wave.gathered->rows, rows};
 }
-
-} // namespace
-
-namespace {
 
 std::vector<const ShaderCode *> volumesOf(const Scene &scene) {
     std::vector<const ShaderCode *> codes;
@@ -88,9 +84,11 @@ std::vector<ShaderChannelPlane> planesOf(const ShaderCode &code, ir::Question wh
 } // namespace
 
 std::vector<ChannelInfo> outputParametersOf(const Scene &scene) {
-    std::vector<const ShaderCode *> codes = volumesOf(scene);
-    for (int code = scene.codeCount(); code-- > 0;)
-        codes.insert(codes.begin(), &scene.code(code));
+    std::vector<const ShaderCode *> codes;
+    for (int code = 0; code < scene.codeCount(); ++code)
+        codes.push_back(&scene.code(code));
+    for (const ShaderCode *code : volumesOf(scene))
+        codes.push_back(code);
     std::vector<ChannelInfo> channels;
     for (const ShaderCode *code : codes)
         for (const ir::ShaderParameter &parameter : code->shader().parameters)

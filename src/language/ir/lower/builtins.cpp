@@ -10,6 +10,12 @@ std::string BuiltinCall::text(size_t i, const char *what) const {
     return requiredText(lowering, arguments[i][0], expr.operands[i]->where, what);
 }
 
+size_t BuiltinCall::firstText(size_t from) const {
+    while (from < count() && !isText(from))
+        ++from;
+    return from;
+}
+
 void BuiltinCall::assign(size_t i, const Components &value) const {
     const sl::Expr &target = *expr.operands[i];
     store(lowering, resolve(lowering, target), value, target.where);

@@ -23,6 +23,9 @@ struct BuiltinCall {
     Triple triple(size_t i) const { return tripleOf(arguments[i]); }
     bool isText(size_t i) const { return expr.operands[i]->type.base == sl::BaseType::String; }
     std::string text(size_t i, const char *what) const;
+    /// The first string from argument `from` on, where names of optional arguments begin; count()
+    /// if there is none.
+    size_t firstText(size_t from) const;
     /// Assigns to an output argument.
     void assign(size_t i, const Components &) const;
 };

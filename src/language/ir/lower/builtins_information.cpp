@@ -26,9 +26,7 @@ template <class Ask> Components askFor(BuiltinCall &call, Ask ask) {
         return {number(b, 0)};
     }
     const PlaceScope place(b, call.expr.where);
-    const Values answer = ask(name, sl::shapeOf(type), 1 + numbersTold(type));
-    assignTold(call, notEqual(b, answer[0], number(b, 0)), {answer.begin() + 1, answer.end()});
-    return {answer[0]};
+    return {takeTold(call, 1, ask(name, sl::shapeOf(type), 1 + numbersTold(type)))};
 }
 
 Components option(BuiltinCall &call) {

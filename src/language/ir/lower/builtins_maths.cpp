@@ -10,7 +10,6 @@ namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
 
-/// One operation on each component; scalars stand for all components.
 /// What a function does to floats, component by component; floats among the arguments stand for all
 /// components.
 template <Components (*ofFloats)(BuiltinCall &)> Components each(BuiltinCall &call) {
@@ -27,6 +26,7 @@ template <Components (*ofFloats)(BuiltinCall &)> Components each(BuiltinCall &ca
     return result;
 }
 
+/// One operation on each component; scalars stand for all components.
 template <class Operation>
 Components map(const Components &x, const Components &y, Operation operation) {
     Components result;

@@ -15,7 +15,7 @@
 namespace candela::ir {
 namespace {
 
-/// The strings that an answer may be; it is the first of them if it is none of them.
+/// What a light's string is where it is none of those that stand in the text.
 constexpr const char *anotherString = "(another string)";
 
 /// A string that a light tells. Strings are known when a shader is compiled, so what the light has
@@ -48,8 +48,7 @@ Components lightsource(BuiltinCall &call) {
     const PlaceScope place(b, call.expr.where);
     const Values answer = query(b, info(Service::lightsource), {name, sl::shapeOf(type)},
                                 {*call.lowering.lightNumber}, 1 + numbersTold(type));
-    assignTold(call, notEqual(b, answer[0], number(b, 0)), {answer.begin() + 1, answer.end()});
-    return {answer[0]};
+    return {takeTold(call, 1, answer)};
 }
 
 /// Strings of other shaders are known when the shader is compiled.
@@ -69,15 +68,12 @@ ValueId toldString(BuiltinCall &call, const std::string &hidden) {
 
 /// Asks the shader that `whose` calls: hidden parameters of the one that asks.
 Components ask(BuiltinCall &call, const std::string &whose) {
-    Builder &b = call.b;
     const std::string name = call.text(0, "the name of a parameter");
     const sl::Type &type = call.expr.operands[1]->type;
     if (type.base == sl::BaseType::String)
         return {toldString(call, toldName(whose, "string", name))};
-    const Values told =
-        toldSlots(b, toldName(whose, sl::shapeOf(type), name), 1 + numbersTold(type));
-    assignTold(call, notEqual(b, told[0], number(b, 0)), {told.begin() + 1, told.end()});
-    return {told[0]};
+    const std::string hidden = toldName(whose, sl::shapeOf(type), name);
+    return {takeTold(call, 1, toldSlots(call.b, hidden, 1 + numbersTold(type)))};
 }
 
 Components surface(BuiltinCall &call) { return ask(call, "surface"); }
@@ -102,8 +98,7 @@ Components sideOfRay(BuiltinCall &call, const char *seenFromOutside, const char 
     Values told;
     for (size_t k = 0; k < outside.size(); ++k)
         told.push_back(select(b, isOutside, outside[k], inside[k]));
-    assignTold(call, notEqual(b, told[0], number(b, 0)), {told.begin() + 1, told.end()});
-    return {told[0]};
+    return {takeTold(call, 1, told)};
 }
 
 Components incident(BuiltinCall &call) { return sideOfRay(call, "exterior", "interior"); }

@@ -35,13 +35,6 @@ ValueId numberNamed(const BuiltinCall &call, size_t first, std::string_view name
     return at > 0 && !call.isText(at) ? call.number(at) : number(call.b, otherwise);
 }
 
-/// The first of the optional arguments.
-size_t firstOptional(const BuiltinCall &call, size_t from) {
-    while (from < call.count() && !call.isText(from))
-        ++from;
-    return from;
-}
-
 ValueId randomNumber(BuiltinCall &call) {
     return random(call.b, call.lowering.variables.cells[call.lowering.turn]);
 }
@@ -60,7 +53,7 @@ void appendStart(BuiltinCall &call, Values &operands) {
 Components occlusion(BuiltinCall &call) {
     Builder &b = call.b;
     const size_t point = call.isText(0) ? 1 : 0, more = point + 2;
-    const size_t optional = firstOptional(call, more);
+    const size_t optional = call.firstText(more);
     const size_t distribution = named(call, optional, "distribution");
     const bool uniform = distribution > 0 && call.text(distribution, "a distribution") == "uniform";
     Values operands;

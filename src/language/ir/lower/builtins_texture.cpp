@@ -10,6 +10,7 @@
 #include "language/ir/lower/footprints.h"
 #include "language/ir/lower/lookup_options.h"
 #include "language/ir/lower/place_scope.h"
+#include "language/ir/lower/told_values.h"
 
 namespace candela::ir {
 namespace {
@@ -214,16 +215,10 @@ Components textureinfo(BuiltinCall &call) {
                                        "when a shader is compiled; it gives 0 here");
         return {number(b, 0)};
     }
-    const int numbers = componentCount(type.base, 3) * std::max(1, type.length);
     const PlaceScope place(b, call.expr.where);
-    const Values answer =
-        query(b, info(Service::textureinfo), {file, fact, sl::shapeOf(type)}, {}, 1 + numbers);
-    const ValueId isThere = notEqual(b, answer[0], number(b, 0));
-    Components now;
-    for (size_t k = 0; k < call.arguments[2].size() && k + 1 < answer.size(); ++k)
-        now.push_back(select(b, isThere, answer[k + 1], call.arguments[2][k]));
-    call.assign(2, now);
-    return {answer[0]};
+    const Values answer = query(b, info(Service::textureinfo), {file, fact, sl::shapeOf(type)}, {},
+                                1 + numbersTold(type));
+    return {takeTold(call, 2, answer)};
 }
 
 } // namespace

@@ -82,12 +82,7 @@ private:
 
 } // namespace
 
-size_t firstOption(const BuiltinCall &call) {
-    size_t k = 1;
-    while (k < call.count() && !call.isText(k))
-        ++k;
-    return k;
-}
+size_t firstOption(const BuiltinCall &call) { return call.firstText(1); }
 
 LookupOptions readLookupOptions(BuiltinCall &call) { return OptionReader(call).read(); }
 

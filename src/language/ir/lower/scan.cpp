@@ -299,17 +299,13 @@ bool isCheapAndPure(const sl::Expr &expr) {
 
 bool gathersLight(const sl::TypedShader &shader) {
     GatheringWalker walker;
-    walker.walk(shader.body);
-    for (const auto &function : shader.functions)
-        walker.walk(function->body);
+    walkAll(shader, walker);
     return walker.gathers;
 }
 
 std::set<const sl::Symbol *> computedArrays(const sl::TypedShader &shader) {
     ArrayWalker walker;
-    walker.walk(shader.body);
-    for (const auto &function : shader.functions)
-        walker.walk(function->body);
+    walkAll(shader, walker);
     for (bool grown = true; grown;) {
         grown = false;
         for (const ArrayWalker::Passing &passing : walker.passings)

@@ -24,12 +24,8 @@ Components fromTold(Builder &b, const sl::Type &type, const Values &told) {
 } // namespace
 
 Values toldSlots(Builder &b, const std::string &hidden, int numbers) {
-    const auto slotOf = [&](const std::vector<ParameterSlot> &slots) {
-        const auto found = std::ranges::find(slots, hidden, &ParameterSlot::name);
-        return int(found - slots.begin());
-    };
     std::vector<ParameterSlot> &slots = b.function().parameters;
-    const int first = slotOf(slots);
+    const int first = int(std::ranges::find(slots, hidden, &ParameterSlot::name) - slots.begin());
     if (first == int(slots.size()))
         for (int k = 0; k < numbers; ++k)
             slots.push_back({hidden, k});
@@ -43,12 +39,16 @@ int numbersTold(const sl::Type &type) {
     return componentCount(type.base, 3) * std::max(1, type.length);
 }
 
-void assignTold(BuiltinCall &call, ValueId isThere, const Values &told) {
-    const Components value = fromTold(call.b, call.expr.operands[1]->type, told);
+ValueId takeTold(BuiltinCall &call, size_t argument, const Values &told) {
+    Builder &b = call.b;
+    const ValueId isThere = notEqual(b, told[0], number(b, 0));
+    const Components value =
+        fromTold(b, call.expr.operands[argument]->type, {told.begin() + 1, told.end()});
     Components now;
     for (size_t k = 0; k < value.size(); ++k)
-        now.push_back(select(call.b, isThere, value[k], call.arguments[1][k]));
-    call.assign(1, now);
+        now.push_back(select(b, isThere, value[k], call.arguments[argument][k]));
+    call.assign(argument, now);
+    return told[0];
 }
 
 } // namespace candela::ir

@@ -13,7 +13,8 @@ int numbersTold(const sl::Type &);
 /// The slots of the parameter block that hold whether the value is there and what it is, which the
 /// function gets under that name if it has them not.
 Values toldSlots(Builder &, const std::string &hidden, int numbers);
-/// The call's second argument, a variable, gets the value, or stays as it is if there is none.
-void assignTold(BuiltinCall &, ValueId isThere, const Values &told);
+/// The argument, a variable, gets what is told: whether there is a value, and its numbers. It stays
+/// as it is if there is none. The result, for the call's, is whether there is one.
+ValueId takeTold(BuiltinCall &, size_t argument, const Values &told);
 
 } // namespace candela::ir
