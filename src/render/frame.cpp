@@ -25,7 +25,9 @@ constexpr int defaultDepth = 64;
 IntegratorSettings integratorSettings(const Scene &scene, const RenderSettings &settings) {
     const Options &options = scene.options();
     IntegratorSettings result;
-    result.kind = scene.isClassic() ? IntegratorKind::Classic : IntegratorKind::Path;
+    result.kind = scene.isClassic()         ? IntegratorKind::Classic
+                  : scene.isBidirectional() ? IntegratorKind::Bidirectional
+                                            : IntegratorKind::Path;
     const double samples =
         std::round(double(std::max(1.0f, options.xSamples)) * std::max(1.0f, options.ySamples));
     result.lastSample = int(std::min<double>(samples, maximumSamplesPerPixel));
@@ -36,13 +38,22 @@ IntegratorSettings integratorSettings(const Scene &scene, const RenderSettings &
     return result;
 }
 
+const char *nameOf(IntegratorKind kind) {
+    switch (kind) {
+    case IntegratorKind::Classic: return "classic";
+    case IntegratorKind::Path: return "path";
+    case IntegratorKind::Bidirectional: break;
+    }
+    return "bidir";
+}
+
 FrameDescription describe(const Scene &scene, const IntegratorSettings &integrator,
                           const std::string &file) {
     FrameDescription description;
     description.metadata = {
         {"renderer", "Candela"},
         {"scene", std::filesystem::path(file).filename().string()},
-        {"integrator", integrator.kind == IntegratorKind::Path ? "path" : "classic"},
+        {"integrator", nameOf(integrator.kind)},
         {"spp", std::to_string(integrator.lastSample)},
         {"seed", std::to_string(integrator.seed)},
         {"maxdepth", std::to_string(integrator.maxDepth)},
@@ -108,6 +119,7 @@ Film::Settings filmSettings(const Scene &scene, const std::array<int, 4> &crop,
                             wantedChannels(displays, channelsToShow(scene, filters)),
                             filter.hasNegativeLobes(),
                             wantsHalves(displays)};
+    settings.splats = scene.isBidirectional();
     std::erase_if(settings.channels, [&](const ChannelInfo &channel) {
         return std::ranges::find(given, channel.name, &ChannelInfo::name) == given.end();
     });

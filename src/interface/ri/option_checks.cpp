@@ -22,13 +22,13 @@ struct GivenOption {
 
 bool integrator(const GivenOption &given) {
     const std::string name = given.text();
-    if (name == "bidir" || name == "radiosity")
+    if (name == "radiosity")
         given.diagnostics.warnOnce(given.where, "integrator:" + name,
                                    "Option \"render\" \"integrator\": this version has no \"" +
                                        name + "\" and takes \"path\"");
-    else if (name != "path" && name != "classic")
+    else if (name != "path" && name != "classic" && name != "bidir")
         given.wrong("there is no integrator \"" + name +
-                    "\": the known ones are \"path\" and \"classic\"; taking \"path\"");
+                    "\": the known ones are \"path\", \"bidir\" and \"classic\"; taking \"path\"");
     return true;
 }
 

@@ -4,6 +4,8 @@
 // with them the picture, do not depend on the crop.
 #include "light/frame/integrate.h"
 #include "foundation/base/parallel.h"
+#include "light/bidir/light_pass.h"
+#include "light/bidir/plan.h"
 #include "light/path/split.h"
 #include "light/path/stages.h"
 
@@ -68,16 +70,16 @@ void bringSamples(const PathWave &wave, SampleSink &sink) {
 
 /// The waves and pixel lists of one thread, kept from pass to pass.
 struct Worker {
-    explicit Worker(FrameContext &frame) : wave(frame) {}
-    PathWave wave;
+    explicit Worker(std::unique_ptr<PathWave> wave) : wave(std::move(wave)) {}
+    std::unique_ptr<PathWave> wave;
     std::vector<int> x, y;
 };
 
 void renderTile(Worker &worker, const Tile &tile, int first, int last, SampleSink &sink) {
     pixelsOf(tile, worker.x, worker.y);
-    startCamera(worker.wave, int(worker.x.size()), worker.x.data(), worker.y.data(), first, last);
-    follow(worker.wave);
-    bringSamples(worker.wave, sink);
+    startCamera(*worker.wave, int(worker.x.size()), worker.x.data(), worker.y.data(), first, last);
+    follow(*worker.wave);
+    bringSamples(*worker.wave, sink);
 }
 
 } // namespace
@@ -86,15 +88,28 @@ void integrate(const Scene &scene, const IntegratorSettings &settings,
                const PixelFilterSampler &filter, SampleSink &sink, TransportStatistics &statistics,
                DiagnosticSink &diagnostics) {
     FrameContext frame(scene, settings, filter, sink.channels(), statistics, diagnostics);
+    BidirectionalPlan plan;
+    if (settings.kind == IntegratorKind::Bidirectional)
+        plan = planTechniques(frame);
+    std::unique_ptr<LightPass> lightPaths;
+    if (plan.lightPaths > 0)
+        lightPaths = std::make_unique<LightPass>(frame, plan, sink);
+    const auto makeWave = [&]() -> std::unique_ptr<PathWave> {
+        if (!lightPaths)
+            return std::make_unique<PathWave>(frame);
+        return std::make_unique<EyeWave>(frame, plan.counts(), lightPaths->vertices(), plan.connections);
+    };
     std::vector<std::unique_ptr<Worker>> workers(std::max(1, threadCount()));
     const double samples = settings.lastSample - settings.firstSample;
     for (int first = settings.firstSample, last; first < settings.lastSample; first = last) {
         last = std::min(passEnd(first), settings.lastSample);
         const std::vector<Tile> tiles = tilesOver(settings.crop, tileSize(last - first));
         std::atomic<std::size_t> next{0}, done{0};
+        if (lightPaths)
+            lightPaths->run(first, last);
         parallelFor(workers.size(), [&](std::size_t thread) {
             if (!workers[thread])
-                workers[thread] = std::make_unique<Worker>(frame);
+                workers[thread] = std::make_unique<Worker>(makeWave());
             for (std::size_t at; (at = next++) < tiles.size();) {
                 renderTile(*workers[thread], tiles[at], first, last, sink);
                 const double share = double(++done) / double(tiles.size());

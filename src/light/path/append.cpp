@@ -45,7 +45,8 @@ ActivePaths &roomFor(PathWave &wave, int count) {
         wave.next.rays.count = wave.next.count;
         wave.waiting.push_back({wave.vertex + 1, std::move(wave.next)});
         if (wave.spare.empty())
-            wave.spare.emplace_back(PathWave::capacity, wave.frame.scene.hasVolumes());
+            wave.spare.emplace_back(PathWave::capacity, wave.frame.scene.hasVolumes(),
+                                    wave.subpaths != nullptr);
         wave.next = std::move(wave.spare.back());
         wave.spare.pop_back();
         wave.next.count = wave.next.rays.count = 0;
@@ -170,6 +171,8 @@ void append(PathWave &wave, const ConstVec3Planes &direction, int count) {
         correctSpecialEvents(wave, direction, count, first);
     if (wave.frame.scene.hasVolumes())
         leaveMedia(wave, direction, count, first);
+    if (wave.subpaths)
+        leaveHistory(wave, count, first);
 }
 
 } // namespace candela

@@ -7,6 +7,7 @@
 #include "light/path/numbers.h"
 #include "light/path/paths.h"
 #include "light/sampling/cone_mixture.h"
+#include "light/vertex/finite_lobes.h"
 #include "light/vertex/scattering_event.h"
 #include "light/vertex/surface_vertices.h"
 
@@ -58,15 +59,6 @@ struct ScatterPlanes {
     Planes<int> integers;
     int *survives, *lane;         ///< Of those that go on.
     Planes<std::uint32_t> sample; ///< Numbers before the path splits.
-};
-
-/// The cosine lobe that stands for all cones under --sampling hemisphere.
-struct HemisphereCone {
-    explicit HemisphereCone(int capacity) : planes(3, capacity) {
-        angle = planes[0], exponent = planes[1], importance = planes[2];
-    }
-    Planes<float> planes;
-    float *angle, *exponent, *importance;
 };
 
 struct VertexChunk {

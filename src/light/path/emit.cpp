@@ -76,6 +76,8 @@ void emit(PathWave &wave) {
     wave.frame.scene.elementPoints(wave.active.rays, wave.hits, chunk.rays.data(), count, met);
     wave.frame.scene.lights().density(asked, points, {met[0], met[1], met[2]}, lightPdf);
     emissionWeights(count, left.pdf, lightPdf, weight);
+    if (wave.subpaths)
+        weighEmissionAmongAll(wave, weight);
     leaveOutUnheard(wave.frame.scene, count, points.light, left, weight);
     for (float *plane : radiance)
         lanes::multiply(count, weight, plane);

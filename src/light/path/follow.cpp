@@ -26,8 +26,7 @@ void shadeBin(PathWave &wave, int bin) {
     if (rays.empty())
         return;
     const int code = wave.frame.scene.codeOfBin(bin);
-    const std::span<const Stage> stages =
-        stagesFor(wave.frame.settings.kind, wave.frame.scene.code(code));
+    const std::span<const Stage> stages = wave.stages(wave, wave.frame.scene.code(code));
     while (!rays.empty()) {
         const int count = std::min<int>(VertexChunk::capacity, int(rays.size()));
         wave.chunk.code = code, wave.chunk.rays = rays.first(count);
@@ -54,8 +53,8 @@ void advance(PathWave &wave) {
 
 } // namespace
 
-std::span<const Stage> stagesFor(IntegratorKind kind, const ShaderCode &code) {
-    if (kind == IntegratorKind::Classic)
+std::span<const Stage> stagesOfIntegrator(const PathWave &wave, const ShaderCode &code) {
+    if (wave.frame.settings.kind == IntegratorKind::Classic)
         return classicStages;
     return code.facts().affine ? std::span<const Stage>(pathStages) : gatheringStages;
 }

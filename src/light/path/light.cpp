@@ -56,6 +56,8 @@ void sampleLights(PathWave &wave, LightGroup group) {
     leaveToLightSampling(chunk.vertices.code(), count, samples.light, direct.directionPdf);
     lightSampleFactors(count, samples.pdfSolidAngle, direct.directionPdf, direct.wanted,
                        direct.factor);
+    if (wave.subpaths)
+        weighLightSamplesAmongAll(wave);
 }
 
 } // namespace

@@ -45,6 +45,21 @@ struct RayOrigins {
     int *code;     ///< Of that vertex's shader; -1 = none.
 };
 
+/// What rays carry where paths have two ends (path/subpath.h): of the vertex that they left.
+struct SubpathHistory {
+    explicit SubpathHistory(int capacity) : doubles(2, capacity), floats(3, capacity) {
+        earlier = doubles[0], connections = doubles[1];
+        pdf = floats[0], cosine = floats[1], parallel = floats[2];
+    }
+    Planes<double> doubles;
+    Planes<float> floats;
+    double *earlier;     ///< SubpathVertices::earlier of the next vertex, times its density squared.
+    double *connections; ///< The square of how often this edge is a connection; 0 = never.
+    float *pdf;          ///< Of the direction, per steradian; 1 = it had no choice.
+    float *cosine;       ///< With the geometric normal, >= 0.
+    float *parallel;     ///< 1: pdf is that of the ray's place across it, per m^2.
+};
+
 /// What rays carry in scenes that have volumes: what they are in, and what the opacity that they
 /// lead to is worth. Volumes may make light of it (a fog that hides nothing where nothing is).
 struct PathMedia {
@@ -57,9 +72,9 @@ struct PathMedia {
 
 /// The paths that are still under way, packed: entry i moves as others end.
 struct ActivePaths {
-    ActivePaths(int capacity, bool inMedia)
+    ActivePaths(int capacity, bool inMedia, bool hasTwoEnds = false)
         : rays(capacity), left(capacity), throughput(colorSamples, capacity), integers(3, capacity),
-          keys(1, capacity), media(inMedia ? capacity : 0) {
+          keys(1, capacity), media(inMedia ? capacity : 0), history(hasTwoEnds ? capacity : 0) {
         slot = integers[0], depth = integers[1], seen = integers[2];
         sampleIndex = keys[0];
     }
@@ -75,6 +90,7 @@ struct ActivePaths {
     Planes<std::uint32_t> keys;
     std::uint32_t *sampleIndex; ///< The path's number within its pixel: see path/split.h.
     PathMedia media;            ///< Empty if the scene has no volumes.
+    SubpathHistory history;     ///< Empty unless paths have two ends.
 };
 
 } // namespace candela

@@ -113,6 +113,8 @@ void goOn(PathWave &wave, const ConstVec3Planes &direction, RouletteThresholds t
     VertexChunk &chunk = wave.chunk;
     ScatterPlanes &way = chunk.way;
     respond(wave, direction);
+    if (wave.subpaths)
+        lookBack(wave, direction);
     playRoulette(chunk.count(), way.brightest, chunk.paths.depth, thresholds,
                  chunk.numbers.roulette(), way.survives, way.gain);
     if (wave.vertex >= thresholds.splittingVertices && chunk.events.kinds() > 0)
@@ -184,15 +186,20 @@ void beginEvents(PathWave &wave, const float *finiteTotal) {
         drawNumbers(wave, lightChoicePair);
 }
 
+void numberKind(PathWave &wave, int kind) {
+    VertexChunk &chunk = wave.chunk;
+    for (int i = 0; i < chunk.count(); ++i)
+        chunk.paths.sampleIndex[i] = eventNumber(chunk.way.sample[0][i], wave.vertex, kind);
+    turnNumbers(chunk.count(), chunk.numbers.roulette());
+}
+
 void followEvents(PathWave &wave, RouletteThresholds thresholds) {
     VertexChunk &chunk = wave.chunk;
     ScatteringEvents &events = chunk.events;
     for (int kind = 0; kind < events.kinds(); ++kind) {
         if (!events.takeKind(chunk.vertices, kind))
             continue;
-        for (int i = 0; i < chunk.count(); ++i)
-            chunk.paths.sampleIndex[i] = eventNumber(chunk.way.sample[0][i], wave.vertex, kind);
-        turnNumbers(chunk.count(), chunk.numbers.roulette());
+        numberKind(wave, kind);
         const MutableVec3Planes direction = events.direction();
         goOn(wave, {direction[0], direction[1], direction[2]}, thresholds);
     }

@@ -18,7 +18,24 @@ inline int passEnd(int first) {
     return first < looked ? looked : (first / whole + 1) * whole;
 }
 
-enum class IntegratorKind { Classic, Path };
+enum class IntegratorKind { Classic, Path, Bidirectional };
+
+/// How often each kind of technique is tried, a camera sample of a pixel being once.
+struct TechniqueCounts {
+    double lightImage = 0;  ///< Light paths, each connected with the lens wherever it is.
+    double connections = 0; ///< Whole light paths that each vertex of a camera path is connected to.
+};
+
+/// How much of each technique a frame takes.
+struct BidirectionalPlan {
+    double lightPaths = 0;      ///< Started for each sample of a pixel; 0 = the frame is `path`'s.
+    int connections = 0;        ///< Of each vertex of a camera path.
+    double verticesPerPath = 1; ///< Of light paths, as a pilot found: what a connection counts.
+
+    TechniqueCounts counts() const {
+        return {lightPaths, connections > 0 ? connections / verticesPerPath : 0};
+    }
+};
 
 struct IntegratorSettings {
     IntegratorKind kind = IntegratorKind::Path;
@@ -34,7 +51,7 @@ struct IntegratorSettings {
 
 /// What happened besides the picture, for --stats and messages. Counters of all threads.
 struct TransportStatistics {
-    std::atomic<std::uint64_t> paths{0}, cameraRays{0}, bounceRays{0}, shadowRays{0};
+    std::atomic<std::uint64_t> paths{0}, lightPaths{0}, cameraRays{0}, bounceRays{0}, shadowRays{0};
     std::atomic<std::uint64_t> nonFiniteSamples{0};
 };
 

@@ -22,8 +22,6 @@ void bin(PathWave &);
 
 // ---- One chunk of vertices ----
 
-using Stage = void (*)(PathWave &);
-
 /// Shading points, and what the stages need of their paths.
 void meet(PathWave &);
 /// What volumes make of the segments to the vertices: what they send joins the light gathered, what
@@ -58,8 +56,8 @@ void deliver(PathWave &);
 
 // ---- The flow ----
 
-/// The stages by which an integrator serves the vertices of a shader.
-std::span<const Stage> stagesFor(IntegratorKind, const ShaderCode &);
+/// The StageList of `path` and `classic`.
+std::span<const Stage> stagesOfIntegrator(const PathWave &, const ShaderCode &);
 /// Follows all paths to their ends.
 void follow(PathWave &);
 

@@ -98,6 +98,8 @@ void startCamera(PathWave &wave, int pixels, const int *x, const int *y, int fir
     wave.active.rays.count = wave.slots;
     shareFootprints(last, wave.active.rays);
     wave.active.rays.shares = shares ? wave.shares.shares() : nullptr;
+    if (wave.subpaths)
+        beginHistory(wave);
     wave.frame.statistics.paths += wave.slots;
     wave.frame.statistics.cameraRays += wave.slots;
 }

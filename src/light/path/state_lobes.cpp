@@ -10,25 +10,6 @@ namespace candela {
 
 namespace {
 
-/// All finite cones of the shader, or under --sampling hemisphere a cosine lobe about the facing
-/// normal that is as important as all of them together.
-void stateMixture(VertexChunk &chunk, bool hemisphereOnly) {
-    const int count = chunk.count();
-    SurfaceVertices &vertices = chunk.vertices;
-    const ConstVec3Planes facing = vertices.facingPlanes();
-    const float *transmits = chunk.events.transmission();
-    chunk.mixture.state(count, vertices.prepared().cones, facing, transmits);
-    if (!hemisphereOnly)
-        return;
-    HemisphereCone &cone = chunk.hemisphere;
-    std::copy_n(chunk.mixture.total(), count, cone.importance);
-    std::fill_n(cone.angle, count, 180.0f);
-    std::fill_n(cone.exponent, count, 1.0f);
-    chunk.mixture.state(count,
-                        {{facing, cone.angle, cone.exponent, cone.importance, cone.angle, 0, true}},
-                        facing, transmits);
-}
-
 CANDELA_HOT void leaveOutOpenLanes(int count, const float *__restrict fullSphere,
                                    const float *__restrict facing, float *__restrict N) {
     for (int i = 0; i < count; ++i)
@@ -52,7 +33,10 @@ void stateLightNormals(VertexChunk &chunk, const ConeMixture &mixture) {
 void stateLobes(PathWave &wave) {
     VertexChunk &chunk = wave.chunk;
     chunk.events.look(chunk.vertices);
-    stateMixture(chunk, wave.frame.settings.hemisphereOnly);
+    stateFiniteLobes(chunk.count(), chunk.vertices.prepared().cones, chunk.vertices.facingPlanes(),
+                     chunk.events.transmission(),
+                     wave.frame.settings.hemisphereOnly ? &chunk.hemisphere : nullptr,
+                     chunk.mixture);
     stateLightNormals(chunk, chunk.mixture);
 }
 

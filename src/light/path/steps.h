@@ -31,6 +31,8 @@ void addSeen(PathWave &, const ShaderChannelPlane &, const float *value,
 /// Numbers for events of one direction and for roulette between them; must come first. The
 /// importance of finite lobes is null where they are not followed.
 void beginEvents(PathWave &, const float *finiteTotal);
+/// Numbers of their own for paths that go on along the events of a kind, and for their roulette.
+void numberKind(PathWave &, int kind);
 /// The paths go on along each event of one direction that chunk.events has; those of small
 /// throughput play roulette.
 void followEvents(PathWave &, RouletteThresholds);

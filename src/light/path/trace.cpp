@@ -5,6 +5,7 @@ namespace candela {
 
 void trace(PathWave &wave) {
     const bool fromCamera = wave.vertex == 0 && wave.purpose == Purpose::Camera;
+    wave.active.rays.fromLights = wave.purpose == Purpose::Light;
     wave.frame.scene.intersect(wave.active.rays, wave.hits,
                                fromCamera ? Coherence::Primary : Coherence::Secondary);
 }

@@ -3,6 +3,7 @@
 
 #include "foundation/base/lanes.h"
 #include "light/path/numbers.h"
+#include "light/path/stages.h"
 
 namespace candela {
 
@@ -14,11 +15,21 @@ FrameContext::FrameContext(const Scene &scene, const IntegratorSettings &setting
       diagnostics(diagnostics) {}
 
 PathWave::PathWave(FrameContext &frame, Purpose purpose)
-    : frame(frame), purpose(purpose),
+    : PathWave(frame, purpose, stagesOfIntegrator, false) {}
+
+PathWave::PathWave(FrameContext &frame, Purpose purpose, StageList stages,
+                   const TechniqueCounts &counts)
+    : PathWave(frame, purpose, stages, true) {
+    subpaths = std::make_unique<Subpaths>(VertexChunk::capacity, counts);
+    chunk.direct.sample.tellPlaces();
+}
+
+PathWave::PathWave(FrameContext &frame, Purpose purpose, StageList stages, bool hasTwoEnds)
+    : frame(frame), purpose(purpose), stages(stages),
       results(capacity, purpose == Purpose::Camera ? int(frame.firstHit.size()) : 0),
-      active(capacity, frame.scene.hasVolumes()), next(capacity, frame.scene.hasVolumes()),
-      hits(capacity), bins(frame.scene, capacity), cameraNumbers(2 * cameraPairs, capacity),
-      shares(capacity) {}
+      active(capacity, frame.scene.hasVolumes(), hasTwoEnds),
+      next(capacity, frame.scene.hasVolumes(), hasTwoEnds), hits(capacity),
+      bins(frame.scene, capacity), cameraNumbers(2 * cameraPairs, capacity), shares(capacity) {}
 
 VertexChunk::VertexChunk()
     : vertices(capacity), paths(capacity), numbers(capacity), ambientLight(colorSamples, capacity),

@@ -15,6 +15,7 @@
 #include "light/path/pixel_shares.h"
 #include "light/path/settings.h"
 #include "light/path/shader_channels.h"
+#include "light/path/subpath.h"
 #include "world/camera/pixel_filter.h"
 
 #include <memory>
@@ -40,8 +41,13 @@ struct FrameContext {
 };
 
 /// Camera: paths of pictures. Gathering: paths that find light for a shader that isn't affine in
-/// it; they end at the next one of that kind with what lights send there.
-enum class Purpose { Camera, Gathering };
+/// it; they end at the next one of that kind with what lights send there. Light: paths from lights.
+enum class Purpose { Camera, Gathering, Light };
+
+struct PathWave;
+using Stage = void (*)(PathWave &);
+/// The stages that serve the vertices of a shader.
+using StageList = std::span<const Stage> (*)(const PathWave &, const ShaderCode &);
 
 /// Branches that found no room beside the others of their vertex, and its number.
 struct WaitingPaths {
@@ -55,9 +61,12 @@ struct PathWave {
     static constexpr int capacity = 8192;
 
     explicit PathWave(FrameContext &, Purpose = Purpose::Camera);
+    /// Of paths that have another end, too.
+    PathWave(FrameContext &, Purpose, StageList, const TechniqueCounts &);
 
     FrameContext &frame;
     const Purpose purpose;
+    const StageList stages;
 
     PathResults results;
     int slots = 0;  ///< Used.
@@ -74,6 +83,10 @@ struct PathWave {
     std::unique_ptr<GatheredLight> gathered; ///< this too,
     std::unique_ptr<AlbedoPlanes> albedo;    ///< this,
     std::unique_ptr<Crossing> crossing;      ///< and this.
+    std::unique_ptr<Subpaths> subpaths;      ///< Null unless paths have two ends.
+
+private:
+    PathWave(FrameContext &, Purpose, StageList, bool hasTwoEnds);
 };
 
 } // namespace candela

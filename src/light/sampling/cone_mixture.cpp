@@ -4,7 +4,7 @@
 #include "foundation/base/hot.h"
 #include "foundation/base/lanes.h"
 #include "foundation/base/vec3.h"
-#include "light/sampling/cone.h"
+#include "world/lights/cone_lobe.h"
 #include "light/sampling/power.h"
 #include "light/sampling/sincos.h"
 

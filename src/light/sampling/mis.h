@@ -19,6 +19,12 @@ inline float misWeight(float own, float other) {
     return own > 0 ? 1 / (1 + ratio * ratio) : 0.0f;
 }
 
+/// The weight of a technique that counts `weight` among some, when others join them whose densities
+/// squared, over its own squared, are `others` together.
+inline double misWeightAmong(double weight, double others) {
+    return weight > 0 ? 1 / (1 / weight + others) : 0.0;
+}
+
 /// factor[i] = what the radiance of a light sample is worth as Cl: weight / (pi lightPdf), weighted
 /// against finding the same direction with density directionPdf. Delta lights
 /// (lightPdf = 0) come as they are. 0 where `wanted` is 0.

@@ -46,6 +46,12 @@ LightSampleStorage::LightSampleStorage(int capacity)
     samples.castsShadow = bytes[0];
 }
 
+void LightSampleStorage::tellPlaces() {
+    places = Planes<float>(4, floats.lanes());
+    samples.probability = places[0];
+    samples.normal = {places[1], places[2], places[3]};
+}
+
 LightQuery lightQuery(SurfaceVertices &vertices, const ConstVec3Planes &N, const float *scattered,
                       const LightNumbers &numbers) {
     LightQuery query;

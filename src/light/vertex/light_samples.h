@@ -9,9 +9,12 @@ namespace candela {
 /// Storage for Lights::sample().
 struct LightSampleStorage {
     explicit LightSampleStorage(int capacity);
+    /// From now on samples say where on lights they lie: LightSamples::probability, normal.
+    void tellPlaces();
     Planes<float> floats;
     Planes<std::int32_t> integers;
     Planes<std::uint8_t> bytes;
+    Planes<float> places;
     LightSamples samples;
 };
 

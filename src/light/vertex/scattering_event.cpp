@@ -46,22 +46,29 @@ ScatteringEvents::ScatteringEvents(int capacity)
     : events_(1, capacity), direction_(3, capacity), transmission_(1, capacity),
       total_(1, capacity), share_(1, capacity) {}
 
+bool transmittedLight(int count, const std::array<const float *, colorSamples> &Oi,
+                      float *transmission) {
+    bool opaque = true;
+    for (int c = 0; c < colorSamples; ++c)
+        opaque &= lanes::allEqual(count, Oi[c], 1);
+    if (opaque)
+        return false;
+    std::fill_n(transmission, count, 0.0f);
+    for (int c = 0; c < colorSamples; ++c)
+        addTransmission(count, Oi[c], luminanceWeights[c], transmission);
+    return true;
+}
+
 void ScatteringEvents::look(const SurfaceVertices &vertices) {
     const int count = vertices.count();
-    opaque_ = true;
-    for (int c = 0; c < colorSamples; ++c)
-        opaque_ &= lanes::allEqual(count, vertices.prepared().Oi[c], 1);
+    const PreparedSurface &prepared = vertices.prepared();
+    opaque_ = !transmittedLight(count, prepared.Oi, transmission_[0]);
     deltas_.clear();
-    for (int k = 0; k < int(vertices.prepared().cones.size()); ++k) {
-        const ConePlanes &cone = vertices.prepared().cones[k];
+    for (int k = 0; k < int(prepared.cones.size()); ++k) {
+        const ConePlanes &cone = prepared.cones[k];
         if (cone.first && !lanes::allPositive(count, cone.kindAngle))
             deltas_.push_back(k);
     }
-    if (opaque_)
-        return;
-    std::fill_n(transmission_[0], count, 0.0f);
-    for (int c = 0; c < colorSamples; ++c)
-        addTransmission(count, vertices.prepared().Oi[c], luminanceWeights[c], transmission_[0]);
 }
 
 float ScatteringEvents::weightOf(const SurfaceVertices &vertices, int kind, int i) const {

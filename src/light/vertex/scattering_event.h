@@ -12,6 +12,10 @@ namespace candela {
 inline constexpr std::int32_t straightThrough = -2;
 inline constexpr std::int32_t pathEnds = -3;
 
+/// 1 - Oi as luminance; false, and nothing filled, if all is opaque.
+bool transmittedLight(int count, const std::array<const float *, colorSamples> &Oi,
+                      float *transmission);
+
 class ScatteringEvents {
 public:
     explicit ScatteringEvents(int capacity);

@@ -12,7 +12,6 @@ namespace candela {
 
 namespace {
 
-/// Unit normals on the side that I comes from.
 CANDELA_HOT void faceForward(int count, const float *__restrict nx, const float *__restrict ny,
                              const float *__restrict nz, const float *__restrict ix,
                              const float *__restrict iy, const float *__restrict iz,
@@ -80,11 +79,17 @@ void beginCones(int count, const ir::SurfaceFacts &facts, float *const *outputs,
 
 } // namespace
 
+void facingNormals(int count, const ConstVec3Planes &Ng, const ConstVec3Planes &I,
+                   const MutableVec3Planes &facing) {
+    faceForward(count, Ng[0], Ng[1], Ng[2], I[0], I[1], I[2], facing[0], facing[1], facing[2]);
+}
+
 SurfaceVertices::SurfaceVertices(int capacity)
     : points(capacity), capacity_(paddedLanes(capacity)) {
     storage_.facing = Planes<float>(3, capacity);
     storage_.litPoints = Planes<float>(3, capacity);
     storage_.around = Planes<std::uint32_t>(2, capacity);
+    storage_.viewer = Planes<float>(3, capacity);
 }
 
 ConstVec3Planes SurfaceVertices::input(ShaderInput first) {
@@ -97,9 +102,9 @@ void SurfaceVertices::meet(const Scene &scene, int code, const RayBatch &rays, c
     scene_ = &scene;
     codeIndex_ = code;
     scene.shadingPoints(rays, hits, order, count, points);
-    ConstVec3Planes n = input(ShaderInput::Ng), i = input(ShaderInput::I);
     const Planes<float> &facing = storage_.facing;
-    faceForward(count, n[0], n[1], n[2], i[0], i[1], i[2], facing[0], facing[1], facing[2]);
+    facingNormals(count, input(ShaderInput::Ng), input(ShaderInput::I),
+                  {facing[0], facing[1], facing[2]});
     const Planes<float> &lit = storage_.litPoints;
     rayOrigins(facingPlanes(), {lit[0], lit[1], lit[2]});
 }
@@ -131,48 +136,113 @@ ShaderArgs SurfaceVertices::arguments() const {
 }
 
 /// A lane each: every vertex is seen once.
-void SurfaceVertices::bindFrames(ShaderArgs &args) const {
-    args.surfaceFrame = storage_.surfaceFrame[0];
-    args.viewFrame = storage_.viewFrame[0];
+void SurfaceVertices::bindFrames(PreparedView &view, ShaderArgs &args) {
+    args.surfaceFrame = view.surfaceFrame[0];
+    args.viewFrame = view.viewFrame[0];
 }
 
-void SurfaceVertices::prepare(const float *const *ambient) {
+void SurfaceVertices::prepare(const float *const *ambient) { prepare(ambient, view_); }
+
+void SurfaceVertices::prepare(const float *const *ambient, PreparedView &view) {
     const QuestionCode &question = code().question(ir::Question::Prepare);
-    reserve(storage_.outputs, int(question.function.outputs.size()), capacity_);
-    reserve(storage_.surfaceFrame, question.function.surfaceSlots, capacity_);
-    reserve(storage_.viewFrame, question.function.viewSlots, capacity_);
-    storage_.outputTable.resize(question.function.outputs.size());
-    for (std::size_t slot = 0; slot < storage_.outputTable.size(); ++slot)
-        storage_.outputTable[slot] = storage_.outputs[int(slot)];
-    float *const *outputs = storage_.outputTable.data();
-    beginCones(points.count, code().facts(), outputs, prepared_.cones);
+    reserve(view.outputs, int(question.function.outputs.size()), capacity_);
+    reserve(view.surfaceFrame, question.function.surfaceSlots, capacity_);
+    reserve(view.viewFrame, question.function.viewSlots, capacity_);
+    view.outputTable.resize(question.function.outputs.size());
+    for (std::size_t slot = 0; slot < view.outputTable.size(); ++slot)
+        view.outputTable[slot] = view.outputs[int(slot)];
+    float *const *outputs = view.outputTable.data();
+    beginCones(points.count, code().facts(), outputs, view.answers.cones);
 
     ShaderArgs args = arguments();
     args.outputs = outputs;
-    bindFrames(args);
+    bindFrames(view, args);
     args.ambient = ambient;
     question.ask(args);
     const int completed = question.output(ir::OutputKind::Completed);
-    prepared_.completed = completed >= 0 ? outputs[completed] : nullptr;
+    view.answers.completed = completed >= 0 ? outputs[completed] : nullptr;
     const int Oi = question.output(ir::OutputKind::Oi), Ca = question.output(ir::OutputKind::Ca);
     for (int c = 0; c < colorSamples; ++c) {
         clampOpacities(points.count, outputs[Oi + c]);
-        prepared_.Oi[c] = outputs[Oi + c];
-        prepared_.Ca[c] = Ca >= 0 ? outputs[Ca + c] : nullptr;
+        view.answers.Oi[c] = outputs[Oi + c];
+        view.answers.Ca[c] = Ca >= 0 ? outputs[Ca + c] : nullptr;
     }
 }
 
 void SurfaceVertices::scatter(const ConstVec3Planes &direction, const std::int32_t *answered,
                               const std::int32_t *light, float *const *g) {
+    scatter(view_, direction, answered, light, g);
+}
+
+void SurfaceVertices::scatter(PreparedView &view, const ConstVec3Planes &direction,
+                              const std::int32_t *answered, const std::int32_t *light,
+                              float *const *g) {
     for (int c = 0; c < 3; ++c)
         points.inputTable[int(ShaderInput::sampleL) + c] = const_cast<float *>(direction[c]);
     const QuestionCode &question = code().question(ir::Question::Scatter);
     ShaderArgs args = arguments();
     args.outputs = g;
-    bindFrames(args);
+    bindFrames(view, args);
     args.answeredRequest = answered;
     args.sampleLight = light;
     question.ask(args);
+}
+
+/// As long as it lives, the vertices are seen along another I, and stay silent.
+class SurfaceVertices::SeenFrom {
+public:
+    SeenFrom(SurfaceVertices &vertices, const ConstVec3Planes &I)
+        : vertices_(vertices), wasAloud_(vertices.aloud_) {
+        ConstVec3Planes P = vertices.P();
+        for (int c = 0; c < 3; ++c) {
+            float *E = vertices.storage_.viewer[c];
+            for (int i = 0; i < vertices.count(); ++i)
+                E[i] = P[c][i] - I[c][i];
+            replace(int(ShaderInput::I) + c, const_cast<float *>(I[c]), kept_[c]);
+            replace(int(ShaderInput::E) + c, E, kept_[3 + c]);
+        }
+        vertices.aloud_ = false;
+    }
+    ~SeenFrom() {
+        for (int c = 0; c < 3; ++c) {
+            put(int(ShaderInput::I) + c, kept_[c]);
+            put(int(ShaderInput::E) + c, kept_[3 + c]);
+        }
+        vertices_.aloud_ = wasAloud_;
+    }
+    SeenFrom(const SeenFrom &) = delete;
+
+private:
+    struct Planes {
+        float *input, *unmoved;
+    };
+    bool movesPoints() const { return !vertices_.points.unmovedTable.empty(); }
+    void replace(int plane, float *by, Planes &kept) {
+        kept = {vertices_.points.inputTable[plane],
+                movesPoints() ? vertices_.points.unmovedTable[plane] : nullptr};
+        put(plane, {by, by});
+    }
+    void put(int plane, Planes planes) {
+        vertices_.points.inputTable[plane] = planes.input;
+        if (movesPoints())
+            vertices_.points.unmovedTable[plane] = planes.unmoved;
+    }
+
+    SurfaceVertices &vertices_;
+    bool wasAloud_;
+    Planes kept_[6];
+};
+
+void SurfaceVertices::prepareFrom(const ConstVec3Planes &I, PreparedView &view) {
+    const SeenFrom elsewhere(*this, I);
+    prepare(nullptr, view);
+}
+
+void SurfaceVertices::scatterFrom(const ConstVec3Planes &I, PreparedView &view,
+                                  const ConstVec3Planes &direction, const std::int32_t *answered,
+                                  const std::int32_t *light, float *const *g) {
+    const SeenFrom elsewhere(*this, I);
+    scatter(view, direction, answered, light, g);
 }
 
 ShaderArgs SurfaceVertices::litArguments(int sampleCount, float *const *L, float *const *Cl,

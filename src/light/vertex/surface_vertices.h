@@ -19,6 +19,17 @@ struct PreparedSurface {
     const float *completed = nullptr; ///< 0 where a loop was ended: black. Null = nowhere.
 };
 
+/// Unit normals on the side that I comes from.
+void facingNormals(int count, const ConstVec3Planes &Ng, const ConstVec3Planes &I,
+                   const MutableVec3Planes &facing);
+
+/// What a shader has answered to Prepare for a view of the vertices: frames and outputs.
+struct PreparedView {
+    Planes<float> surfaceFrame, viewFrame, outputs;
+    std::vector<float *> outputTable;
+    PreparedSurface answers;
+};
+
 class SurfaceVertices {
 public:
     explicit SurfaceVertices(int capacity);
@@ -33,6 +44,11 @@ public:
     /// whose light it is (index + 1, 0 = indirect).
     void scatter(const ConstVec3Planes &direction, const std::int32_t *answered,
                  const std::int32_t *light, float *const *g);
+    /// The same two of the vertices as they are seen along I (from a viewer at P - I), silently and
+    /// without ambient light. What is asked next is seen again from where they were met.
+    void prepareFrom(const ConstVec3Planes &I, PreparedView &);
+    void scatterFrom(const ConstVec3Planes &I, PreparedView &, const ConstVec3Planes &direction,
+                     const std::int32_t *answered, const std::int32_t *light, float *const *g);
     /// All light given: `sampleCount` rows of `lanes()` lanes in L and Cl. Answers Ci and Oi.
     void shade(int sampleCount, float *const *L, float *const *Cl, const std::int32_t *light,
                const float *const *ambient, float *const *Ci, float *const *Oi);
@@ -72,27 +88,37 @@ public:
     MediaAround mediaAlong(int i, const ConstVec3Planes &direction);
     ConstVec3Planes input(ShaderInput first);
 
-    const PreparedSurface &prepared() const { return prepared_; }
+    const PreparedSurface &prepared() const { return view_.answers; }
+
+    /// Instead of what the shader has answered.
+    void setOpacity(int sample, int i, float Oi) {
+        const_cast<float *>(view_.answers.Oi[sample])[i] = Oi;
+    }
 
     ShadingPoints points;
 
 private:
     struct Storage {
-        Planes<float> facing, litPoints, surfaceFrame, viewFrame, outputs, shadeOutputs;
-        std::vector<float *> outputTable, parameterTable;
+        Planes<float> facing, litPoints, shadeOutputs;
+        std::vector<float *> parameterTable;
         Planes<std::uint32_t> around;
+        Planes<float> viewer; ///< E of those who look from elsewhere.
     };
+    class SeenFrom;
+    void prepare(const float *const *ambient, PreparedView &);
+    void scatter(PreparedView &, const ConstVec3Planes &direction, const std::int32_t *answered,
+                 const std::int32_t *light, float *const *g);
     ShaderArgs arguments() const;
     ShaderArgs litArguments(int sampleCount, float *const *L, float *const *Cl,
                             const std::int32_t *light, const float *const *ambient) const;
     std::vector<float *> roomForOutputs(const QuestionCode &);
-    void bindFrames(ShaderArgs &) const;
+    static void bindFrames(PreparedView &, ShaderArgs &);
 
     const Scene *scene_ = nullptr;
     int codeIndex_ = 0, capacity_;
     bool aloud_ = true;
     Storage storage_;
-    PreparedSurface prepared_;
+    PreparedView view_;
 };
 
 } // namespace candela

@@ -115,6 +115,8 @@ Camera::Camera(const Options &options) {
         transformVector(projectedFromScreen, {0, (bottom - top) / float(height) / focal_, 0});
     for (int axis = 0; axis < 2; ++axis)
         origin_[axis] = corner[axis], xStep_[axis] = xStep[axis], yStep_[axis] = yStep[axis];
+    pixelArea_ = std::fabs(xStep_[0] * yStep_[1] - xStep_[1] * yStep_[0]);
+    frameArea_ = double(pixelArea_) * width * height;
     for (int axis = 0; axis < 2; ++axis) {
         const float x = xStep[axis] * float(width), y = yStep[axis] * float(height);
         low_[axis] = corner[axis] + std::min(x, 0.0f) + std::min(y, 0.0f);
@@ -156,6 +158,43 @@ void Camera::rays(int count, const float *x, const float *y, const float *lensU,
     if (hasShutterInterval())
         for (int i = 0; i < count; ++i)
             batch.time[i] += time01[i] * (shutterClose_ - shutterOpen_);
+}
+
+float Camera::pdf(float cosine) const {
+    const double seen = perspective_ ? double(cosine) * cosine * cosine : 1;
+    return seen > 0 ? float(1 / (frameArea_ * seen)) : 0.0f;
+}
+
+void Camera::see(int count, const std::array<const float *, 3> &P, const float *lensU,
+                 const float *lensV, const Sights &sights) const {
+    const float determinant = xStep_[0] * yStep_[1] - xStep_[1] * yStep_[0];
+    for (int i = 0; i < count; ++i) {
+        const Vec3 point{P[0][i], P[1][i], P[2][i]};
+        Vec3 from, onPlane{point.x, point.y, 1};
+        if (!perspective_) {
+            from = {point.x, point.y, 0};
+        } else {
+            if (hasLens())
+                onDisc(lensU[i], lensV[i], lensRadius_, from.x, from.y);
+            const float share = point.z != 0 ? focalDistance_ / point.z : 0.0f;
+            onPlane = (from + (point - from) * share) / focalDistance_;
+        }
+        const float x = onPlane.x - origin_[0], y = onPlane.y - origin_[1];
+        sights.x[i] = (x * yStep_[1] - y * yStep_[0]) / determinant;
+        sights.y[i] = (y * xStep_[0] - x * xStep_[1]) / determinant;
+        const Vec3 way = point - from;
+        const float distance = length(way), cosine = perspective_ ? way.z / distance : 1.0f;
+        const bool shown = point.z >= near_ && point.z <= far_ && cosine > 0;
+        const double area = perspective_ ? double(pixelArea_) * cosine * cosine * cosine *
+                                               double(distance) * distance
+                                         : pixelArea_;
+        sights.distance[i] = shown && area > 0 ? distance : 0.0f;
+        sights.nearest[i] = near_ / cosine;
+        sights.importance[i] = area > 0 ? float(1 / area) : 0.0f;
+        sights.pdf[i] = pdf(cosine);
+        for (int c = 0; c < 3; ++c)
+            sights.origin[c][i] = from[c], sights.direction[c][i] = way[c] / distance;
+    }
 }
 
 float Camera::pixelSize(float z) const {

@@ -9,6 +9,7 @@
 #include "interface/ri/options.h"
 #include "world/rays/ray_batch.h"
 
+#include <array>
 #include <optional>
 
 namespace candela {
@@ -24,6 +25,27 @@ public:
     /// read if there is a lens, or an interval.
     void rays(int count, const float *x, const float *y, const float *lensU, const float *lensV,
               const float *time01, RayBatch &) const;
+
+    /// How points are seen from the lens, planes of the caller's.
+    struct Sights {
+        std::array<float *, 3> origin{}, direction{}; ///< From the lens, of unit length.
+        float *distance = nullptr; ///< To the point; 0 = it lies beyond the clipping planes.
+        float *nearest = nullptr;  ///< Along it, of the near clipping plane.
+        float *x = nullptr, *y = nullptr; ///< Raster position; anywhere, also off the frame.
+        /// The mean radiance of a pixel that 1 W leaving towards the lens makes there, from an
+        /// area seen face on, per W m^-2 sr^-1: 1 over the area that the pixel sees at the point.
+        float *importance = nullptr;
+        float *pdf = nullptr; ///< As pdf().
+    };
+    void see(int count, const std::array<const float *, 3> &P, const float *lensU,
+             const float *lensV, const Sights &) const;
+    /// The density with which rays through random places of the whole frame take this direction,
+    /// given by the cosine with the axis: per steradian; of parallel rays that of the place, per
+    /// m^2.
+    float pdf(float cosine) const;
+    /// All rays have one direction.
+    bool isParallel() const { return !perspective_; }
+    float shutterOpen() const { return shutterOpen_; }
 
     bool hasLens() const { return lensRadius_ > 0; }
     bool hasShutterInterval() const { return shutterClose_ != shutterOpen_; }
@@ -53,6 +75,8 @@ private:
     float low_[2] = {}, high_[2] = {}; ///< Bounds of the frame on that plane.
     float lensRadius_ = 0, focalDistance_ = 0;
     float shutterOpen_ = 0, shutterClose_ = 0;
+    float pixelArea_ = 1; ///< On that plane,
+    double frameArea_ = 1; ///< and of the whole frame.
     float focal_ = 1; ///< Distance of the screen plane for which the screen window is stated.
 };
 

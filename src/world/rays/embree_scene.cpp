@@ -21,6 +21,8 @@ bool fromBehind(const RTCFilterFunctionNArguments *args, unsigned i, int frontSi
 }
 
 void refuseFromBehind(const RTCFilterFunctionNArguments *args) {
+    if (reinterpret_cast<const RayContext *>(args->context)->fromLights)
+        return;
     const int frontSign = int(reinterpret_cast<std::intptr_t>(args->geometryUserPtr));
     for (unsigned i = 0; i < args->N; ++i)
         if (args->valid[i] && fromBehind(args, i, frontSign))

@@ -13,6 +13,12 @@ namespace candela {
 /// Ray masks: shadow rays look for opaque shapes first, and walk through the others afterwards.
 inline constexpr unsigned opaqueBit = 1, transparentBit = 2, shadowlessBit = 4;
 
+/// What a call tells the filters of one-sided shapes.
+struct RayContext {
+    RTCIntersectContext embree; ///< The first member, so that filters find the rest.
+    bool fromLights = false;    ///< RayBatch::fromLights.
+};
+
 /// The device, and the first thing that it has complained of.
 class EmbreeDevice {
 public:

@@ -29,6 +29,8 @@ struct RayBatch {
     }
 
     int count = 0;
+    /// They run against the eye's: what is seen from one side alone stops them on both.
+    bool fromLights = false;
     Planes<float> planes;
     std::array<float *, 3> origin, direction; ///< Directions of any length: t is in its multiples.
     float *tMin;                              ///< >= 0. Hits lie strictly beyond.

@@ -267,7 +267,9 @@ std::string RayWorld::failure() const { return handles_->device.failure(); }
 void RayWorld::intersect(const RayBatch &rays, HitBatch &hits, Which which, bool coherent) const {
     FlushDenormals guard;
     const Stopwatch stopwatch(nanoseconds_);
-    RTCIntersectContext context;
+    RayContext own;
+    own.fromLights = rays.fromLights;
+    RTCIntersectContext &context = own.embree;
     rtcInitIntersectContext(&context);
     context.flags =
         coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
@@ -287,7 +289,9 @@ void RayWorld::intersect(const RayBatch &rays, HitBatch &hits, Which which, bool
 void RayWorld::occluded(const RayBatch &rays, std::uint8_t *blocked) const {
     FlushDenormals guard;
     const Stopwatch stopwatch(nanoseconds_);
-    RTCIntersectContext context;
+    RayContext own;
+    own.fromLights = rays.fromLights;
+    RTCIntersectContext &context = own.embree;
     rtcInitIntersectContext(&context);
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
     RTCScene scene = handles_->scene;

@@ -50,4 +50,18 @@ void Lights::density(const LightQuery &query, const ShadingPoints &points,
     lanes::multiply(count, probability, pdf);
 }
 
+void Lights::densityOf(const LightQuery &query, const std::int32_t *source,
+                       const std::int32_t *element,
+                       const std::array<const float *, 3> &elementPoint, float *pdf) const {
+    thread_local AlignedScratch probabilities;
+    const int count = query.count;
+    float *probability = probabilities.get(count);
+    sourceProbabilities(*state_, query, source, probability);
+    ElementRows &rows = elementRows(count);
+    rows.take(state_->lights, count, element);
+    elementDensities(rows, query.P.data(), elementPoint.data(), pdf);
+    for (int i = 0; i < count; ++i)
+        pdf[i] = element[i] < 0 ? probability[i] : pdf[i] * probability[i];
+}
+
 } // namespace candela

@@ -36,7 +36,7 @@ struct Block {
 
 /// Planes for a block that had to be gathered.
 struct BlockStorage {
-    Planes<float> asked{10, lightBatchSize}, answered{5 + colorSamples, lightBatchSize};
+    Planes<float> asked{10, lightBatchSize}, answered{9 + colorSamples, lightBatchSize};
     Planes<std::int32_t> integers{2, lightBatchSize};
     Planes<std::uint8_t> bytes{1, lightBatchSize};
 };
@@ -76,6 +76,24 @@ void setBlack(LightSamples &samples, int i) {
     samples.light[i] = 0, samples.castsShadow[i] = 0;
     for (float *value : samples.value)
         value[i] = 0;
+    if (samples.probability)
+        samples.probability[i] = samples.normal[0][i] = samples.normal[1][i] =
+            samples.normal[2][i] = 0;
+}
+
+/// For who weighs the samples against paths from lights. `normal` is of any length, or null.
+void tellPlaces(int count, const float *probability, const float *const *normal, float elementSign,
+                const LightSamples &out) {
+    if (!out.probability)
+        return;
+    std::copy_n(probability, count, out.probability);
+    for (int i = 0; i < count; ++i) {
+        Vec3 N;
+        if (normal)
+            N = normalize(Vec3{normal[0][i], normal[1][i], normal[2][i]}) * elementSign;
+        for (int c = 0; c < 3; ++c)
+            out.normal[c][i] = N[c];
+    }
 }
 
 // ---- Answers, all lanes of a block at once ----
@@ -207,6 +225,10 @@ void sampleSurfaces(const SceneState &state, const SourceBin &bin, const Block &
         std::fill_n(radiance[c] = own.radiance[c], block.count, 0.0f);
     state.emission(bin.surfaceCode, own.points, radiance);
     aimAtSources(block, bin, own);
+    const float *const Ng[3] = {own.points.input(ShaderInput::Ng, 0),
+                                own.points.input(ShaderInput::Ng, 1),
+                                own.points.input(ShaderInput::Ng, 2)};
+    tellPlaces(block.count, block.probability, Ng, 1, block.out);
     take(block, bin, radiance);
 }
 
@@ -241,6 +263,7 @@ void samplePlain(const SceneState &state, const SourceBin &bin, const Block &blo
     takeLights(state, own.rows, batch);
     batch.ask(state, *bin.shader);
     aimAtSources(block, bin, own);
+    tellPlaces(count, block.probability, own.drawn.normal.data(), bin.elementSign, block.out);
     take(block, bin, batch.Cl.data());
 }
 
@@ -281,6 +304,7 @@ void sampleDelta(const SceneState &state, const SourceBin &bin, const Block &blo
     const LightSamples &out = block.out;
     aimAtDelta(count, batch.L.data(), block.Ps.data(), block.P.data(), bin.distant, own.rows.light,
                out.L.data(), out.distance, out.pdfSolidAngle, out.light);
+    tellPlaces(count, block.probability, nullptr, 1, out);
     take(block, bin, batch.Cl.data());
     for (float *value : out.value)
         shareOut(count, block.probability, bin.si ? 1 / pi : 1, value);
@@ -318,6 +342,11 @@ Block part(const Block &all, int first, int count) {
         plane += first;
     out.distance += first, out.pdfSolidAngle += first;
     out.light += first, out.castsShadow += first;
+    if (out.probability) {
+        out.probability += first;
+        for (float *&plane : out.normal)
+            plane += first;
+    }
     return block;
 }
 
@@ -343,6 +372,11 @@ Block gathered(const Block &all, const std::int32_t *lane, int count, BlockStora
     for (int c = 0; c < colorSamples; ++c)
         block.out.value[c] = answered[5 + c];
     block.out.light = storage.integers[1], block.out.castsShadow = storage.bytes[0];
+    if (all.out.probability) {
+        constexpr int first = 5 + colorSamples;
+        block.out.probability = answered[first];
+        block.out.normal = {answered[first + 1], answered[first + 2], answered[first + 3]};
+    }
     return block;
 }
 
@@ -357,6 +391,11 @@ void putBack(const LightSamples &from, const std::int32_t *lane, int count, Ligh
         put(from.value[c], to.value[c]);
     put(from.distance, to.distance), put(from.pdfSolidAngle, to.pdfSolidAngle);
     put(from.light, to.light), put(from.castsShadow, to.castsShadow);
+    if (to.probability) {
+        put(from.probability, to.probability);
+        for (int c = 0; c < 3; ++c)
+            put(from.normal[c], to.normal[c]);
+    }
 }
 
 /// bin[i] of the lanes' sources, -1 where there is none.
@@ -462,6 +501,21 @@ void Lights::sampleOne(int index, const LightQuery &query, LightSamples &samples
     }
     answer(*state_, blockOf(query, source, probability, across, samples), own);
     hideBehindItself(*state_, index, query, samples);
+}
+
+void Lights::sampleGiven(const std::int32_t *light, const LightQuery &query,
+                         LightSamples &samples) const {
+    if (query.count == 0)
+        return;
+    SamplingScratch &own = scratch();
+    std::int32_t *source = own.source.get(query.count);
+    float *probability = own.probability.get(query.count);
+    for (int i = 0; i < query.count; ++i) {
+        const bool on = light[i] > 0 && state_->lights.on(query.lightSet[i], light[i]);
+        source[i] = on ? state_->lights.lights[light[i] - 1].firstSource : -1;
+        probability[i] = 1;
+    }
+    answer(*state_, blockOf(query, source, probability, query.position[0], samples), own);
 }
 
 } // namespace candela

@@ -13,6 +13,9 @@ namespace candela {
 
 struct SceneState;
 struct ShadingPoints;
+struct LightStartDensities;
+struct LightStartNumbers;
+struct LightStarts;
 
 /// Lights come in groups, and each point takes a sample of each group: lamps, and what shines from
 /// far and wide (suns, domes, ceilings). So neither leaves the other too few samples.
@@ -49,6 +52,10 @@ struct LightSamples {
     std::int32_t *light = nullptr;  ///< Index + 1; 0 = no sample (black).
     /// 1 if a shadow ray is due (else the light shines through everything, as classic ones may).
     std::uint8_t *castsShadow = nullptr;
+    /// For who weighs samples against paths from lights, else null: the probability of choosing
+    /// what the sample lies on, and the unit normal there, 0 of delta lights.
+    float *probability = nullptr;
+    std::array<float *, 3> normal{};
 };
 
 /// The lights of a scene: samples of them, what they emit, and how likely samples would have met
@@ -72,6 +79,10 @@ public:
     /// have met on elements at `elementPoint`. 0 where the point is no light, or off.
     void density(const LightQuery &query, const ShadingPoints &,
                  const std::array<const float *, 3> &elementPoint, float *pdf) const;
+    /// The same of points that are known by source and element (LightStarts); of delta lights, which
+    /// have no element, the probability of choosing them. Whether they are on is not asked.
+    void densityOf(const LightQuery &query, const std::int32_t *source, const std::int32_t *element,
+                   const std::array<const float *, 3> &elementPoint, float *pdf) const;
     /// radiance[c][i] that area lights (si) and emitting surfaces send from the points to the
     /// viewers they were hit from (I), W m^-2 sr^-1; added to what is there.
     void emission(int code, ShadingPoints &, float *const *radiance) const;
@@ -80,6 +91,22 @@ public:
                  float *const *ambient) const;
     /// `light` as in ShadingPoints and LightSamples: index + 1, and 0 (indirect) is always on.
     bool isOn(std::int32_t lightSet, std::int32_t light) const;
+
+    // ---- Paths that begin on lights (world/scene/light_starts.h) ----
+
+    /// Some light begins paths.
+    bool startPaths() const;
+    void start(int count, const LightStartNumbers &, LightStarts &) const;
+    /// The densities with which start() begins paths at light[i] (index + 1) that leave along unit
+    /// directions, at points with these normals; 0 where it never does.
+    void startDensities(int count, const std::int32_t *light,
+                        const std::array<const float *, 3> &direction,
+                        const std::array<const float *, 3> &normal,
+                        const LightStartDensities &) const;
+    /// What light[i] (index + 1), which has no extent, sends to the points; black where it is off.
+    /// `query.position` is LightStarts::lightSample, its choice is not read.
+    void sampleGiven(const std::int32_t *light, const LightQuery &query, LightSamples &) const;
+    bool isDistant(std::int32_t light) const;
 
 private:
     friend class Scene;

@@ -86,6 +86,7 @@ Scene::~Scene() = default;
 const Options &Scene::options() const { return state_->options; }
 const Camera &Scene::camera() const { return state_->camera; }
 bool Scene::isClassic() const { return state_->classic; }
+bool Scene::isBidirectional() const { return state_->bidirectional; }
 Lights Scene::lights() const { return Lights(*state_); }
 Scene::Statistics Scene::statistics() const {
     Statistics statistics = state_->statistics;
@@ -106,6 +107,10 @@ int Scene::codeOf(const HitBatch &hits, int i) const {
 
 int Scene::binCount() const { return int(state_->codeOfBin.size()); }
 int Scene::codeOfBin(int bin) const { return state_->codeOfBin[bin]; }
+bool Scene::isOneSided(std::uint32_t instance, std::uint32_t shape) const {
+    const PointTables &points = state_->points;
+    return points.details[points.appearanceOf(instance, shape)].attributes->sides == 1;
+}
 int Scene::escapedBin() const { return state_->binOfAppearance.back(); }
 
 void Scene::bins(int count, const HitBatch &hits, int *bin) const {

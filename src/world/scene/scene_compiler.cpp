@@ -79,6 +79,23 @@ static bool isClassic(const DeclaredWorld &declared) {
                                 [](const auto &light) { return light->units == LightUnits::Si; });
 }
 
+/// Integrators whose paths begin on lights, too.
+static bool isBidirectional(const Options &options) {
+    return options.named.string("render:integrator", "") == "bidir";
+}
+
+/// Finds where paths begin on lights. Lights that begin none are said, once a reason.
+static void prepareEmitters(SceneState &state, DiagnosticSink &sink) {
+    std::vector<std::string> silent;
+    state.emitters = findEmitters(state, silent);
+    std::ranges::sort(silent);
+    const auto rest = std::ranges::unique(silent);
+    silent.erase(rest.begin(), rest.end());
+    for (const std::string &reason : silent)
+        sink.warning({}, reason + ": no path begins at such lights; \"bidir\" finds their light "
+                                  "from the camera alone, as \"path\" does");
+}
+
 /// The coordinate systems that the camera brings.
 static void addCameraSystems(const Camera &camera, const CameraRecord &record,
                              std::map<std::string, Matrix4> &systems) {
@@ -123,6 +140,7 @@ void SceneCompiler::worldEnd() {
     state_->declared = {};
     auto state = std::make_unique<SceneState>(declared.options);
     state->classic = isClassic(declared);
+    state->bidirectional = !state->classic && isBidirectional(declared.options);
 
     addCameraSystems(state->camera, declared.options.camera, declared.systems);
     state_->library.bindOptions(declared.options);
@@ -152,6 +170,8 @@ void SceneCompiler::worldEnd() {
     for (const auto &code : state_->library.all())
         code->bindSpaces(declared.systems, state_->sink);
     lights.prepareChoices();
+    if (state->bidirectional)
+        prepareEmitters(*state, state_->sink);
     state->numberBins();
     state->statistics.secondsBuilding = secondsSince(start);
 

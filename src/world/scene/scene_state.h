@@ -3,6 +3,7 @@
 #pragma once
 
 #include "world/points/evaluate.h"
+#include "world/scene/emitters.h"
 #include "world/scene/light_sources.h"
 #include "world/scene/media.h"
 #include "world/scene/scene.h"
@@ -17,7 +18,8 @@ struct SceneState {
 
     Options options;
     Camera camera;
-    bool classic = false; ///< The integrator is "classic".
+    bool classic = false;       ///< The integrator is "classic".
+    bool bidirectional = false; ///< Paths begin on lights, too.
 
     PointTables points;
     std::vector<int> binOfAppearance, codeOfBin; ///< See Scene::bins.
@@ -25,6 +27,7 @@ struct SceneState {
     std::vector<std::vector<int>> lightSets;     ///< Indices of the lights on, by lightSet.
     std::unique_ptr<RayWorld> rays;
     LightTable lights;
+    Emitters emitters; ///< Empty where no paths begin on lights.
     std::vector<ShaderInstance> media;           ///< Volumes by their numbers; the first is none.
     std::vector<SurfaceMedia> mediaOfAppearance; ///< In the order of points.appearances.
     std::vector<std::int32_t> mediaOfLight;      ///< By index: the atmosphere of what shines.

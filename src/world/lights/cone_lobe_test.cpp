@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "light/sampling/cone.h"
+#include "world/lights/cone_lobe.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: Apache-2.0
+// Light paths as the camera sees them: each vertex is connected with the lens.
+#include "foundation/base/lanes.h"
+#include "light/bidir/light_wave.h"
+#include "light/sampling/mis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace candela {
+
+namespace {
+
+constexpr float pi = std::numbers::pi_v<float>;
+
+ConstVec3Planes constant(const MutableVec3Planes &planes) {
+    return {planes[0], planes[1], planes[2]};
+}
+Vec3 at(const ConstVec3Planes &planes, int i) { return {planes[0][i], planes[1][i], planes[2][i]}; }
+
+/// The pixel that gets the splat at a raster position, chosen by the filter's worth there for each
+/// pixel in reach, and what all of them are worth together.
+struct SplatPlace {
+    float x = 0, y = 0, weight = 0;
+};
+
+class PixelChoice {
+public:
+    explicit PixelChoice(const PixelFilterRecord &filter) : filter_(filter) {
+        // The kernel's integral, by the sums over pixels that all places give.
+        constexpr int steps = 32;
+        double sum = 0;
+        for (int row = 0; row < steps; ++row)
+            for (int column = 0; column < steps; ++column)
+                sum += overPixels((column + 0.5) / steps, (row + 0.5) / steps,
+                                  [](int, int, double) {});
+        perKernel_ = 1 / (sum / (steps * steps));
+    }
+
+    SplatPlace choose(float x, float y, float number) const {
+        const double column = std::floor(double(x)), row = std::floor(double(y));
+        const double dx = x - column, dy = y - row;
+        double all = 0;
+        overPixels(dx, dy, [&](int, int, double worth) { all += std::fabs(worth); });
+        if (!(all > 0))
+            return {};
+        double rest = number * all;
+        SplatPlace place;
+        overPixels(dx, dy, [&](int i, int k, double worth) {
+            if (worth == 0 || rest < 0)
+                return;
+            rest -= std::fabs(worth);
+            place = {float(column + i + 0.5), float(row + k + 0.5),
+                     float(std::copysign(all, worth) * perKernel_)};
+        });
+        return place;
+    }
+
+private:
+    /// The kernel at each pixel in reach of a place in a pixel; their sum.
+    template <class Body> double overPixels(double dx, double dy, Body body) const {
+        const int columns = int(std::ceil(filter_.xWidth / 2)), rows = int(std::ceil(filter_.yWidth / 2));
+        double sum = 0;
+        for (int k = -rows; k <= rows; ++k)
+            for (int i = -columns; i <= columns; ++i) {
+                const double worth = kernel(dx - i - 0.5, dy - k - 0.5);
+                sum += worth;
+                body(i, k, worth);
+            }
+        return sum;
+    }
+    double kernel(double dx, double dy) const {
+        // A box of one pixel has no rim to share.
+        if (std::fabs(dx) * 2 > filter_.xWidth || std::fabs(dy) * 2 > filter_.yWidth)
+            return 0;
+        return pixelFilterKernel(filter_, dx, dy);
+    }
+
+    PixelFilterRecord filter_;
+    double perKernel_ = 1;
+};
+
+const PixelChoice &pixelChoice(const FrameContext &frame) {
+    thread_local const FrameContext *known = nullptr;
+    thread_local std::optional<PixelChoice> choice;
+    if (known != &frame)
+        choice.emplace(frame.filter.record()), known = &frame;
+    return *choice;
+}
+
+/// The vertices that may be seen: on the frame and on a side that shows.
+int findSeen(LightWave &wave) {
+    VertexChunk &chunk = wave.chunk;
+    LightImage &image = wave.image;
+    const auto [width, height] = wave.frame.scene.options().format.effectiveResolution();
+    const PixelFilterRecord &filter = wave.frame.filter.record();
+    const ConstVec3Planes Ng = chunk.vertices.input(ShaderInput::Ng);
+    const ShadingPoints &points = chunk.vertices.points;
+    int seen = 0;
+    for (int i = 0; i < chunk.count(); ++i) {
+        const float x = image.sights.x[i], y = image.sights.y[i];
+        const bool onFrame = x > -filter.xWidth && x < float(width) + filter.xWidth &&
+                             y > -filter.yWidth && y < float(height) + filter.yWidth;
+        if (!(image.sights.distance[i] > 0) || !onFrame ||
+            chunk.paths.depth[i] + 1 > wave.frame.settings.maxDepth)
+            continue;
+        const Vec3 direction = at(constant(image.sights.direction), i);
+        if (wave.frame.scene.isOneSided(points.instance[i], points.shape[i]) &&
+            dot(direction, at(Ng, i)) > 0)
+            continue;
+        image.lane[seen++] = i;
+    }
+    return seen;
+}
+
+/// What comes through from the vertices lane[0..count) to the lens, asked from the lens.
+void traceFromLens(LightWave &wave, int count) {
+    LightImage &image = wave.image;
+    VertexChunk &chunk = wave.chunk;
+    chunk.vertices.rayOrigins(constant(image.towardsLens), image.end);
+    const float *time = chunk.vertices.points.input(int(ShaderInput::time));
+    for (int k = 0; k < count; ++k) {
+        const int i = image.lane[k];
+        const Vec3 lens = at(constant(image.sights.origin), i);
+        const Vec3 way = at(constant(image.end), i) - lens;
+        for (int c = 0; c < 3; ++c)
+            image.rays.origin[c][k] = lens[c], image.rays.direction[c][k] = way[c];
+        image.rays.tMin[k] = image.sights.nearest[i] / image.sights.distance[i];
+        image.rays.tMax[k] = shadowRayEnd;
+        image.rays.time[k] = time[i];
+    }
+    image.rays.count = count;
+    float *planes[colorSamples];
+    for (int c = 0; c < colorSamples; ++c)
+        planes[c] = image.transmittance[c];
+    if (!wave.frame.scene.transmittance(image.rays, planes))
+        for (int c = 1; c < colorSamples; ++c)
+            std::copy_n(planes[0], count, planes[c]);
+    wave.frame.statistics.shadowRays += count;
+}
+
+/// seen[c][i] of the vertices lane[0..count), before what stands in the way; those that are black
+/// are left out. Returns how many are left.
+int weigh(LightWave &wave, int count) {
+    LightImage &image = wave.image;
+    VertexChunk &chunk = wave.chunk;
+    Subpaths &ends = *wave.subpaths;
+    const ConstVec3Planes Ng = chunk.vertices.input(ShaderInput::Ng);
+    const bool parallel = wave.frame.scene.camera().isParallel();
+    int left = 0;
+    for (int k = 0; k < count; ++k) {
+        const int i = image.lane[k];
+        const double out = std::fabs(double(dot(at(constant(image.sights.direction), i), at(Ng, i))));
+        const double in = std::fabs(double(dot(at(constant(ends.toPrevious), i), at(Ng, i))));
+        const double perArea =
+            parallel ? 1 : 1 / (double(image.sights.distance[i]) * image.sights.distance[i]);
+        const double reached = double(image.sights.pdf[i]) * out * perArea;
+        const double tries = ends.counts.lightImage;
+        const double weight = misWeightAmong(
+            1, techniquesBefore(ends, i, reached, ends.reversePdf[i]) / (tries * tries));
+        const double scale = in > 0 ? weight * image.sights.importance[i] * out / (in * pi) : 0;
+        bool some = false, sound = true;
+        for (int c = 0; c < colorSamples; ++c) {
+            float &value = image.seen[c][i];
+            value = float(double(chunk.paths.throughput[c][i]) * image.response[c][i] * scale);
+            some |= value != 0, sound &= bool(std::isfinite(value));
+        }
+        if (some && sound)
+            image.lane[left++] = i;
+    }
+    return left;
+}
+
+void splat(LightWave &wave, int count) {
+    LightImage &image = wave.image;
+    const PixelChoice &pixels = pixelChoice(wave.frame);
+    for (int k = 0; k < count; ++k) {
+        const int i = image.lane[k];
+        if (image.transmittance[0][k] == 0 && image.transmittance[1][k] == 0 &&
+            image.transmittance[2][k] == 0)
+            continue;
+        const SplatPlace place =
+            pixels.choose(image.sights.x[i], image.sights.y[i], wave.chunk.numbers.x(lightChoicePair)[i]);
+        if (place.weight == 0)
+            continue;
+        image.x.push_back(place.x), image.y.push_back(place.y);
+        for (int c = 0; c < colorSamples; ++c)
+            image.splats[c].push_back(image.seen[c][i] * image.transmittance[c][k] * place.weight);
+    }
+}
+
+} // namespace
+
+LightImage::LightImage(int capacity)
+    : floats(12, capacity), response(colorSamples, capacity), seen(colorSamples, capacity),
+      integers(6, capacity), rays(capacity), ways(6, capacity),
+      transmittance(colorSamples, capacity) {
+    sights.origin = {floats[0], floats[1], floats[2]};
+    sights.direction = {floats[3], floats[4], floats[5]};
+    sights.distance = floats[6], sights.nearest = floats[7];
+    sights.x = floats[8], sights.y = floats[9];
+    sights.importance = floats[10], sights.pdf = floats[11];
+    towardsLens = {ways[0], ways[1], ways[2]}, end = {ways[3], ways[4], ways[5]};
+    answered = integers[0], light = integers[1], lane = integers[2];
+    std::fill_n(answered, integers.lanes(), finiteRequests);
+}
+
+void showToCamera(PathWave &path) {
+    LightWave &wave = static_cast<LightWave &>(path);
+    VertexChunk &chunk = wave.chunk;
+    Subpaths &ends = *wave.subpaths;
+    if (!(ends.counts.lightImage > 0) || !chunk.vertices.code().facts().hasLoops)
+        return;
+    LightImage &image = wave.image;
+    wave.frame.scene.camera().see(chunk.count(), chunk.vertices.P(),
+                                  chunk.numbers.x(lightPositionPair),
+                                  chunk.numbers.y(lightPositionPair), image.sights);
+    int count = findSeen(wave);
+    if (count == 0)
+        return;
+    for (int i = 0; i < chunk.count(); ++i) {
+        image.light[i] =
+            chunk.paths.depth[i] == 0 ? wave.starts.light[chunk.paths.slot[i]] : 0;
+        for (int c = 0; c < 3; ++c)
+            image.towardsLens[c][i] = -image.sights.direction[c][i];
+    }
+    ends.other.look(chunk.vertices, constant(image.sights.direction),
+                    wave.frame.settings.hemisphereOnly);
+    ends.other.pdf(constant(ends.toPrevious), ends.reversePdf);
+    float *response[colorSamples];
+    for (int c = 0; c < colorSamples; ++c)
+        response[c] = image.response[c];
+    ends.other.scatter(constant(ends.toPrevious), image.answered, image.light, response);
+    count = weigh(wave, count);
+    if (count == 0)
+        return;
+    traceFromLens(wave, count);
+    splat(wave, count);
+}
+
+} // namespace candela

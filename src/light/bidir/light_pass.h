@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// The light paths of a pass: all of them, on all threads, in waves of their numbers.
+#pragma once
+
+#include "light/bidir/eye_wave.h"
+#include "light/bidir/light_wave.h"
+
+#include <memory>
+#include <vector>
+
+namespace candela {
+
+class LightPass {
+public:
+    LightPass(FrameContext &, const BidirectionalPlan &, SampleSink &);
+
+    /// Follows the light paths that belong to the samples [first, last) of all the frame's pixels.
+    void run(int first, int last);
+    const LightVertices &vertices() const { return vertices_; }
+
+private:
+    FrameContext &frame_;
+    BidirectionalPlan plan_;
+    SampleSink &sink_;
+    LightVertices vertices_;
+    std::vector<std::unique_ptr<LightWave>> waves_; ///< One a thread.
+};
+
+} // namespace candela

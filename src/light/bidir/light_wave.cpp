@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "light/bidir/light_wave.h"
+
+#include "foundation/base/lanes.h"
+#include "light/path/stages.h"
+#include "light/path/steps.h"
+#include "light/sampling/sobol.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace candela {
+
+namespace {
+
+constexpr Stage lightStages[] = {meet, arrive, askAgainstLight, receive, keep, showToCamera,
+                                 scatterLight};
+/// Shaders that are not affine in the light take none from paths that begin on lights.
+constexpr Stage passingStages[] = {meet, arrive, askAgainstLight, scatterLight};
+
+/// The dimension pairs of a start; those of vertices come behind, as in camera paths.
+enum StartPair { placePair, wayPair, choicePair };
+
+/// Paths are addressed as if each 2^16 of them were the samples of a pixel beyond the frame.
+constexpr int pathsOfKey = 1 << 16;
+
+ConstVec3Planes constant(const MutableVec3Planes &planes) {
+    return {planes[0], planes[1], planes[2]};
+}
+
+double square(double x) { return x * x; }
+
+} // namespace
+
+LightWave::LightWave(FrameContext &frame, const TechniqueCounts &counts, SampleSink &sink)
+    : PathWave(frame, Purpose::Light, stagesOfLight, counts), sink(sink), starts(capacity),
+      brightness(1, capacity), image(VertexChunk::capacity), tilted(VertexChunk::capacity),
+      arrived(13, VertexChunk::capacity), given(VertexChunk::capacity) {}
+
+std::span<const Stage> stagesOfLight(const PathWave &, const ShaderCode &code) {
+    return code.facts().affine ? std::span<const Stage>(lightStages) : passingStages;
+}
+
+void startLight(LightWave &wave, std::int64_t first, int count) {
+    wave.slots = count;
+    wave.kept.clear();
+    PathResults &results = wave.results;
+    for (int i = 0; i < count; ++i) {
+        const std::int64_t number = first + i;
+        results.x[i] = results.y[i] = -1;
+        results.sampleIndex[i] = int(number % pathsOfKey);
+        results.keys[0][i] = pixelKey(-2 - int(number / pathsOfKey), -2, wave.frame.settings.seed);
+    }
+    for (int c = 0; c < colorSamples; ++c)
+        std::fill_n(results.radiance[c], count, 0.0f);
+    const std::uint32_t *sample = reinterpret_cast<const std::uint32_t *>(results.sampleIndex);
+    Planes<float> &numbers = wave.cameraNumbers;
+    static_assert(int(choicePair) < int(cameraPairs));
+    for (int pair : {placePair, wayPair, choicePair})
+        sobolPairs(count, results.keys[0], sample, std::uint32_t(pair), numbers[2 * pair],
+                   numbers[2 * pair + 1]);
+    wave.frame.scene.lights().start(count,
+                                    {numbers[2 * choicePair],
+                                     {numbers[2 * placePair], numbers[2 * placePair + 1]},
+                                     {numbers[2 * wayPair], numbers[2 * wayPair + 1]}},
+                                    wave.starts);
+
+    ActivePaths &active = wave.active;
+    int paths = 0;
+    for (int i = 0; i < count; ++i) {
+        const LightStarts &from = wave.starts;
+        if (from.light[i] == 0 || !(from.directionPdf[i] > 0) ||
+            (from.flux[0][i] == 0 && from.flux[1][i] == 0 && from.flux[2][i] == 0))
+            continue;
+        const int at = paths++;
+        const Vec3 direction{from.direction[0][i], from.direction[1][i], from.direction[2][i]};
+        const Vec3 normal{from.normal[0][i], from.normal[1][i], from.normal[2][i]};
+        for (int c = 0; c < 3; ++c) {
+            active.rays.origin[c][at] = from.origin[c][i];
+            active.rays.direction[c][at] = direction[c];
+            active.left.N[c][at] = 0;
+        }
+        active.rays.tMin[at] = 0, active.rays.tMax[at] = INFINITY;
+        active.rays.time[at] = wave.frame.scene.camera().shutterOpen();
+        active.rays.width[at] = 0;
+        active.left.pdf[at] = 0, active.left.lightSet[at] = -1, active.left.code[at] = -1;
+        for (int c = 0; c < colorSamples; ++c)
+            active.throughput[c][at] = from.flux[c][i];
+        active.slot[at] = i, active.depth[at] = 0, active.seen[at] = 0;
+        active.sampleIndex[at] = sample[i];
+        const bool parallel = wave.frame.scene.lights().isDistant(from.light[i]);
+        const bool shows = dot(normal, normal) > 0;
+        const double perPlace = 1 / square(from.positionPdf[i]);
+        SubpathHistory &history = active.history;
+        history.connections[at] = perPlace, history.earlier[at] = shows ? perPlace : 0;
+        history.pdf[at] = from.directionPdf[i], history.parallel[at] = parallel ? 1.0f : 0.0f;
+        history.cosine[at] = std::fabs(dot(direction, normal));
+    }
+    active.count = active.rays.count = paths;
+    active.rays.shares = nullptr;
+    spreadOfDirections(paths, active.history.pdf, active.rays.spread);
+    wave.chunk.vertices.speak(false);
+    wave.frame.statistics.lightPaths += count;
+}
+
+void receive(PathWave &path) {
+    LightWave &wave = static_cast<LightWave &>(path); // Stages of light serve light waves alone.
+    VertexChunk &chunk = wave.chunk;
+    const int count = chunk.count();
+    if (std::none_of(chunk.paths.depth, chunk.paths.depth + count, [](int d) { return d == 0; }))
+        return;
+    const Lights lights = wave.frame.scene.lights();
+    const LightStarts &starts = wave.starts;
+    const Planes<float> &planes = wave.arrived;
+    std::int32_t *light = wave.image.integers[1], *source = wave.image.integers[3],
+                 *element = wave.image.integers[4];
+    float *choice = planes[0], *u = planes[1], *v = planes[2], *pdf = planes[6];
+    float *scattered = planes[7];
+    MutableVec3Planes place{planes[3], planes[4], planes[5]};
+    const bool alike = chunk.vertices.code().categories().hearsAllAsIndirect();
+    for (int i = 0; i < count; ++i) {
+        const int slot = chunk.paths.slot[i];
+        const bool first = chunk.paths.depth[i] == 0;
+        light[i] = first ? starts.light[slot] : 0;
+        source[i] = first ? starts.source[slot] : -1, element[i] = first ? starts.element[slot] : -1;
+        choice[i] = 0, u[i] = starts.lightSample[0][slot], v[i] = starts.lightSample[1][slot];
+        for (int c = 0; c < 3; ++c)
+            place[c][i] = starts.origin[c][slot];
+        scattered[i] = alike && chunk.mixture.total()[i] > 0 ? 1.0f : 0.0f;
+    }
+    LightQuery query = lightQuery(chunk.vertices, chunk.N, scattered, {choice, u, v});
+    lights.densityOf(query, source, element, constant(place), pdf);
+    LightSamples &given = wave.given.samples;
+    std::int32_t *withoutExtent = wave.image.integers[5];
+    bool some = false;
+    for (int i = 0; i < count; ++i) {
+        withoutExtent[i] = light[i] > 0 && element[i] < 0 ? light[i] : 0;
+        some |= withoutExtent[i] > 0;
+    }
+    if (some)
+        lights.sampleGiven(withoutExtent, query, given);
+    Subpaths &ends = *wave.subpaths;
+    for (int i = 0; i < count; ++i) {
+        if (light[i] == 0)
+            continue;
+        const bool hasExtent = element[i] >= 0;
+        ends.last[i] *= square(hasExtent ? double(pdf[i]) * ends.back[i] : double(pdf[i]));
+        float worth[colorSamples];
+        bool arrives = lights.isOn(chunk.vertices.points.lightSet[i], light[i]);
+        for (float &w : worth)
+            w = 1;
+        if (!hasExtent) {
+            const Vec3 L{given.L[0][i], given.L[1][i], given.L[2][i]}, unit = normalize(L);
+            const Vec3 apart = unit - Vec3{ends.toPrevious[0][i], ends.toPrevious[1][i],
+                                           ends.toPrevious[2][i]};
+            // Shaders that light the point from elsewhere are left to light samples.
+            arrives &= given.light[i] != 0 && dot(apart, apart) < 1e-4f;
+            const double distance = wave.hits.t[chunk.rays[i]];
+            const double spread = lights.isDistant(light[i]) ? 1 : square(distance);
+            for (int c = 0; c < colorSamples; ++c)
+                worth[c] = float(std::numbers::pi * spread * given.value[c][i]);
+        }
+        float brightest = 0;
+        for (int c = 0; c < colorSamples; ++c) {
+            float &flux = chunk.paths.throughput[c][i];
+            flux = arrives ? flux * worth[c] : 0.0f;
+            brightest = std::max(brightest, std::fabs(flux));
+        }
+        wave.brightness[0][chunk.paths.slot[i]] = brightest;
+    }
+}
+
+void keep(PathWave &path) {
+    LightWave &wave = static_cast<LightWave &>(path);
+    VertexChunk &chunk = wave.chunk;
+    if (!wave.keeps || !(wave.subpaths->counts.connections > 0) ||
+        !chunk.vertices.code().facts().hasLoops)
+        return;
+    const Subpaths &ends = *wave.subpaths;
+    const ConstVec3Planes P = chunk.vertices.P();
+    const float *time = chunk.vertices.points.input(int(ShaderInput::time));
+    for (int i = 0; i < chunk.count(); ++i) {
+        LightVertex vertex;
+        bool bright = false, sound = true;
+        for (int c = 0; c < colorSamples; ++c) {
+            vertex.flux[c] = chunk.paths.throughput[c][i];
+            bright |= vertex.flux[c] != 0, sound &= bool(std::isfinite(vertex.flux[c]));
+        }
+        if (!bright || !sound || chunk.paths.depth[i] + 1 >= wave.frame.settings.maxDepth)
+            continue;
+        const int ray = chunk.rays[i];
+        const HitBatch &hits = wave.hits;
+        vertex.shape = hits.shape[ray], vertex.element = hits.element[ray];
+        vertex.instance = hits.instance[ray], vertex.u = hits.u[ray], vertex.v = hits.v[ray];
+        vertex.elementNormal = {hits.Ng[0][ray], hits.Ng[1][ray], hits.Ng[2][ray]};
+        vertex.P = {P[0][i], P[1][i], P[2][i]};
+        vertex.toPrevious = {ends.toPrevious[0][i], ends.toPrevious[1][i], ends.toPrevious[2][i]};
+        vertex.distance = hits.t[ray];
+        vertex.time = time[i];
+        vertex.width = wave.active.rays.width[ray] + wave.active.rays.spread[ray] * hits.t[ray];
+        vertex.back = ends.back[i], vertex.last = ends.last[i], vertex.earlier = ends.earlier[i];
+        vertex.depth = chunk.paths.depth[i];
+        vertex.light = vertex.depth == 0 ? wave.starts.light[chunk.paths.slot[i]] : 0;
+        vertex.code = chunk.code;
+        wave.kept.push_back(vertex);
+    }
+}
+
+} // namespace candela

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// A wave of paths from lights. They are numbered within a frame, so that a path does not depend on
+// the wave it travels in.
+#pragma once
+
+#include "light/bidir/light_vertices.h"
+#include "light/path/wave.h"
+#include "world/scene/light_starts.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace candela {
+
+/// Where the camera sees light vertices, and what it sees.
+struct LightImage {
+    explicit LightImage(int capacity);
+
+    Camera::Sights sights;
+    Planes<float> floats;
+    Planes<float> response, seen; ///< The answer; what a splat is worth.
+    Planes<std::int32_t> integers;
+    std::int32_t *answered, *light, *lane;
+    RayBatch rays;
+    Planes<float> ways;
+    MutableVec3Planes towardsLens, end;
+    Planes<float> transmittance;
+    std::vector<float> x, y;
+    std::array<std::vector<float>, colorSamples> splats;
+};
+
+struct LightWave : PathWave {
+    LightWave(FrameContext &, const TechniqueCounts &, SampleSink &);
+
+    SampleSink &sink;
+    LightStarts starts; ///< By slot, for the first surface that the path meets.
+    Planes<float> brightness; ///< Likewise: what roulette measures throughputs by.
+    LightImage image;
+    VertexView tilted; ///< Of the chunk's vertices, for the ratio of refraction.
+    Planes<float> arrived; ///< What arriveFromLights works with.
+    LightSampleStorage given;
+    std::vector<LightVertex> kept;
+    bool keeps = true; ///< Vertices are wanted.
+};
+
+/// Starts the light paths [first, first + count) of the frame.
+void startLight(LightWave &, std::int64_t first, int count);
+/// The stages of light paths.
+std::span<const Stage> stagesOfLight(const PathWave &, const ShaderCode &);
+
+// ---- Stages ----
+
+/// What the first surfaces get from the lights, and how likely light samples would have found it.
+void receive(PathWave &);
+/// The shader as the light sees it, and what the eye would see through it.
+void askAgainstLight(PathWave &);
+/// Keeps vertices to be connected with.
+void keep(PathWave &);
+/// Connects vertices with the lens.
+void showToCamera(PathWave &);
+/// Paths go on along all that the surface does with light, by what the eye would see of it.
+void scatterLight(PathWave &);
+
+} // namespace candela

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// How often each technique is tried in a frame, found by pilots: samples that are thrown away, so
+// that what is counted has nothing to do with what is seen.
+#pragma once
+
+#include "light/path/wave.h"
+
+namespace candela {
+
+/// Depends on scene, seed and settings alone; no technique but the camera's where nothing begins
+/// paths on lights.
+BidirectionalPlan planTechniques(FrameContext &);
+
+} // namespace candela
