@@ -188,7 +188,9 @@ void weigh(EyeWave &wave, const std::int32_t *lane, int count) {
         const double reached = pdf[k] * std::fabs(double(dot(direction, at(Ng, i)))) * perArea;
         const double fromLight = techniquesBefore(ends, i, reached, own.eyeReversePdf[i]);
         const double weight = misWeightAmong(1, (fromEye + fromLight) / tries);
-        const double worth = in > 0 ? scale * weight * out * perArea / (in * pi * pi) : 0;
+        const bool shows = !wave.frame.scene.isOneSided(vertex.instance, vertex.shape) ||
+                           dot(direction, at(farNg, k)) < 0;
+        const double worth = in > 0 && shows ? scale * weight * out * perArea / (in * pi * pi) : 0;
         bool sound = true, some = false;
         for (int c = 0; c < colorSamples; ++c) {
             float &value = own.value[c][i];

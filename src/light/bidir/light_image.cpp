@@ -14,6 +14,8 @@ namespace candela {
 namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
+/// What `path` finds more seldom than this, light paths being 1, it does not find.
+constexpr double leastOfPath = 1e-9;
 
 ConstVec3Planes constant(const MutableVec3Planes &planes) {
     return {planes[0], planes[1], planes[2]};
@@ -160,6 +162,9 @@ int weigh(LightWave &wave, int count) {
         const double tries = ends.counts.lightImage;
         const double weight = misWeightAmong(
             1, techniquesBefore(ends, i, reached, ends.reversePdf[i]) / (tries * tries));
+        const double path = pathTechniquesBefore(ends, i, reached, ends.reversePdf[i],
+                                                 chunk.paths.depth[i] == 0);
+        image.pathGain[i] = float(1 / (weight * std::max(std::sqrt(path) / tries, leastOfPath)));
         const double scale = in > 0 ? weight * image.sights.importance[i] * out / (in * pi) : 0;
         bool some = false, sound = true;
         for (int c = 0; c < colorSamples; ++c) {
@@ -171,6 +176,20 @@ int weigh(LightWave &wave, int count) {
             image.lane[left++] = i;
     }
     return left;
+}
+
+void note(LightTally &tally, const LightImage &image, int i, int k, const SplatPlace &place) {
+    const int cell = tally.cellAt(place.x, place.y);
+    if (cell < 0)
+        return;
+    double Y = 0;
+    for (int c = 0; c < colorSamples; ++c)
+        Y += double(luminanceWeights[c]) * image.seen[c][i] * image.transmittance[c][k];
+    Y *= place.weight;
+    LightTally::Cell &to = tally.values[cell];
+    to.sum += Y, to.squares += Y * Y;
+    if (std::fabs(Y) / tally.samples * image.pathGain[i] > to.seldom)
+        to.pathSquares += Y * Y * image.pathGain[i];
 }
 
 void splat(LightWave &wave, int count) {
@@ -185,6 +204,8 @@ void splat(LightWave &wave, int count) {
             pixels.choose(image.sights.x[i], image.sights.y[i], wave.chunk.numbers.x(lightChoicePair)[i]);
         if (place.weight == 0)
             continue;
+        if (wave.tally)
+            note(*wave.tally, image, i, k, place);
         image.x.push_back(place.x), image.y.push_back(place.y);
         for (int c = 0; c < colorSamples; ++c)
             image.splats[c].push_back(image.seen[c][i] * image.transmittance[c][k] * place.weight);
@@ -193,8 +214,16 @@ void splat(LightWave &wave, int count) {
 
 } // namespace
 
+int LightTally::cellAt(float x, float y) const {
+    const auto [x0, x1, y0, y1] = crop;
+    const int column = int(std::floor((x - float(x0)) / float(x1 - x0) * cells));
+    const int row = int(std::floor((y - float(y0)) / float(y1 - y0) * cells));
+    const bool inside = column >= 0 && column < cells && row >= 0 && row < cells;
+    return inside ? row * cells + column : -1;
+}
+
 LightImage::LightImage(int capacity)
-    : floats(12, capacity), response(colorSamples, capacity), seen(colorSamples, capacity),
+    : floats(13, capacity), response(colorSamples, capacity), seen(colorSamples, capacity),
       integers(6, capacity), rays(capacity), ways(6, capacity),
       transmittance(colorSamples, capacity) {
     sights.origin = {floats[0], floats[1], floats[2]};
@@ -203,6 +232,7 @@ LightImage::LightImage(int capacity)
     sights.x = floats[8], sights.y = floats[9];
     sights.importance = floats[10], sights.pdf = floats[11];
     towardsLens = {ways[0], ways[1], ways[2]}, end = {ways[3], ways[4], ways[5]};
+    pathGain = floats[12];
     answered = integers[0], light = integers[1], lane = integers[2];
     std::fill_n(answered, integers.lanes(), finiteRequests);
 }

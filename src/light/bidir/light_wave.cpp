@@ -94,7 +94,8 @@ void startLight(LightWave &wave, std::int64_t first, int count) {
         const bool shows = dot(normal, normal) > 0;
         const double perPlace = 1 / square(from.positionPdf[i]);
         SubpathHistory &history = active.history;
-        history.connections[at] = perPlace, history.earlier[at] = shows ? perPlace : 0;
+        history.connections[at] = perPlace;
+        history.earlier[at] = history.earlierOfPath[at] = shows ? perPlace : 0;
         history.pdf[at] = from.directionPdf[i], history.parallel[at] = parallel ? 1.0f : 0.0f;
         history.cosine[at] = std::fabs(dot(direction, normal));
     }

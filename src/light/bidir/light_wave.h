@@ -19,6 +19,7 @@ struct LightImage {
     Camera::Sights sights;
     Planes<float> floats;
     Planes<float> response, seen; ///< The answer; what a splat is worth.
+    float *pathGain; ///< The square of what `path` finds of it over that of a splat.
     Planes<std::int32_t> integers;
     std::int32_t *answered, *light, *lane;
     RayBatch rays;
@@ -27,6 +28,24 @@ struct LightImage {
     Planes<float> transmittance;
     std::vector<float> x, y;
     std::array<std::vector<float>, colorSamples> splats;
+};
+
+/// What a pilot wants to know of splats, by cells of the crop window.
+struct LightTally {
+    static constexpr int cells = 16; ///< Along each side.
+    struct Cell {
+        double sum = 0, squares = 0; ///< Of the splats' luminance.
+        double pathSquares = 0;      ///< What `path` would make of the light that it seldom finds.
+        double seldom = 0; ///< Found so seldom is what has more luminance than this in a sample.
+    };
+    LightTally(const std::array<int, 4> &crop, double samples)
+        : crop(crop), samples(samples), values(cells * cells) {}
+    /// Of a raster position; -1 = beyond the crop window.
+    int cellAt(float x, float y) const;
+
+    std::array<int, 4> crop;
+    double samples; ///< Splats over this are shares of a pixel's sample.
+    std::vector<Cell> values;
 };
 
 struct LightWave : PathWave {
@@ -40,7 +59,8 @@ struct LightWave : PathWave {
     Planes<float> arrived; ///< What arriveFromLights works with.
     LightSampleStorage given;
     std::vector<LightVertex> kept;
-    bool keeps = true; ///< Vertices are wanted.
+    bool keeps = true;           ///< Vertices are wanted.
+    LightTally *tally = nullptr; ///< Of pilots.
 };
 
 /// Starts the light paths [first, first + count) of the frame.

@@ -1,14 +1,42 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "light/bidir/plan.h"
 
+#include "light/bidir/eye_wave.h"
 #include "light/bidir/light_wave.h"
 #include "light/path/stages.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
 
 namespace candela {
 
 namespace {
 
-/// Takes splats and forgets them.
+/// What a pilot asks about: no light paths at all, and three plans with them.
+constexpr BidirectionalPlan candidates[] = {{0, 0}, {0.25, 0}, {1, 0}, {1, 1}};
+
+/// Of a pilot: samples of a pixel, and pixels; frames of few samples have smaller ones.
+constexpr int samplesOfPixel = 4, mostPixels = 4096, leastPixels = 512, pilotShare = 64;
+/// Samples that are so much brighter than their surroundings are taken for rare: a pilot of `path`
+/// may have missed them.
+constexpr double rareLight = 8;
+constexpr float tinyWidth = 1e-3f;
+constexpr int lightPathsOfPilot = 4096;
+/// A ray of a light path costs more than one of a camera path, with the connection to the lens; and
+/// a connection of each vertex, as a share of all that a camera path costs. Measured on rooms of
+/// matte and plastic walls.
+constexpr double costOfLightRay = 1.6, costOfConnections = 1.4;
+/// Pictures are judged by the luminance's error over its mean, and over the place's own with this
+/// share of the mean besides.
+constexpr double floorOfLuminance = 0.1;
+
+class NoMessages : public DiagnosticSink {
+public:
+    void report(const Diagnostic &) override {}
+};
+
 class NoPicture : public SampleSink {
 public:
     std::span<const ChannelInfo> channels() const override { return {}; }
@@ -16,28 +44,206 @@ public:
     void add(const SplatBatch &) override {}
 };
 
-/// Vertices to connect with, a light path; of the first ones of another seed.
-double verticesPerPath(FrameContext &frame) {
-    constexpr int paths = 4096;
-    NoPicture sink;
-    LightWave wave(frame, {0, 1}, sink);
-    startLight(wave, 0, paths);
-    follow(wave);
-    return double(wave.kept.size()) / paths;
+/// A plan's error and cost, of one sample a pixel.
+struct Trial {
+    std::vector<double> variance; ///< Of the luminance, by cell.
+    std::vector<double> mean;
+    double cost = 0;
+};
+
+class Pilot {
+public:
+    explicit Pilot(FrameContext &frame)
+        : frame_(frame), settings_(frame.settings), crop_(frame.settings.crop),
+          middle_({"box", tinyWidth, tinyWidth}, silence_) {
+        settings_.seed = frame.settings.seed * 0x9e3779b9u + 0x7f4a7c15u; // Other samples.
+        const double pixels = double(crop_[1] - crop_[0]) * (crop_[3] - crop_[2]);
+        const double samples = pixels * (settings_.lastSample - settings_.firstSample);
+        const int wanted = int(samples / (pilotShare * samplesOfPixel));
+        choosePixels(std::clamp(wanted, leastPixels, mostPixels), pixels);
+    }
+
+    /// Vertices to connect with, a light path.
+    double verticesPerPath() {
+        settings_.kind = IntegratorKind::Bidirectional;
+        TransportStatistics statistics;
+        FrameContext frame = pilotFrame(statistics, frame_.filter);
+        NoPicture nothing;
+        LightWave wave(frame, {0, 1}, nothing);
+        startLight(wave, 0, lightPathsOfPilot);
+        follow(wave);
+        return double(wave.kept.size()) / lightPathsOfPilot;
+    }
+
+    Trial run(const BidirectionalPlan &plan) {
+        const bool fromLights = plan.lightPaths > 0;
+        settings_.kind = fromLights ? IntegratorKind::Bidirectional : IntegratorKind::Path;
+        TransportStatistics statistics;
+        FrameContext frame = pilotFrame(statistics, middle_);
+        Trial trial;
+        trial.variance.assign(cells, 0), trial.mean.assign(cells, 0);
+        LightVertices vertices;
+        if (fromLights)
+            followLight(plan, statistics, vertices, trial);
+        const double lightCost = trial.cost;
+        trial.cost = 0;
+        const std::uint64_t before = statistics.bounceRays + statistics.shadowRays;
+        if (fromLights) {
+            EyeWave wave(frame, plan.counts(), vertices, plan.connections);
+            followCamera(wave, trial);
+        } else {
+            PathWave wave(frame);
+            followCamera(wave, trial);
+            setMeanOfPath(trial);
+        }
+        const std::uint64_t rays =
+            statistics.cameraRays + statistics.bounceRays + statistics.shadowRays - before;
+        trial.cost = double(rays) / (double(x_.size()) * samplesOfPixel) *
+                         (1 + costOfConnections * plan.connections) +
+                     lightCost;
+        return trial;
+    }
+
+    /// By cell, what `path` would at least make of the light that light paths have found.
+    const std::vector<double> &varianceOfPath() const { return varianceOfPath_; }
+
+private:
+    static constexpr int cells = LightTally::cells * LightTally::cells;
+
+    FrameContext pilotFrame(TransportStatistics &statistics, const PixelFilterSampler &filter) {
+        return FrameContext(frame_.scene, settings_, filter, light_, statistics, silence_);
+    }
+
+    /// Spread over the crop window (Roberts' sequence).
+    void choosePixels(int count, double pixels) {
+        count = int(std::min<double>(count, pixels));
+        for (int k = 0; k < count; ++k) {
+            const double u = std::fmod(0.5 + (k + 1) * 0.7548776662466927, 1.0);
+            const double v = std::fmod(0.5 + (k + 1) * 0.5698402909980532, 1.0);
+            x_.push_back(crop_[0] + int(u * (crop_[1] - crop_[0])));
+            y_.push_back(crop_[2] + int(v * (crop_[3] - crop_[2])));
+        }
+    }
+
+    void followLight(const BidirectionalPlan &plan,
+                     TransportStatistics &statistics, LightVertices &vertices, Trial &trial) {
+        FrameContext frame = pilotFrame(statistics, frame_.filter);
+        NoPicture nothing;
+        const auto [width, height] = frame.scene.options().format.effectiveResolution();
+        LightTally tally(crop_, plan.lightPaths * width * height);
+        for (int cell = 0; cell < cells; ++cell)
+            tally.values[cell].seldom = rareLight * meanOfPath_[cell];
+        LightWave wave(frame, plan.counts(), nothing);
+        wave.tally = &tally;
+        startLight(wave, 0, lightPathsOfPilot);
+        follow(wave);
+        vertices.rows = std::move(wave.kept);
+        vertices.paths = lightPathsOfPilot;
+        const double inCell =
+            double(crop_[1] - crop_[0]) * (crop_[3] - crop_[2]) / cells;
+        const double ofMean = lightPathsOfPilot * inCell;
+        const double ofSquares = ofMean * tally.samples;
+        varianceOfPath_.assign(cells, 0);
+        for (int cell = 0; cell < cells; ++cell) {
+            trial.mean[cell] += tally.values[cell].sum / ofMean;
+            trial.variance[cell] += tally.values[cell].squares / ofSquares;
+            varianceOfPath_[cell] = tally.values[cell].pathSquares / ofSquares;
+        }
+        const double rays = double(statistics.bounceRays + statistics.shadowRays);
+        trial.cost = rays / lightPathsOfPilot * plan.lightPaths * costOfLightRay;
+    }
+
+    /// Never 0, where there is light at all.
+    void setMeanOfPath(const Trial &trial) {
+        const double all =
+            std::accumulate(trial.mean.begin(), trial.mean.end(), 0.0) / cells;
+        meanOfPath_.clear();
+        for (double mean : trial.mean)
+            meanOfPath_.push_back(mean + all);
+    }
+
+    void followCamera(PathWave &wave, Trial &trial) {
+        const LightTally places(crop_, 1);
+        std::vector<int> pixels(cells);
+        std::vector<double> sums(cells), variances(cells);
+        const int together = PathWave::capacity / (2 * samplesOfPixel);
+        for (int first = 0; first < int(x_.size()); first += together) {
+            const int count = std::min(together, int(x_.size()) - first);
+            startCamera(wave, count, x_.data() + first, y_.data() + first, 0, samplesOfPixel);
+            follow(wave);
+            for (int k = 0; k < count; ++k) {
+                double sum = 0, squares = 0;
+                for (int s = 0; s < samplesOfPixel; ++s) {
+                    double Y = 0;
+                    for (int c = 0; c < colorSamples; ++c)
+                        Y += double(luminanceWeights[c]) *
+                             wave.results.radiance[c][k * samplesOfPixel + s];
+                    sum += Y, squares += Y * Y;
+                }
+                const double mean = sum / samplesOfPixel;
+                const int cell =
+                    places.cellAt(float(x_[first + k]) + 0.5f, float(y_[first + k]) + 0.5f);
+                ++pixels[cell], sums[cell] += mean;
+                variances[cell] += std::max(0.0, squares - sum * mean) / (samplesOfPixel - 1);
+            }
+        }
+        for (int cell = 0; cell < cells; ++cell)
+            if (pixels[cell] > 0) {
+                trial.mean[cell] += sums[cell] / pixels[cell];
+                trial.variance[cell] += variances[cell] / pixels[cell];
+            }
+    }
+
+    FrameContext &frame_;
+    IntegratorSettings settings_;
+    std::array<int, 4> crop_;
+    const std::vector<ChannelInfo> light_{{"Ci", colorSamples}, {"Oi", colorSamples}};
+    NoMessages silence_;
+    /// All samples of a pixel see one place of it: edges are noise whatever the plan.
+    PixelFilterSampler middle_;
+    std::vector<int> x_, y_;
+    std::vector<double> varianceOfPath_, meanOfPath_;
+};
+
+/// Error times cost, where the error is the geometric mean of both that pictures are judged by;
+/// `mean` by cell.
+double badness(const Trial &trial, const std::vector<double> &mean) {
+    const double all = std::accumulate(mean.begin(), mean.end(), 0.0) / double(mean.size());
+    double absolute = 0, relative = 0;
+    for (std::size_t cell = 0; cell < mean.size(); ++cell) {
+        absolute += trial.variance[cell];
+        const double dark = floorOfLuminance * all;
+        relative += trial.variance[cell] / (mean[cell] * mean[cell] + dark * dark);
+    }
+    return std::sqrt(absolute * relative) * trial.cost;
 }
 
 } // namespace
 
 BidirectionalPlan planTechniques(FrameContext &frame) {
-    BidirectionalPlan plan;
     if (!frame.scene.lights().startPaths() || frame.scene.hasVolumes())
-        return plan;
-    plan.verticesPerPath = verticesPerPath(frame);
-    if (!(plan.verticesPerPath > 0))
-        return plan;
-    plan.lightPaths = 1;
-    plan.connections = 1;
-    return plan;
+        return {};
+    Pilot pilot(frame);
+    const double vertices = pilot.verticesPerPath();
+    if (!(vertices > 0))
+        return {};
+    std::vector<BidirectionalPlan> plans;
+    std::vector<Trial> trials;
+    std::vector<double> mean;
+    for (BidirectionalPlan plan : candidates) {
+        plan.verticesPerPath = vertices;
+        plans.push_back(plan), trials.push_back(pilot.run(plan));
+        // The richest plan is the last: it knows all light best.
+        mean = trials.back().mean;
+    }
+    for (std::size_t cell = 0; cell < mean.size(); ++cell)
+        trials[0].variance[cell] =
+            trials[0].variance[cell] + pilot.varianceOfPath()[cell];
+    std::size_t best = 0;
+    for (std::size_t k = 1; k < plans.size(); ++k)
+        if (badness(trials[k], mean) < badness(trials[best], mean))
+            best = k;
+    return plans[best];
 }
 
 } // namespace candela

@@ -87,10 +87,13 @@ void renderTile(Worker &worker, const Tile &tile, int first, int last, SampleSin
 void integrate(const Scene &scene, const IntegratorSettings &settings,
                const PixelFilterSampler &filter, SampleSink &sink, TransportStatistics &statistics,
                DiagnosticSink &diagnostics) {
-    FrameContext frame(scene, settings, filter, sink.channels(), statistics, diagnostics);
+    IntegratorSettings taken = settings;
+    FrameContext frame(scene, taken, filter, sink.channels(), statistics, diagnostics);
     BidirectionalPlan plan;
     if (settings.kind == IntegratorKind::Bidirectional)
         plan = planTechniques(frame);
+    if (settings.kind == IntegratorKind::Bidirectional && !(plan.lightPaths > 0))
+        taken.kind = IntegratorKind::Path;
     std::unique_ptr<LightPass> lightPaths;
     if (plan.lightPaths > 0)
         lightPaths = std::make_unique<LightPass>(frame, plan, sink);

@@ -47,13 +47,14 @@ struct RayOrigins {
 
 /// What rays carry where paths have two ends (path/subpath.h): of the vertex that they left.
 struct SubpathHistory {
-    explicit SubpathHistory(int capacity) : doubles(2, capacity), floats(3, capacity) {
-        earlier = doubles[0], connections = doubles[1];
+    explicit SubpathHistory(int capacity) : doubles(3, capacity), floats(3, capacity) {
+        earlier = doubles[0], connections = doubles[1], earlierOfPath = doubles[2];
         pdf = floats[0], cosine = floats[1], parallel = floats[2];
     }
     Planes<double> doubles;
     Planes<float> floats;
     double *earlier;     ///< SubpathVertices::earlier of the next vertex, times its density squared.
+    double *earlierOfPath; ///< Likewise, of Subpaths::earlierOfPath.
     double *connections; ///< The square of how often this edge is a connection; 0 = never.
     float *pdf;          ///< Of the direction, per steradian; 1 = it had no choice.
     float *cosine;       ///< With the geometric normal, >= 0.

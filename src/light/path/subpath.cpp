@@ -27,12 +27,19 @@ double techniquesBefore(const Subpaths &ends, int i, double reached, double reve
     return square(reached) * (ends.last[i] + square(reversePdf * ends.back[i]) * ends.earlier[i]);
 }
 
+double pathTechniquesBefore(const Subpaths &ends, int i, double reached, double reversePdf,
+                            bool isFirst) {
+    return square(reached) * ((isFirst ? ends.last[i] : 0) +
+                              square(reversePdf * ends.back[i]) * ends.earlierOfPath[i]);
+}
+
 Subpaths::Subpaths(int capacity, TechniqueCounts counts)
-    : counts(counts), doubles(4, capacity), floats(12, capacity), integers(1, capacity),
+    : counts(counts), doubles(6, capacity), floats(12, capacity), integers(1, capacity),
       other(capacity) {
     reverseRequest = integers[0];
     last = doubles[0], earlier = doubles[1], nextEarlier = doubles[2];
     nextConnections = doubles[3];
+    earlierOfPath = doubles[4], nextEarlierOfPath = doubles[5];
     back = floats[0];
     toPrevious = {floats[1], floats[2], floats[3]}, seenAlong = {floats[4], floats[5], floats[6]};
     reversePdf = floats[7], nextPdf = floats[8], nextCosine = floats[9];
@@ -44,7 +51,7 @@ void beginHistory(PathWave &wave) {
     const Camera &camera = wave.frame.scene.camera();
     const double tries = square(wave.subpaths->counts.lightImage);
     for (int i = 0; i < wave.slots; ++i) {
-        history.earlier[i] = 0, history.connections[i] = tries;
+        history.earlier[i] = history.earlierOfPath[i] = 0, history.connections[i] = tries;
         history.pdf[i] = camera.pdf(wave.active.rays.direction[2][i]);
         history.cosine[i] = 0, history.parallel[i] = camera.isParallel() ? 1.0f : 0.0f;
     }
@@ -68,6 +75,7 @@ void arrive(PathWave &wave) {
         const double inverse = density > 0 ? 1 / square(density) : 0;
         ends.last[i] = history.connections[ray] * inverse;
         ends.earlier[i] = history.earlier[ray] * inverse;
+        ends.earlierOfPath[i] = history.earlierOfPath[ray] * inverse;
         ends.back[i] = float(history.cosine[ray] * perArea);
     }
 }
@@ -158,9 +166,12 @@ void lookBack(PathWave &wave, const ConstVec3Planes &direction) {
     for (int i = 0; i < count; ++i) {
         const bool finite = event[i] == finiteRequests;
         const bool passable = affine && (finite || ends.reversePdf[i] > 0);
-        const double before = (finite ? ends.last[i] : 0) +
-                              square(ends.reversePdf[i] * ends.back[i]) * ends.earlier[i];
-        ends.nextEarlier[i] = passable ? before : 0;
+        const double last = finite ? ends.last[i] : 0;
+        const double back = square(ends.reversePdf[i] * ends.back[i]);
+        ends.nextEarlier[i] = passable ? last + back * ends.earlier[i] : 0;
+        ends.nextEarlierOfPath[i] = passable ? (chunk.paths.depth[i] == 0 ? last : 0) +
+                                                   back * ends.earlierOfPath[i]
+                                             : 0;
         ends.nextConnections[i] = finite ? square(ends.counts.connections) : 0;
         ends.nextPdf[i] = finite ? chunk.way.pdf[i] : 1.0f;
         ends.nextCosine[i] = std::fabs(dot(at(constant(ends.seenAlong), i), at(Ng, i)));
@@ -176,6 +187,7 @@ void leaveHistory(PathWave &wave, int count, int first) {
         const int i = chunk.way.lane[k], next = first + k, ray = chunk.rays[i];
         const bool goesOn = chunk.events.event()[i] == straightThrough;
         to.earlier[next] = goesOn ? from.earlier[ray] : ends.nextEarlier[i];
+        to.earlierOfPath[next] = goesOn ? from.earlierOfPath[ray] : ends.nextEarlierOfPath[i];
         to.connections[next] = goesOn ? from.connections[ray] : ends.nextConnections[i];
         to.pdf[next] = goesOn ? from.pdf[ray] : ends.nextPdf[i];
         to.cosine[next] = goesOn ? from.cosine[ray] : ends.nextCosine[i];

@@ -33,6 +33,8 @@ struct Subpaths {
     Planes<double> doubles;
     /// As above, of the chunk's vertices, and of those that go on what SubpathHistory keeps.
     double *last, *earlier, *nextEarlier, *nextConnections;
+    /// `earlier` with the techniques alone that `path` has, too: of paths from lights.
+    double *earlierOfPath, *nextEarlierOfPath;
     Planes<float> floats;
     float *back; ///< r_(m-1) over the density per steradian of the direction to x_(m-1).
     MutableVec3Planes toPrevious, seenAlong; ///< Unit vectors; I of `other`.
@@ -52,6 +54,9 @@ void weighLightSamplesAmongAll(PathWave &);
 /// r_m^2 (last_m + r_(m-1)^2 earlier_m) of vertex i: `reached` is r_m, `reversePdf` the density per
 /// steradian towards x_(m-1).
 double techniquesBefore(const Subpaths &, int i, double reached, double reversePdf);
+/// The part of them that `path` has: of a path from a light whose first vertex it is, if `isFirst`.
+double pathTechniquesBefore(const Subpaths &, int i, double reached, double reversePdf,
+                            bool isFirst);
 /// What the chunk's paths would be from their other ends if they went on along the events in these
 /// directions, looked at by `other`; before roulette.
 void lookBack(PathWave &, const ConstVec3Planes &direction);
