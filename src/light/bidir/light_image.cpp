@@ -178,7 +178,8 @@ int weigh(LightWave &wave, int count) {
     return left;
 }
 
-void note(LightTally &tally, const LightImage &image, int i, int k, const SplatPlace &place) {
+void note(LightTally &tally, const LightImage &image, int slot, int i, int k,
+          const SplatPlace &place) {
     const int cell = tally.cellAt(place.x, place.y);
     if (cell < 0)
         return;
@@ -190,6 +191,8 @@ void note(LightTally &tally, const LightImage &image, int i, int k, const SplatP
     to.sum += Y, to.squares += Y * Y;
     if (std::fabs(Y) / tally.samples * image.pathGain[i] > to.seldom)
         to.pathSquares += Y * Y * image.pathGain[i];
+    if (tally.keepsSplats)
+        tally.splats.push_back({slot, cell, std::fabs(Y)});
 }
 
 void splat(LightWave &wave, int count) {
@@ -205,7 +208,7 @@ void splat(LightWave &wave, int count) {
         if (place.weight == 0)
             continue;
         if (wave.tally)
-            note(*wave.tally, image, i, k, place);
+            note(*wave.tally, image, wave.chunk.paths.slot[i], i, k, place);
         image.x.push_back(place.x), image.y.push_back(place.y);
         for (int c = 0; c < colorSamples; ++c)
             image.splats[c].push_back(image.seen[c][i] * image.transmittance[c][k] * place.weight);

@@ -65,7 +65,7 @@ void startLight(LightWave &wave, std::int64_t first, int count) {
                                     {numbers[2 * choicePair],
                                      {numbers[2 * placePair], numbers[2 * placePair + 1]},
                                      {numbers[2 * wayPair], numbers[2 * wayPair + 1]}},
-                                    wave.starts);
+                                    wave.frame.guide, wave.starts);
 
     ActivePaths &active = wave.active;
     int paths = 0;

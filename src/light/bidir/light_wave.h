@@ -38,6 +38,11 @@ struct LightTally {
         double pathSquares = 0;      ///< What `path` would make of the light that it seldom finds.
         double seldom = 0; ///< Found so seldom is what has more luminance than this in a sample.
     };
+    /// What one path has brought.
+    struct Splat {
+        int slot, cell;
+        double luminance;
+    };
     LightTally(const std::array<int, 4> &crop, double samples)
         : crop(crop), samples(samples), values(cells * cells) {}
     /// Of a raster position; -1 = beyond the crop window.
@@ -46,6 +51,8 @@ struct LightTally {
     std::array<int, 4> crop;
     double samples; ///< Splats over this are shares of a pixel's sample.
     std::vector<Cell> values;
+    bool keepsSplats = false;
+    std::vector<Splat> splats; ///< If they are wanted.
 };
 
 struct LightWave : PathWave {

@@ -2,7 +2,9 @@
 #include "light/bidir/plan.h"
 
 #include "light/bidir/eye_wave.h"
+#include "light/bidir/learn_emission.h"
 #include "light/bidir/light_wave.h"
+#include "light/bidir/no_picture.h"
 #include "light/path/stages.h"
 
 #include <algorithm>
@@ -17,13 +19,16 @@ namespace {
 /// What a pilot asks about: no light paths at all, and three plans with them.
 constexpr BidirectionalPlan candidates[] = {{0, 0}, {0.25, 0}, {1, 0}, {1, 1}};
 
-/// Of a pilot: samples of a pixel, and pixels; frames of few samples have smaller ones.
-constexpr int samplesOfPixel = 4, mostPixels = 4096, leastPixels = 512, pilotShare = 64;
+/// Of a pilot: samples of a pixel, and pixels; small frames have smaller ones. How many samples the
+/// frame takes has no say: a picture may be continued.
+constexpr int samplesOfPixel = 4, mostPixels = 4096, leastPixels = 512, pilotShare = 16;
 /// Samples that are so much brighter than their surroundings are taken for rare: a pilot of `path`
 /// may have missed them.
 constexpr double rareLight = 8;
 constexpr float tinyWidth = 1e-3f;
 constexpr int lightPathsOfPilot = 4096;
+/// Of learning where light paths begin best: for the pilots, and for the frame, if it has such paths.
+constexpr int roundsOfPilot = 3, roundsOfFrame = 64;
 /// A ray of a light path costs more than one of a camera path, with the connection to the lens; and
 /// a connection of each vertex, as a share of all that a camera path costs. Measured on rooms of
 /// matte and plastic walls.
@@ -37,13 +42,6 @@ public:
     void report(const Diagnostic &) override {}
 };
 
-class NoPicture : public SampleSink {
-public:
-    std::span<const ChannelInfo> channels() const override { return {}; }
-    void add(const SampleBatch &) override {}
-    void add(const SplatBatch &) override {}
-};
-
 /// A plan's error and cost, of one sample a pixel.
 struct Trial {
     std::vector<double> variance; ///< Of the luminance, by cell.
@@ -51,15 +49,20 @@ struct Trial {
     double cost = 0;
 };
 
+/// Crop windows are parts of the same picture, with the same plan.
+std::array<int, 4> wholeFrame(const Scene &scene) {
+    const auto [width, height] = scene.options().format.effectiveResolution();
+    return {0, width, 0, height};
+}
+
 class Pilot {
 public:
     explicit Pilot(FrameContext &frame)
-        : frame_(frame), settings_(frame.settings), crop_(frame.settings.crop),
+        : frame_(frame), settings_(frame.settings), crop_(wholeFrame(frame.scene)),
           middle_({"box", tinyWidth, tinyWidth}, silence_) {
         settings_.seed = frame.settings.seed * 0x9e3779b9u + 0x7f4a7c15u; // Other samples.
         const double pixels = double(crop_[1] - crop_[0]) * (crop_[3] - crop_[2]);
-        const double samples = pixels * (settings_.lastSample - settings_.firstSample);
-        const int wanted = int(samples / (pilotShare * samplesOfPixel));
+        const int wanted = int(pixels / pilotShare);
         choosePixels(std::clamp(wanted, leastPixels, mostPixels), pixels);
     }
 
@@ -73,6 +76,15 @@ public:
         startLight(wave, 0, lightPathsOfPilot);
         follow(wave);
         return double(wave.kept.size()) / lightPathsOfPilot;
+    }
+
+    /// After the pilot of `path`.
+    EmissionGuide learn(int rounds) {
+        settings_.kind = IntegratorKind::Bidirectional;
+        TransportStatistics statistics;
+        FrameContext frame = pilotFrame(statistics, frame_.filter);
+        guide_ = learnEmission(frame, meanOfPath_, x_, y_, rounds);
+        return *guide_;
     }
 
     Trial run(const BidirectionalPlan &plan) {
@@ -111,10 +123,11 @@ private:
     static constexpr int cells = LightTally::cells * LightTally::cells;
 
     FrameContext pilotFrame(TransportStatistics &statistics, const PixelFilterSampler &filter) {
-        return FrameContext(frame_.scene, settings_, filter, light_, statistics, silence_);
+        return FrameContext(frame_.scene, settings_, filter, light_, statistics, silence_,
+                            guide_ ? &*guide_ : nullptr);
     }
 
-    /// Spread over the crop window (Roberts' sequence).
+    /// Spread over the frame (Roberts' sequence).
     void choosePixels(int count, double pixels) {
         count = int(std::min<double>(count, pixels));
         for (int k = 0; k < count; ++k) {
@@ -132,7 +145,7 @@ private:
         const auto [width, height] = frame.scene.options().format.effectiveResolution();
         LightTally tally(crop_, plan.lightPaths * width * height);
         for (int cell = 0; cell < cells; ++cell)
-            tally.values[cell].seldom = rareLight * meanOfPath_[cell];
+            tally.values[cell].seldom = findsLight_ ? rareLight * meanOfPath_[cell] : 0;
         LightWave wave(frame, plan.counts(), nothing);
         wave.tally = &tally;
         startLight(wave, 0, lightPathsOfPilot);
@@ -153,13 +166,14 @@ private:
         trial.cost = rays / lightPathsOfPilot * plan.lightPaths * costOfLightRay;
     }
 
-    /// Never 0, where there is light at all.
+    /// Never 0: where `path` finds no light at all, it is all alike.
     void setMeanOfPath(const Trial &trial) {
         const double all =
             std::accumulate(trial.mean.begin(), trial.mean.end(), 0.0) / cells;
+        findsLight_ = all > 0;
         meanOfPath_.clear();
         for (double mean : trial.mean)
-            meanOfPath_.push_back(mean + all);
+            meanOfPath_.push_back(all > 0 ? mean + all : 1);
     }
 
     void followCamera(PathWave &wave, Trial &trial) {
@@ -203,6 +217,8 @@ private:
     PixelFilterSampler middle_;
     std::vector<int> x_, y_;
     std::vector<double> varianceOfPath_, meanOfPath_;
+    bool findsLight_ = false; ///< `path` does.
+    std::optional<EmissionGuide> guide_;
 };
 
 /// Error times cost, where the error is the geometric mean of both that pictures are judged by;
@@ -220,29 +236,34 @@ double badness(const Trial &trial, const std::vector<double> &mean) {
 
 } // namespace
 
-BidirectionalPlan planTechniques(FrameContext &frame) {
+BidirectionalPlan planTechniques(FrameContext &frame, EmissionGuide &guide) {
     if (!frame.scene.lights().startPaths() || frame.scene.hasVolumes())
         return {};
     Pilot pilot(frame);
-    const double vertices = pilot.verticesPerPath();
-    if (!(vertices > 0))
-        return {};
     std::vector<BidirectionalPlan> plans;
     std::vector<Trial> trials;
     std::vector<double> mean;
+    double vertices = 1;
     for (BidirectionalPlan plan : candidates) {
         plan.verticesPerPath = vertices;
         plans.push_back(plan), trials.push_back(pilot.run(plan));
         // The richest plan is the last: it knows all light best.
         mean = trials.back().mean;
+        if (plan.lightPaths > 0)
+            continue;
+        guide = pilot.learn(roundsOfPilot);
+        vertices = pilot.verticesPerPath();
+        if (!(vertices > 0))
+            return {};
     }
     for (std::size_t cell = 0; cell < mean.size(); ++cell)
-        trials[0].variance[cell] =
-            trials[0].variance[cell] + pilot.varianceOfPath()[cell];
+        trials[0].variance[cell] += pilot.varianceOfPath()[cell];
     std::size_t best = 0;
     for (std::size_t k = 1; k < plans.size(); ++k)
         if (badness(trials[k], mean) < badness(trials[best], mean))
             best = k;
+    if (best > 0 && std::ranges::any_of(guide.lights, [](auto &grid) { return grid.has_value(); }))
+        guide = pilot.learn(roundsOfFrame);
     return plans[best];
 }
 

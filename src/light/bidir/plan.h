@@ -4,11 +4,12 @@
 #pragma once
 
 #include "light/path/wave.h"
+#include "world/scene/emission_guide.h"
 
 namespace candela {
 
 /// Depends on scene, seed and settings alone; no technique but the camera's where nothing begins
-/// paths on lights.
-BidirectionalPlan planTechniques(FrameContext &);
+/// paths on lights. Learns besides where paths from lights begin best.
+BidirectionalPlan planTechniques(FrameContext &, EmissionGuide &);
 
 } // namespace candela

@@ -18,6 +18,10 @@ namespace {
 /// By how much the view that tells the ratio of refraction is turned, radians.
 constexpr float tilt = 0.02f;
 
+/// Roulette is milder with what mirrors and glass pass on: faint reflections of a lamp are seen by
+/// nobody else, and paths from lights that meet them are few.
+constexpr float oneDirectionShare = 0.1f;
+
 ConstVec3Planes constant(const MutableVec3Planes &planes) {
     return {planes[0], planes[1], planes[2]};
 }
@@ -186,9 +190,9 @@ void goOn(LightWave &wave, const ConstVec3Planes &direction) {
         passFinite(wave, direction);
     else
         passOneDirection(wave, direction);
-    const RouletteThresholds thresholds{rouletteBelow,
-                                        chunk.events.kinds() > 0 ? rouletteBelow * firstRouletteShare
-                                                                 : 0};
+    const float below = chunk.events.finite() ? rouletteBelow : rouletteBelow * oneDirectionShare;
+    const RouletteThresholds thresholds{
+        below, chunk.events.kinds() > 0 ? rouletteBelow * firstRouletteShare : 0};
     playRoulette(chunk.count(), way.brightest, chunk.paths.depth, thresholds,
                  chunk.numbers.roulette(), way.survives, way.gain);
     if (wave.vertex >= thresholds.splittingVertices && chunk.events.kinds() > 0)

@@ -90,8 +90,10 @@ void integrate(const Scene &scene, const IntegratorSettings &settings,
     IntegratorSettings taken = settings;
     FrameContext frame(scene, taken, filter, sink.channels(), statistics, diagnostics);
     BidirectionalPlan plan;
+    EmissionGuide guide;
     if (settings.kind == IntegratorKind::Bidirectional)
-        plan = planTechniques(frame);
+        plan = planTechniques(frame, guide);
+    frame.guide = &guide;
     if (settings.kind == IntegratorKind::Bidirectional && !(plan.lightPaths > 0))
         taken.kind = IntegratorKind::Path;
     std::unique_ptr<LightPass> lightPaths;

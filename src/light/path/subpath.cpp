@@ -86,7 +86,8 @@ void weighEmissionAmongAll(PathWave &wave, float *weight) {
     const int count = chunk.count();
     wave.frame.scene.lights().startDensities(
         count, chunk.vertices.points.light, constant(ends.toPrevious),
-        chunk.vertices.input(ShaderInput::Ng), {ends.startPosition, ends.startDirection});
+        chunk.vertices.input(ShaderInput::Ng), chunk.vertices.P(), wave.frame.guide,
+        {ends.startPosition, ends.startDirection});
     for (int i = 0; i < count; ++i) {
         const double begun = double(ends.startPosition[i]) * ends.startDirection[i] * ends.back[i];
         weight[i] = float(misWeightAmong(weight[i], square(begun) * ends.earlier[i]));
@@ -106,8 +107,8 @@ void weighLightSamplesAmongAll(PathWave &wave) {
             ends.seenAlong[c][i] = -direct.unit[c][i];
     wave.frame.scene.lights().startDensities(
         count, samples.light, constant(ends.seenAlong),
-        {samples.normal[0], samples.normal[1], samples.normal[2]},
-        {ends.startPosition, ends.startDirection});
+        {samples.normal[0], samples.normal[1], samples.normal[2]}, chunk.vertices.P(),
+        wave.frame.guide, {ends.startPosition, ends.startDirection});
     std::fill_n(ends.reversePdf, count, 0.0f);
     if (std::any_of(ends.earlier, ends.earlier + count, [](double e) { return e > 0; })) {
         ends.other.look(chunk.vertices, constant(ends.seenAlong),

@@ -9,10 +9,11 @@ namespace candela {
 
 FrameContext::FrameContext(const Scene &scene, const IntegratorSettings &settings,
                            const PixelFilterSampler &filter, std::span<const ChannelInfo> channels,
-                           TransportStatistics &statistics, DiagnosticSink &diagnostics)
+                           TransportStatistics &statistics, DiagnosticSink &diagnostics,
+                           const EmissionGuide *guide)
     : scene(scene), settings(settings), filter(filter), firstHit(firstHitPlanes(channels)),
       shaderChannels(scene, channels), statistics(statistics), nonFinite(statistics, diagnostics),
-      diagnostics(diagnostics) {}
+      diagnostics(diagnostics), guide(guide) {}
 
 PathWave::PathWave(FrameContext &frame, Purpose purpose)
     : PathWave(frame, purpose, stagesOfIntegrator, false) {}

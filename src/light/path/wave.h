@@ -25,10 +25,13 @@
 
 namespace candela {
 
+struct EmissionGuide;
+
 /// What all waves of a frame share.
 struct FrameContext {
     FrameContext(const Scene &, const IntegratorSettings &, const PixelFilterSampler &,
-                 std::span<const ChannelInfo>, TransportStatistics &, DiagnosticSink &);
+                 std::span<const ChannelInfo>, TransportStatistics &, DiagnosticSink &,
+                 const EmissionGuide * = nullptr);
     const Scene &scene;
     const IntegratorSettings &settings;
     const PixelFilterSampler &filter;
@@ -37,6 +40,7 @@ struct FrameContext {
     TransportStatistics &statistics;
     NonFiniteReporter nonFinite;
     DiagnosticSink &diagnostics;
+    const EmissionGuide *guide; ///< For paths from lights; null = nothing is known.
     std::once_flag refusedLight; ///< Volumes have asked for light at too many points: said.
 };
 

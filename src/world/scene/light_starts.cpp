@@ -4,6 +4,7 @@
 #include "foundation/base/scratch.h"
 #include "world/points/surface_points.h"
 #include "world/scene/cone_samples.h"
+#include "world/scene/emission_guide.h"
 #include "world/scene/emitters.h"
 #include "world/scene/light_question.h"
 #include "world/scene/scene.h"
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 namespace candela {
@@ -40,6 +42,34 @@ Vec3 sampleCosine(LightSides sides, Vec3 normal, float u, float v) {
     return directionAbout(back ? -normal : normal, std::sqrt(1 - u), v);
 }
 
+/// A light's grid, if it has one, and how many of its paths follow it.
+struct Guide {
+    const SquareGrid *grid = nullptr;
+    double share = 0;
+
+    Guide(const EmissionGuide *all, int light) {
+        if (all && all->lights[light])
+            grid = &*all->lights[light], share = all->share;
+    }
+
+    /// The density of what may follow the grid, or not; `own` without it, `even` what the grid's 1
+    /// is.
+    double pdf(std::array<double, 2> place, double own, double even) const {
+        return grid ? share * grid->pdf(place[0], place[1]) * even + (1 - share) * own : own;
+    }
+
+    /// A place on the grid, for the guided part of `number`; else nothing, and the number is uniform
+    /// again.
+    std::optional<std::array<double, 2>> sample(float &number, float other) const {
+        if (!grid)
+            return std::nullopt;
+        if (number < share)
+            return grid->sample(number / share, other);
+        number = std::min(float((number - share) / (1 - share)), 0x1.fffffep-1f);
+        return std::nullopt;
+    }
+};
+
 void put(const std::array<float *, 3> &planes, int i, Vec3 value) {
     for (int c = 0; c < 3; ++c)
         planes[c][i] = value[c];
@@ -56,8 +86,9 @@ struct SurfaceStarts {
 
 class Starter {
 public:
-    Starter(const SceneState &state, const LightStartNumbers &numbers, LightStarts &out)
-        : state_(state), numbers_(numbers), out_(out) {}
+    Starter(const SceneState &state, const LightStartNumbers &numbers, const EmissionGuide *guide,
+            LightStarts &out)
+        : state_(state), numbers_(numbers), guide_(guide), out_(out) {}
 
     void run(int count) {
         const Emitters &emitters = state_.emitters;
@@ -87,11 +118,12 @@ public:
 private:
     /// The light; its source and what is left of the number.
     int choose(int i) {
-        const Emitters &emitters = state_.emitters;
-        if (emitters.cumulative.empty() || !(emitters.cumulative.back() > 0))
+        const std::vector<double> &cumulative =
+            guide_ ? guide_->cumulative : state_.emitters.cumulative;
+        if (cumulative.empty() || !(cumulative.back() > 0))
             return -1;
         double choice = numbers_.choice[i];
-        const int index = chooseByCumulative(emitters.cumulative, choice);
+        const int index = chooseByCumulative(cumulative, choice);
         const SceneLight &light = state_.lights.lights[index];
         out_.source[i] = light.firstSource;
         place_[i] = numbers_.position[0][i];
@@ -122,17 +154,28 @@ private:
             .code;
     }
 
+    double probabilityOf(int light) const {
+        return guide_ ? guide_->probability[light] : state_.emitters.lights[light].probability;
+    }
+
     void startAtPoint(int i, int light) {
         const Emitter &emitter = state_.emitters.lights[light];
+        const Guide guide(guide_, light);
+        float u = numbers_.direction[0][i];
+        const float v = numbers_.direction[1][i];
+        const auto place = guide.sample(u, v);
         const Vec3 direction =
-            emitter.lobes.sample(numbers_.direction[0][i], numbers_.direction[1][i]);
+            place ? directionOfSquare((*place)[0], (*place)[1]) : emitter.lobes.sample(u, v);
+        const double probability = probabilityOf(light);
         put(out_.origin, i, emitter.place);
         put(out_.direction, i, direction);
         put(out_.normal, i, {});
-        out_.positionPdf[i] = float(emitter.probability);
-        out_.directionPdf[i] = float(emitter.lobes.pdf(direction));
+        const double directionPdf = guide.pdf(squareOfDirection(direction),
+                                              emitter.lobes.pdf(direction), 1 / (4 * pi));
+        out_.positionPdf[i] = float(probability);
+        out_.directionPdf[i] = float(directionPdf);
         for (float *plane : out_.flux)
-            plane[i] = float(1 / (emitter.probability * double(out_.directionPdf[i])));
+            plane[i] = float(1 / (probability * directionPdf));
         out_.lightSample[0][i] = numbers_.position[0][i];
         out_.lightSample[1][i] = numbers_.position[1][i];
     }
@@ -187,16 +230,22 @@ private:
     void startThroughDisc(int i, Vec3 direction) {
         if (!isFinite(direction) || dot(direction, direction) == 0)
             return setNone(i);
-        const Emitter &emitter = state_.emitters.lights[out_.light[i] - 1];
-        const Vec3 across = directionAbout(direction, 0, numbers_.position[1][i]);
-        const float radius = state_.radius * std::sqrt(numbers_.position[0][i]);
+        const double probability = probabilityOf(out_.light[i] - 1);
+        const Guide guide(guide_, out_.light[i] - 1);
+        float u = numbers_.position[0][i], v = numbers_.position[1][i];
+        if (const auto place = guide.sample(u, v))
+            u = float((*place)[0]), v = float((*place)[1]);
+        const Vec3 across = directionAbout(direction, 0, v);
+        const float radius = state_.radius * std::sqrt(u);
+        const double pdf = guide.pdf({u, v}, 1 / state_.emitters.discArea,
+                                     1 / state_.emitters.discArea);
         put(out_.origin, i, state_.centre + across * radius - direction * (2 * state_.radius));
         put(out_.direction, i, direction);
         put(out_.normal, i, {});
-        out_.positionPdf[i] = float(emitter.probability);
-        out_.directionPdf[i] = float(1 / state_.emitters.discArea);
+        out_.positionPdf[i] = float(probability);
+        out_.directionPdf[i] = float(pdf);
         for (float *plane : out_.flux)
-            plane[i] = float(state_.emitters.discArea / emitter.probability);
+            plane[i] = float(1 / (pdf * probability));
     }
 
     void startOnSurfaces(int code, std::span<const int> lane) {
@@ -240,6 +289,7 @@ private:
         };
         const Vec3 P = vec3(ShaderInput::P), Ng = vec3(ShaderInput::Ng);
         const Emitter &emitter = state_.emitters.lights[out_.light[i] - 1];
+        const int light = out_.light[i] - 1;
         const Vec3 direction = sampleCosine(emitter.sides, Ng, numbers_.direction[0][i],
                                             numbers_.direction[1][i]);
         for (int c = 0; c < 3; ++c) {
@@ -251,7 +301,7 @@ private:
         put(out_.normal, i, Ng);
         const double cosine = dot(direction, Ng);
         const double directionPdf = cosineDensity(emitter.sides, cosine);
-        const double positionPdf = emitter.probability / emitter.area;
+        const double positionPdf = probabilityOf(light) / emitter.area;
         // Those that turn their back where rays do not meet it send nothing there.
         const SourceBin &bin = state_.lights.bins[state_.lights.sources[out_.source[i]].bin];
         const Vec3 natural{own.drawn.normal[0][k], own.drawn.normal[1][k], own.drawn.normal[2][k]};
@@ -265,6 +315,7 @@ private:
 
     const SceneState &state_;
     const LightStartNumbers &numbers_;
+    const EmissionGuide *guide_;
     LightStarts &out_;
     std::vector<float> place_; ///< What is left of the first number of the place.
     std::vector<int> distant_;
@@ -289,36 +340,82 @@ bool Lights::startPaths() const {
     return !cumulative.empty() && cumulative.back() > 0;
 }
 
-void Lights::start(int count, const LightStartNumbers &numbers, LightStarts &out) const {
-    Starter(*state_, numbers, out).run(count);
+void Lights::start(int count, const LightStartNumbers &numbers, const EmissionGuide *guide,
+                   LightStarts &out) const {
+    Starter(*state_, numbers, guide, out).run(count);
 }
+
+namespace {
+
+/// Where the line through P along the light's direction passes the disc; directionAbout()'s turn.
+std::array<double, 2> squareOfDisc(const SceneState &state, Vec3 direction, Vec3 P) {
+    const Vec3 from = P - state.centre;
+    const Vec3 x = directionAbout(direction, 0, 0), y = directionAbout(direction, 0, 0.25f);
+    const double a = dot(from, x) / state.radius, b = dot(from, y) / state.radius;
+    const double turn = std::atan2(b, a) / (2 * pi);
+    return {std::min(a * a + b * b, 1.0), turn < 0 ? turn + 1 : turn};
+}
+
+} // namespace
 
 void Lights::startDensities(int count, const std::int32_t *light,
                             const std::array<const float *, 3> &direction,
                             const std::array<const float *, 3> &normal,
+                            const std::array<const float *, 3> &P, const EmissionGuide *guide,
                             const LightStartDensities &out) const {
     for (int i = 0; i < count; ++i) {
         out.position[i] = out.direction[i] = 0;
         if (light[i] <= 0)
             continue;
-        const Emitter &emitter = state_->emitters.lights[light[i] - 1];
+        const int index = light[i] - 1;
+        const Emitter &emitter = state_->emitters.lights[index];
+        const Guide own(guide, index);
+        const double probability = guide ? guide->probability[index] : emitter.probability;
         const Vec3 along{direction[0][i], direction[1][i], direction[2][i]};
         const Vec3 N{normal[0][i], normal[1][i], normal[2][i]};
+        double pdf = 0;
         switch (emitter.form) {
-        case EmitterForm::None: break;
+        case EmitterForm::None: continue;
         case EmitterForm::Surface:
-            out.position[i] = float(emitter.probability / emitter.area);
-            out.direction[i] = float(cosineDensity(emitter.sides, dot(along, N)));
+            pdf = cosineDensity(emitter.sides, dot(along, N));
             break;
         case EmitterForm::Point:
-            out.position[i] = float(emitter.probability);
-            out.direction[i] = float(emitter.lobes.pdf(along));
+            pdf = own.pdf(squareOfDirection(along), emitter.lobes.pdf(along), 1 / (4 * pi));
             break;
         case EmitterForm::Distant:
-            out.position[i] = float(emitter.probability);
-            out.direction[i] = float(1 / state_->emitters.discArea);
+            pdf = 1 / state_->emitters.discArea;
+            pdf = own.pdf(squareOfDisc(*state_, along, {P[0][i], P[1][i], P[2][i]}), pdf, pdf);
         }
+        const bool hasArea = emitter.form == EmitterForm::Surface;
+        out.position[i] = float(hasArea ? probability / emitter.area : probability);
+        out.direction[i] = float(pdf);
     }
+}
+
+std::optional<std::array<double, 2>> Lights::guidedPlace(std::int32_t light, const Vec3 &direction,
+                                                         const Vec3 &P) const {
+    switch (state_->emitters.lights[light - 1].form) {
+    case EmitterForm::None:
+    case EmitterForm::Surface: return std::nullopt;
+    case EmitterForm::Point: return squareOfDirection(direction);
+    case EmitterForm::Distant: break;
+    }
+    return squareOfDisc(*state_, direction, P);
+}
+
+std::optional<std::array<double, 2>> Lights::guidedPlaceFor(std::int32_t light,
+                                                            const Vec3 &P) const {
+    const Emitter &emitter = state_->emitters.lights[light - 1];
+    if (emitter.form != EmitterForm::Point)
+        return std::nullopt;
+    return squareOfDirection(normalize(P - emitter.place));
+}
+
+std::vector<double> Lights::startProbabilities() const {
+    std::vector<double> all;
+    for (const Emitter &emitter : state_->emitters.lights)
+        all.push_back(emitter.probability);
+    return all;
 }
 
 bool Lights::isDistant(std::int32_t light) const {

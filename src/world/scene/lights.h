@@ -3,16 +3,20 @@
 #pragma once
 
 #include "foundation/base/planes.h"
+#include "foundation/base/vec3.h"
 #include "foundation/units/color.h"
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <vector>
 
 namespace candela {
 
 struct SceneState;
 struct ShadingPoints;
+struct EmissionGuide;
 struct LightStartDensities;
 struct LightStartNumbers;
 struct LightStarts;
@@ -96,13 +100,23 @@ public:
 
     /// Some light begins paths.
     bool startPaths() const;
-    void start(int count, const LightStartNumbers &, LightStarts &) const;
+    /// `guide`, here and below: what is known of where paths are worth beginning; null = nothing.
+    void start(int count, const LightStartNumbers &, const EmissionGuide *guide,
+               LightStarts &) const;
     /// The densities with which start() begins paths at light[i] (index + 1) that leave along unit
-    /// directions, at points with these normals; 0 where it never does.
+    /// directions, from points with these normals, and pass the points P; 0 where it never does.
     void startDensities(int count, const std::int32_t *light,
                         const std::array<const float *, 3> &direction,
                         const std::array<const float *, 3> &normal,
+                        const std::array<const float *, 3> &P, const EmissionGuide *guide,
                         const LightStartDensities &) const;
+    /// Where on the square of its light's grid a path begins; and one that leaves the light for P,
+    /// of lights that have one place. None where there is no grid to be had.
+    std::optional<std::array<double, 2>> guidedPlace(std::int32_t light, const Vec3 &direction,
+                                                     const Vec3 &P) const;
+    std::optional<std::array<double, 2>> guidedPlaceFor(std::int32_t light, const Vec3 &P) const;
+    /// How likely paths begin at the lights, by index, as long as nothing is learned.
+    std::vector<double> startProbabilities() const;
     /// What light[i] (index + 1), which has no extent, sends to the points; black where it is off.
     /// `query.position` is LightStarts::lightSample, its choice is not read.
     void sampleGiven(const std::int32_t *light, const LightQuery &query, LightSamples &) const;
