@@ -22,6 +22,17 @@ namespace {
 
 constexpr int defaultDepth = 64;
 
+/// Option "bidir": how many of its paths begin on lights.
+BidirectionalWishes wishesOf(const NamedParameters &named) {
+    BidirectionalWishes wishes;
+    if (const double paths = named.number("bidir:lightpaths", -1); paths >= 0)
+        wishes.lightPaths = paths;
+    if (const double connections = named.number("bidir:connections", -1); connections >= 0)
+        wishes.connections = int(connections);
+    wishes.trust = named.number("bidir:trust", 1);
+    return wishes;
+}
+
 IntegratorSettings integratorSettings(const Scene &scene, const RenderSettings &settings) {
     const Options &options = scene.options();
     IntegratorSettings result;
@@ -34,6 +45,7 @@ IntegratorSettings integratorSettings(const Scene &scene, const RenderSettings &
     result.seed = settings.seed;
     result.maxDepth = int(options.named.number("trace:maxdepth", defaultDepth));
     result.hemisphereOnly = settings.hemisphereOnly;
+    result.bidirectional = wishesOf(options.named);
     result.crop = options.format.cropPixels();
     return result;
 }

@@ -23,6 +23,7 @@ struct FrameSettings {
     int samples = 1; ///< A pixel.
     int seed = 1;
     std::string shaders; ///< A folder of tests/ with shaders.
+    bool mayWarn = false;
 };
 
 /// Renders all frames in one run, in si units with a box filter of one pixel; 8 x 8 pixels, unless

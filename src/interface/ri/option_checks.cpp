@@ -54,11 +54,37 @@ bool maxDepth(const GivenOption &given) {
                        "the eye, a number from 0 (emission alone) to 1048576");
 }
 
+bool isWithin(const GivenOption &given, float least, float most) {
+    const float number = given.parameter.floats.empty() ? -1 : given.parameter.floats.front();
+    return number >= least && number <= most;
+}
+
+bool lightPaths(const GivenOption &given) {
+    return isWithin(given, 0, 1e4f) ||
+           given.wrong("\"bidir\" \"lightpaths\" is how many paths begin on lights for each sample "
+                       "of a pixel, a number from 0 to 10000");
+}
+
+bool connections(const GivenOption &given) {
+    return isWithin(given, 0, 64) ||
+           given.wrong("\"bidir\" \"connections\" is with how many points on paths from lights each "
+                       "point that the camera finds is connected, a number from 0 to 64");
+}
+
+bool trust(const GivenOption &given) {
+    return isWithin(given, 1e-6f, 1e6f) ||
+           given.wrong("\"bidir\" \"trust\" is what paths from lights count in weights besides "
+                       "their number, a number from 0.000001 to 1000000");
+}
+
 } // namespace
 
 bool checkOption(RequestDiagnostics &diagnostics, const SourceLocation &where,
                  const std::string &category, const Parameter &parameter) {
     static const std::map<std::string, bool (*)(const GivenOption &), std::less<>> checks = {
+        {"bidir:connections", connections},
+        {"bidir:lightpaths", lightPaths},
+        {"bidir:trust", trust},
         {"render:integrator", integrator},
         {"shading:highlights", highlights},
         {"shading:loopturns", loopTurns},

@@ -244,8 +244,10 @@ BidirectionalPlan planTechniques(FrameContext &frame, EmissionGuide &guide) {
     std::vector<Trial> trials;
     std::vector<double> mean;
     double vertices = 1;
+    const BidirectionalWishes &wishes = frame.settings.bidirectional;
     for (BidirectionalPlan plan : candidates) {
         plan.verticesPerPath = vertices;
+        plan.trust = wishes.trust;
         plans.push_back(plan), trials.push_back(pilot.run(plan));
         // The richest plan is the last: it knows all light best.
         mean = trials.back().mean;
@@ -255,6 +257,8 @@ BidirectionalPlan planTechniques(FrameContext &frame, EmissionGuide &guide) {
         vertices = pilot.verticesPerPath();
         if (!(vertices > 0))
             return {};
+        if (wishes.lightPaths)
+            return {*wishes.lightPaths, wishes.connections.value_or(0), vertices, wishes.trust};
     }
     for (std::size_t cell = 0; cell < mean.size(); ++cell)
         trials[0].variance[cell] += pilot.varianceOfPath()[cell];

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <optional>
 
 namespace candela {
 
@@ -31,10 +32,18 @@ struct BidirectionalPlan {
     double lightPaths = 0;      ///< Started for each sample of a pixel; 0 = the frame is `path`'s.
     int connections = 0;        ///< Of each vertex of a camera path.
     double verticesPerPath = 1; ///< Of light paths, as a pilot found: what a connection counts.
+    double trust = 1; ///< In weights, what light paths count beside their number.
 
     TechniqueCounts counts() const {
-        return {lightPaths, connections > 0 ? connections / verticesPerPath : 0};
+        return {trust * lightPaths, connections > 0 ? trust * connections / verticesPerPath : 0};
     }
+};
+
+/// What the user decides of it, in place of pilots.
+struct BidirectionalWishes {
+    std::optional<double> lightPaths;
+    std::optional<int> connections;
+    double trust = 1;
 };
 
 struct IntegratorSettings {
@@ -44,6 +53,7 @@ struct IntegratorSettings {
     std::uint32_t seed = 0;
     int maxDepth = 64;           ///< Reflections and refractions along a path.
     bool hemisphereOnly = false; ///< --sampling hemisphere: ignore the shaders' cones.
+    BidirectionalWishes bidirectional;
     std::array<int, 4> crop{};   ///< x0, x1, y0, y1: the pixels to render.
     /// Called after each tile, from any thread, with the share done in [0,1].
     std::function<void(double)> progress;
