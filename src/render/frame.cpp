@@ -20,8 +20,6 @@ namespace candela {
 
 namespace {
 
-constexpr int defaultDepth = 64;
-
 IntegratorSettings integratorSettings(const Scene &scene, const RenderSettings &settings) {
     const Options &options = scene.options();
     IntegratorSettings result;
@@ -30,7 +28,7 @@ IntegratorSettings integratorSettings(const Scene &scene, const RenderSettings &
         std::round(double(std::max(1.0f, options.xSamples)) * std::max(1.0f, options.ySamples));
     result.lastSample = int(std::min<double>(samples, maximumSamplesPerPixel));
     result.seed = settings.seed;
-    result.maxDepth = int(options.named.number("trace:maxdepth", defaultDepth));
+    result.maxDepth = maxDepthOf(options);
     result.hemisphereOnly = settings.hemisphereOnly;
     result.crop = options.format.cropPixels();
     return result;
@@ -249,6 +247,11 @@ bool renderAndWrite(const Scene &scene, ShaderLibrary &library, const RenderSett
 }
 
 } // namespace
+
+int maxDepthOf(const Options &options) {
+    constexpr int usual = 64;
+    return int(options.named.number("trace:maxdepth", usual));
+}
 
 bool renderFrame(const Scene &scene, ShaderLibrary &shaders, const RenderSettings &settings,
                  const std::string &file, const FrameListeners &listeners) {
