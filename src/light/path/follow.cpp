@@ -60,8 +60,8 @@ std::span<const Stage> stagesFor(IntegratorKind kind, const ShaderCode &code) {
     return code.facts().affine ? std::span<const Stage>(pathStages) : gatheringStages;
 }
 
-void follow(PathWave &wave) {
-    for (wave.vertex = 0; wave.active.count > 0; advance(wave)) {
+void follow(PathWave &wave, int vertex) {
+    for (wave.vertex = vertex; wave.active.count > 0; advance(wave)) {
         if (wave.vertex >= mostVertices) {
             wave.active.count = 0;
             continue;
