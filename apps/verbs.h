@@ -19,6 +19,8 @@ void addFilter(CLI::App &, int &status);
 void addCompile(CLI::App &, int &status);
 /// `candela tex in.png out.tx`
 void addTex(CLI::App &, int &status);
+/// `candela probe scene.rib points`
+void addProbe(CLI::App &, int &status);
 
 /// `candela info shader ...`
 void addInfo(CLI::App &, int &status);

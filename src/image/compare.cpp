@@ -40,7 +40,7 @@ ChannelComparison compareChannel(const PictureChannel &a, const PictureChannel &
                                  const FrameWindow &w, const CompareSettings &settings) {
     ChannelComparison result;
     result.name = a.name;
-    double sum = 0, squares = 0, signedSum = 0, relative = 0, peak = 0;
+    double sum = 0, squares = 0, signedSum = 0, relative = 0, peak = 0, energy = 0;
     for (std::size_t i = 0; i < a.values.size(); ++i) {
         const float u = a.values[i], v = b.values[i];
         const double d = distance(u, v);
@@ -54,13 +54,17 @@ ChannelComparison compareChannel(const PictureChannel &a, const PictureChannel &
         squares += d * d;
         signedSum += d == 0 ? 0 : double(u) - v;
         relative += std::isinf(d) ? d : d * d / (double(v) * v + relMseFloor);
-        if (std::isfinite(v))
+        if (std::isfinite(v)) {
             peak = std::max(peak, std::abs(double(v)));
+            energy += double(v) * v;
+        }
     }
     const double count = double(a.values.size());
     result.mean = sum / count;
     result.meanDifference = signedSum / count;
     result.relMse = relative / count;
+    if (energy > 0)
+        result.normalizedMse = squares / energy;
     if (squares > 0)
         result.psnr = 10 * std::log10(peak * peak * count / squares);
     return result;
@@ -143,6 +147,8 @@ void reportChannel(std::string &text, const ChannelComparison &c) {
            c.y, double(c.valueA), double(c.valueB));
     append(text, "%-12s mean %.6g, of a - b %.6g, relMSE %.6g", "", c.mean, c.meanDifference,
            c.relMse);
+    if (c.normalizedMse)
+        append(text, ", normalised MSE %.6g", *c.normalizedMse);
     if (c.psnr)
         append(text, ", PSNR %.2f dB", *c.psnr);
     append(text, ", %zu pixels beyond the tolerance\n", c.beyond);

@@ -34,6 +34,8 @@ struct ChannelComparison {
     double mean = 0;           ///< Mean of |a - b|.
     double meanDifference = 0; ///< Mean of a - b.
     double relMse = 0;         ///< Mean of (a - b)^2 / (b^2 + 0.01): b is the reference.
+    /// Normalised: mean of (a - b)^2 over mean of b^2; nothing if b is black.
+    std::optional<double> normalizedMse;
     /// 10 log10(peak^2 / mean square), the peak being b's largest magnitude; nothing if equal.
     std::optional<double> psnr;
     std::size_t beyond = 0; ///< Pixels beyond the tolerance.

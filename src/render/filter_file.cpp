@@ -3,14 +3,13 @@
 
 #include "foundation/base/parallel.h"
 #include "foundation/base/whole_file.h"
-#include "image/exr_file.h"
 #include "image/imaging.h"
 #include "image/picture_file.h"
 #include "image/picture_maps.h"
-#include "image/png_file.h"
 #include "render/filter_words.h"
 #include "render/filtering.h"
 #include "render/interrupt.h"
+#include "render/picture_output.h"
 #include "render/shader_folders.h"
 
 #include <algorithm>
@@ -24,63 +23,13 @@ namespace candela {
 
 namespace {
 
-bool isPng(const std::string &path) {
-    std::string extension = std::filesystem::path(path).extension().string();
-    std::ranges::transform(extension, extension.begin(),
-                           [](unsigned char c) { return char(std::tolower(c)); });
-    return extension == ".png";
-}
-
-bool isColor(const std::string &channel) {
-    return channel == "R" || channel == "G" || channel == "B";
-}
-
 /// Filters want light.
 void makeLinear(Picture &picture) {
     for (PictureChannel &channel : picture.channels)
-        if (isColor(channel.name) || channel.name == "Y")
+        if (isColorChannel(channel.name) || channel.name == "Y")
             for (float &value : channel.values)
                 value = linearOfSrgb(value);
     picture.hasDisplayValues = false;
-}
-
-void expose(Picture &picture, const std::array<float, 2> &exposure) {
-    for (PictureChannel &channel : picture.channels)
-        if (isColor(channel.name))
-            for (float &value : channel.values)
-                value = exposed(value, exposure[0], exposure[1]);
-}
-
-/// Whole numbers of R, G, B and alpha, and what else is there left out.
-std::optional<std::string> pngBytes(Picture &picture, const FilterFileSettings &settings,
-                                    std::string &problem) {
-    constexpr float gammaOfSrgb = 2.2f; // What the file says of a curve that is nearly that.
-    Picture shown = picture;
-    shown.channels.clear();
-    for (const char *name : {"R", "G", "B", "A"})
-        if (const PictureChannel *channel = picture.find(name))
-            shown.channels.push_back(*channel);
-    const FrameWindow &w = shown.window;
-    for (int c = 0; c < int(shown.channels.size()); ++c) {
-        PictureChannel &channel = shown.channels[c];
-        for (std::size_t i = 0; i < channel.values.size(); ++i) {
-            float &value = channel.values[i];
-            if (!settings.exposure && isColor(channel.name))
-                value = srgbCurve(value);
-            const int x = w.x0 + int(i % w.columns()), y = w.y0 + int(i / w.columns());
-            value = quantized(value, eightBitQuantize, ditherNoise(x, y, c));
-        }
-    }
-    const float gamma = settings.exposure ? (*settings.exposure)[1] : gammaOfSrgb;
-    return encodePng(shown, 8, gamma, problem);
-}
-
-bool write(Picture &picture, const FilterFileSettings &settings, std::string &problem) {
-    if (settings.exposure)
-        expose(picture, *settings.exposure);
-    const auto bytes =
-        isPng(settings.output) ? pngBytes(picture, settings, problem) : encodeExr(picture, problem);
-    return bytes && writeWholeFile(settings.output, *bytes, problem);
 }
 
 void note(Picture &picture, const FilterStack &stack) {
@@ -138,7 +87,7 @@ private:
                                          "these channels are left out: {}",
                                          fmt::join(lost, ", ")));
         note(picture, stack);
-        if (!write(picture, settings_, problem))
+        if (!writePicture(picture, settings_.output, settings_.exposure, problem))
             return fail(problem);
         console_.end("wrote " + settings_.output);
         return true;

@@ -20,8 +20,6 @@ namespace candela {
 
 namespace {
 
-constexpr int defaultDepth = 64;
-
 /// Option "bidir": how many of its paths begin on lights.
 BidirectionalWishes wishesOf(const NamedParameters &named) {
     BidirectionalWishes wishes;
@@ -43,7 +41,7 @@ IntegratorSettings integratorSettings(const Scene &scene, const RenderSettings &
         std::round(double(std::max(1.0f, options.xSamples)) * std::max(1.0f, options.ySamples));
     result.lastSample = int(std::min<double>(samples, maximumSamplesPerPixel));
     result.seed = settings.seed;
-    result.maxDepth = int(options.named.number("trace:maxdepth", defaultDepth));
+    result.maxDepth = maxDepthOf(options);
     result.hemisphereOnly = settings.hemisphereOnly;
     result.bidirectional = wishesOf(options.named);
     result.crop = options.format.cropPixels();
@@ -273,6 +271,11 @@ bool renderAndWrite(const Scene &scene, ShaderLibrary &library, const RenderSett
 }
 
 } // namespace
+
+int maxDepthOf(const Options &options) {
+    constexpr int usual = 64;
+    return int(options.named.number("trace:maxdepth", usual));
+}
 
 bool renderFrame(const Scene &scene, ShaderLibrary &shaders, const RenderSettings &settings,
                  const std::string &file, const FrameListeners &listeners) {

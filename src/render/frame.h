@@ -16,6 +16,9 @@ struct FrameListeners {
     Statistics &statistics;
 };
 
+/// Option "trace" "maxdepth": how often light may be scattered.
+int maxDepthOf(const Options &);
+
 /// Renders, filters and writes the scene, unless what is known before the first sample says that it
 /// cannot be done. `file` is the RIB's name. False if the user has interrupted it: what there was
 /// has been written.

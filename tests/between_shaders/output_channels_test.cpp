@@ -2,7 +2,7 @@
 // Output parameters of surface shaders as channels of displays.
 #include "tests/between_shaders/shown.h"
 
-#include "tests/support/student.h"
+#include "foundation/base/student.h"
 
 #include <cmath>
 

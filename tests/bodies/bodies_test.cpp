@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Inside a closed body that shines, everything is as bright as its walls, wherever mirrors, objects
 // and orientations put it; what is dark on that side leaves all dark. One sample a pixel, no noise.
+#include "foundation/base/student.h"
 #include "tests/bodies/bodies.h"
 #include "tests/support/frames.h"
-#include "tests/support/student.h"
 
 #include <algorithm>
 #include <cmath>

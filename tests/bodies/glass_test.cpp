@@ -2,9 +2,9 @@
 // Where things are seen behind panes, balls, shells and sheets, against geometrical optics. Rays
 // that are set down anew beside their surface, or whose direction is taken from rounded points,
 // show what is behind at another place.
+#include "foundation/base/student.h"
 #include "tests/bodies/bodies.h"
 #include "tests/support/frames.h"
-#include "tests/support/student.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // ObjectInstance draws what the object's primitives would, were they repeated in its place.
+#include "foundation/base/student.h"
 #include "tests/bodies/bodies.h"
 #include "tests/bodies/copies.h"
 #include "tests/support/frames.h"
-#include "tests/support/student.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

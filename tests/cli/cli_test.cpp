@@ -87,6 +87,31 @@ TEST_F(CommandLine, DiffHelp) {
     EXPECT_NE(run.out.find("--tolerance"), std::string::npos);
 }
 
+TEST_F(CommandLine, DiffComparesSeeds) {
+    std::vector<std::string> same{"diff"}, half{"diff"};
+    for (const char *seed : {"1", "2", "3"}) {
+        const std::string name = std::string("s") + seed + ".exr", dim = "half" + name;
+        render(scene("Display \"" + name + "\" \"openexr\" \"rgb\"\n"), {"--seed", seed});
+        render(scene("Display \"" + dim + "\" \"openexr\" \"rgb\"\nExposure .5 1\n"),
+               {"--seed", std::string("1") + seed});
+        same.push_back(folder_.path(name)), half.push_back(folder_.path(dim));
+    }
+    for (std::vector<std::string> *list : {&same, &half}) {
+        list->push_back("--against");
+        for (const char *seed : {"1", "2", "3"})
+            list->push_back(folder_.path(std::string("s") + seed + ".exr"));
+    }
+    EXPECT_EQ(runCandela(same).status, 0);
+    half.insert(half.end(), {"-o", folder_.path("z.png")});
+    const Outcome run = runCandela(half);
+    EXPECT_EQ(run.status, 1) << run.text();
+    EXPECT_NE(run.out.find("(-50"), std::string::npos) << run.out;
+    EXPECT_TRUE(folder_.has("z.png"));
+    EXPECT_EQ(runCandela({"diff", folder_.path("s1.exr")}).status, 2);
+    EXPECT_EQ(diff("s1.exr", "halfs1.exr", {"--flip", "-o", folder_.path("d.exr")}), 1);
+    EXPECT_TRUE(folder_.has("d.exr"));
+}
+
 TEST_F(CommandLine, DiffTellsBySaysAndStatus) {
     render(scene(exr));
     render(scene("Display \"half.exr\" \"openexr\" \"rgb\"\nExposure .5 1\n"));

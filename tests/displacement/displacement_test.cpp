@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Displaced surfaces against closed forms, against dense geometry that is displaced here, and
 // against themselves in company.
+#include "foundation/base/student.h"
 #include "tests/bodies/copies.h"
 #include "tests/displacement/scenes.h"
 #include "tests/support/frames.h"
-#include "tests/support/student.h"
 
 #include <algorithm>
 #include <cmath>

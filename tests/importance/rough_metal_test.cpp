@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The shipped "roughmetal" in a uniform field, seen at every angle and of every width: it gives
 // back no more than it gets, and its cones follow its lobe well enough to show that.
+#include "foundation/base/student.h"
 #include "tests/support/frames.h"
-#include "tests/support/student.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

@@ -3,8 +3,8 @@
 // unequal gloss. Light samples and directions together have the mean of either and, in every
 // plate x lamp cell, hardly more noise than the better one; one sample a pixel, so that no
 // stratification helps either.
+#include "foundation/base/student.h"
 #include "tests/support/frames.h"
-#include "tests/support/student.h"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lamps that a surface must not hear, by linking or by category: its picture is that of a world in
 // which they do not shine.
+#include "foundation/base/student.h"
 #include "tests/light/linked_lamps.h"
 #include "tests/light/pictures.h"
-#include "tests/support/student.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

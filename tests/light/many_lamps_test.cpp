@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // One lamp that a surface hears among 99 that it does not: neither the light nor the noise of a
 // world without those.
+#include "foundation/base/student.h"
 #include "tests/light/linked_lamps.h"
 #include "tests/light/pictures.h"
-#include "tests/support/student.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

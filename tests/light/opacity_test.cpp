@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sheets that let light through: exact under `classic`, and right whatever opacity is claimed.
+#include "foundation/base/student.h"
 #include "tests/light/pictures.h"
-#include "tests/support/student.h"
 
 #include <algorithm>
 #include <cmath>

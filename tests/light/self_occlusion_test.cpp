@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Under `classic` lamps cast no shadows by default, yet their own walls hide one another: the light
 // of a lamp alone is that of `path`.
+#include "foundation/base/student.h"
 #include "tests/light/pictures.h"
 #include "tests/support/frames.h"
-#include "tests/support/student.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A lamp under what shines from far and wide, of any form: together they are no noisier than the
 // two by themselves, each beside the other's body.
+#include "foundation/base/student.h"
 #include "tests/support/frames.h"
-#include "tests/support/student.h"
 
 #include <gtest/gtest.h>
 

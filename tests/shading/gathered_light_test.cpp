@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shaders that are not affine in the light: what they are given, and what the user is told.
+#include "foundation/base/student.h"
 #include "image/picture_file.h"
 #include "tests/support/program.h"
 #include "tests/support/scratch_folder.h"
-#include "tests/support/student.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

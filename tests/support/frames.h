@@ -2,7 +2,7 @@
 // Many small pictures of one run.
 #pragma once
 
-#include "tests/support/student.h"
+#include "foundation/base/student.h"
 
 #include <string>
 #include <vector>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every case is rendered by the program itself with seeds that are fixed here, and judged by
 // Student's t over them. All intervals of the suite together have the chance 1e-3 to miss.
+#include "foundation/base/student.h"
 #include "image/picture_file.h"
 #include "tests/support/program.h"
 #include "tests/support/scratch_folder.h"
-#include "tests/support/student.h"
 #include "tests/validation/cases.h"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is within bodies, and outside of them: along rays that pass straight on, are sent on by
 // trace() and refracted, in every orientation.
-#include "tests/support/student.h"
+#include "foundation/base/student.h"
 #include "tests/volumes/worlds.h"
 
 #include <cmath>

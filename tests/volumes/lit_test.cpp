@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Volumes that ask for light where they like: single scattering against integrals.
-#include "tests/support/student.h"
+#include "foundation/base/student.h"
 #include "tests/volumes/worlds.h"
 
 #include <cmath>

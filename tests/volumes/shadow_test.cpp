@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Light on its way to surfaces: volumes weaken it under `path`; the light of volumes themselves.
-#include "tests/support/student.h"
+#include "foundation/base/student.h"
 #include "tests/volumes/worlds.h"
 
 #include <cmath>

@@ -2,7 +2,7 @@
 // The options of a frame: all that WorldBegin freezes. Names and defaults: RI 3.2 section 4.1.
 #pragma once
 
-#include "foundation/base/matrix4.h"
+#include "foundation/base/matrix4d.h"
 #include "interface/ri/attributes.h"
 
 #include <array>
@@ -42,6 +42,7 @@ struct CameraRecord {
     float fieldOfView = 90; ///< Degrees across the narrower axis of the default screen window.
     float near = 1e-10f, far = 1e30f;
     Matrix4 cameraFromWorld; ///< The CTM at WorldBegin.
+    Matrix4d exactCameraFromWorld; ///< The same before it was rounded: for points of far-off worlds.
     /// What stood before Projection (RI 3.2, 4.1.1): moves the projected picture, where the screen
     /// window is, and its depth. Affine, invertible, and x and y do not depend on z.
     Matrix4 screenFromProjected;

@@ -90,6 +90,7 @@ void StateHandlers::worldBegin(const SourceLocation &where) {
     }
     const Matrix4 cameraFromWorld = state_.transform.current.matrix.rounded();
     state_.options.camera.cameraFromWorld = cameraFromWorld;
+    state_.options.camera.exactCameraFromWorld = state_.transform.current.matrix;
     state_.options.coordinateSystems["world"] = cameraFromWorld;
     state_.options.coordinateSystems["camera"] = Matrix4{};
     state_.coordinateSystems["world"] = state_.transform.current;

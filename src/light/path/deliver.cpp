@@ -52,7 +52,12 @@ void reportNonFinite(PathWave &wave, int i, const std::string &shader) {
     int sample = wave.results.sampleIndex[slot];
     if (wave.purpose == Purpose::Gathering)
         sample /= GatheredLight::rounds;
-    wave.frame.nonFinite.found(shader, wave.results.x[slot], wave.results.y[slot], sample);
+    const int x = wave.results.x[slot], y = wave.results.y[slot];
+    wave.frame.nonFinite.found(
+        shader, wave.frame.settings.atPoints
+                    ? "a vertex of the paths to point " + std::to_string(x)
+                    : "pixel (" + std::to_string(x) + ", " + std::to_string(y) + "), sample " +
+                          std::to_string(sample));
 }
 
 } // namespace candela

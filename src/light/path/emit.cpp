@@ -29,6 +29,17 @@ void takeOrigins(const PathWave &wave, EmissionPlanes &emission) {
                  {origin[2], emission.origin[2]}});
 }
 
+/// Whether directions from a vertex of that shader may bring the light, and all lights. Sensors have
+/// no shader and no wishes.
+bool hearsAsIndirect(const Scene &scene, int code, std::int32_t light) {
+    return code < 0 ? !scene.lights().areLeftToSamples()
+                    : scene.code(code).categories().hearsAsIndirect(light);
+}
+bool hearsAllAsIndirect(const Scene &scene, int code) {
+    return code < 0 ? !scene.lights().areLeftToSamples()
+                    : scene.code(code).categories().hearsAllAsIndirect();
+}
+
 /// Directions bring nothing of lamps that are off for the vertex they left, or that its shader
 /// hears by samples of the light alone.
 void leaveOutUnheard(const Scene &scene, int count, const std::int32_t *light,
@@ -36,16 +47,14 @@ void leaveOutUnheard(const Scene &scene, int count, const std::int32_t *light,
     for (int i = 0; i < count; ++i)
         if (light[i] != 0 && left.pdf[i] > 0 &&
             !(scene.lights().isOn(left.lightSet[i], light[i]) &&
-              scene.code(left.code[i]).categories().hearsAsIndirect(light[i])))
+              hearsAsIndirect(scene, left.code[i], light[i])))
             weight[i] = 0;
 }
 
 /// LightQuery::scattered of the vertices that the rays left.
 void markHeard(const Scene &scene, int count, const RayOrigins &left, float *heard) {
     for (int i = 0; i < count; ++i)
-        heard[i] = left.pdf[i] > 0 && scene.code(left.code[i]).categories().hearsAllAsIndirect()
-                       ? 1.0f
-                       : 0.0f;
+        heard[i] = left.pdf[i] > 0 && hearsAllAsIndirect(scene, left.code[i]) ? 1.0f : 0.0f;
 }
 
 } // namespace

@@ -59,8 +59,8 @@ std::span<const Stage> stagesOfIntegrator(const PathWave &wave, const ShaderCode
     return code.facts().affine ? std::span<const Stage>(pathStages) : gatheringStages;
 }
 
-void follow(PathWave &wave) {
-    for (wave.vertex = 0; wave.active.count > 0; advance(wave)) {
+void follow(PathWave &wave, int vertex) {
+    for (wave.vertex = vertex; wave.active.count > 0; advance(wave)) {
         if (wave.vertex >= mostVertices) {
             wave.active.count = 0;
             continue;

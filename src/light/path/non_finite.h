@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shaders that answer NaN or infinity: said once, with shader, pixel and sample, then counted.
+// Shaders that answer NaN or infinity: said once, with shader and place, then counted.
 #pragma once
 
 #include "foundation/base/diagnostics.h"
@@ -16,14 +16,13 @@ public:
     NonFiniteReporter(TransportStatistics &statistics, DiagnosticSink &diagnostics)
         : statistics_(statistics), diagnostics_(diagnostics) {}
 
-    void found(const std::string &shader, int x, int y, int sample) {
+    /// `place`: "pixel (3, 4), sample 5".
+    void found(const std::string &shader, const std::string &place) {
         ++statistics_.nonFiniteSamples;
         std::lock_guard lock(mutex_);
         if (reported_.insert(shader).second)
             diagnostics_.warning({}, "shader \"" + shader +
-                                         "\" gave a value that is not finite at pixel (" +
-                                         std::to_string(x) + ", " + std::to_string(y) +
-                                         "), sample " + std::to_string(sample) +
+                                         "\" gave a value that is not finite at " + place +
                                          "; it counts as black, further ones are not reported");
     }
 

@@ -19,7 +19,7 @@ struct PathResults {
         x = pixels[0], y = pixels[1], sampleIndex = pixels[2];
     }
     Planes<int> pixels;
-    int *x, *y, *sampleIndex;
+    int *x, *y, *sampleIndex; ///< The pixel; x is the point's number (IntegratorSettings::atPoints).
     Planes<std::uint32_t> keys; ///< pixelKey() of the slot's pixel.
     Planes<float> radiance, opacity;
     Planes<float> channels; ///< Further channels, from the first surface that the path meets.
@@ -42,7 +42,7 @@ struct RayOrigins {
     /// LightQuery::N of the vertex that it left; 0 for cameras and mirrors.
     MutableVec3Planes N;
     int *lightSet; ///< Of the vertex that it left; -1 = none.
-    int *code;     ///< Of that vertex's shader; -1 = none.
+    int *code;     ///< Of that vertex's shader; -1 = none: it hears all lights.
 };
 
 /// What rays carry where paths have two ends (path/subpath.h): of the vertex that they left.

@@ -58,7 +58,8 @@ void deliver(PathWave &);
 
 /// The StageList of `path` and `classic`.
 std::span<const Stage> stagesOfIntegrator(const PathWave &, const ShaderCode &);
-/// Follows all paths to their ends.
-void follow(PathWave &);
+/// Follows all paths to their ends. Their rays lead to the vertex of this number: where paths have
+/// begun at points rather than with the camera, those points are vertex 0.
+void follow(PathWave &, int vertex = 0);
 
 } // namespace candela

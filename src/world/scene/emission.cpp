@@ -100,6 +100,8 @@ int Lights::count() const { return int(state_->lights.lights.size()); }
 bool Lights::isOn(std::int32_t lightSet, std::int32_t light) const {
     return state_->lights.on(lightSet, light);
 }
+std::int32_t Lights::setOfAll() const { return state_->lights.setOfAll; }
+bool Lights::areLeftToSamples() const { return state_->lights.leftToSamples; }
 
 void Lights::emission(int code, ShadingPoints &points, float *const *radiance) const {
     state_->emission(code, points, radiance);

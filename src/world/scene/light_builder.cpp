@@ -10,6 +10,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <numbers>
+#include <set>
 
 namespace candela {
 
@@ -326,10 +327,23 @@ void LightBuilder::finishGeometry(int index) {
         areaCodes.push_back(code);
 }
 
+void LightBuilder::addSetOfAll() {
+    std::vector<std::vector<int>> &sets = state_.lightSets;
+    std::set<int> on;
+    for (const std::vector<int> &set : sets)
+        on.insert(set.begin(), set.end());
+    for (int light = 0; sets.empty() && light < int(state_.lights.lights.size()); ++light)
+        on.insert(light);
+    const std::vector<int> all(on.begin(), on.end());
+    const auto same = std::ranges::find(sets, all);
+    state_.lights.setOfAll = std::int32_t(same - sets.begin());
+    if (same == sets.end())
+        sets.push_back(all);
+}
+
 void LightBuilder::fillSwitches() {
     const std::size_t row = state_.lights.lights.size() + 1;
-    if (state_.lightSets.empty())
-        state_.lightSets.emplace_back();
+    addSetOfAll();
     state_.lights.isOn.assign(state_.lightSets.size(), std::vector<std::uint8_t>(row, 0));
     for (std::size_t set = 0; set < state_.lightSets.size(); ++set) {
         std::vector<std::uint8_t> &on = state_.lights.isOn[set];
@@ -358,9 +372,11 @@ void LightBuilder::bindCategories(const ShaderLibrary &library) {
         code->bindCategories(std::move(accepts), int(tags_.size()));
     }
     // Directions would meet what shadow rays pass: they would find less light than these.
-    if (std::ranges::any_of(state_.points.details, [](const AppearanceDetail &detail) {
+    state_.lights.leftToSamples =
+        std::ranges::any_of(state_.points.details, [](const AppearanceDetail &detail) {
             return shadowCasting(*detail.attributes) == ShadowCasting::None;
-        }))
+        });
+    if (state_.lights.leftToSamples)
         for (const auto &code : library.all())
             code->leaveLightsToSamples(int(tags_.size()));
 }

@@ -39,6 +39,8 @@ private:
     std::vector<EmitterBound> boundsOfSources() const;
     LightChoice choiceOf(int lightSet, LightGroup, std::span<const EmitterBound>,
                          std::span<const std::uint8_t> wide, std::int32_t dome) const;
+    /// For Lights::setOfAll(); a set that is there already serves.
+    void addSetOfAll();
     void fillSwitches();
     bool isPlain(const SceneLight &, int surfaceCode) const;
 

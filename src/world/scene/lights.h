@@ -95,6 +95,11 @@ public:
                  float *const *ambient) const;
     /// `light` as in ShadingPoints and LightSamples: index + 1, and 0 (indirect) is always on.
     bool isOn(std::int32_t lightSet, std::int32_t light) const;
+    /// The light set of points that hear every light that is on for some surface; in a world
+    /// without surfaces, every light.
+    std::int32_t setOfAll() const;
+    /// Scattered rays bring nothing of lights: some surfaces stop those and let shadow rays pass.
+    bool areLeftToSamples() const;
 
     // ---- Paths that begin on lights (world/scene/light_starts.h) ----
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Student's t, for the confidence intervals of the validation tests.
+// Student's t: how sure a mean is.
 #pragma once
 
 #include <vector>
 
-namespace candela::test {
+namespace candela {
 
 struct MeanAndError {
     double mean = 0;
@@ -19,4 +19,4 @@ double studentTail(double t, int degreesOfFreedom);
 /// The t with studentTail(t) = probability, which lies in (0, 1).
 double studentQuantile(double probability, int degreesOfFreedom);
 
-} // namespace candela::test
+} // namespace candela

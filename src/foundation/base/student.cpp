@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/support/student.h"
+#include "foundation/base/student.h"
 
 #include <cmath>
 #include <numbers>
 
-namespace candela::test {
+namespace candela {
 
 MeanAndError meanAndError(const std::vector<double> &values) {
     MeanAndError result;
@@ -45,4 +45,4 @@ double studentQuantile(double probability, int degreesOfFreedom) {
     return high;
 }
 
-} // namespace candela::test
+} // namespace candela

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/support/student.h"
+#include "foundation/base/student.h"
 
 #include <gtest/gtest.h>
 
-namespace candela::test {
+namespace candela {
 
 // Values of the printed tables of Student's distribution (two-sided).
 TEST(Student, AgreesWithTheTables) {
@@ -20,4 +20,4 @@ TEST(Student, MeanAndErrorOfFourNumbers) {
     EXPECT_NEAR(result.standardError, 0.6454972244, 1e-9); // sqrt(5/3) / 2
 }
 
-} // namespace candela::test
+} // namespace candela

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "light/probe/probe.h"
+
+#include "foundation/base/parallel.h"
+#include "light/probe/placed_points.h"
+#include "light/probe/sensors.h"
+#include "light/sampling/sobol.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace candela {
+
+namespace {
+
+constexpr int batches = PointEstimate::batches;
+
+/// What all threads share.
+struct Shared {
+    Shared(const Scene &scene, const ProbeSettings &settings, TransportStatistics &statistics,
+           DiagnosticSink &diagnostics)
+        : scene(scene), settings(settings), rule(settings.samples, settings.accuracy),
+          filter(scene.options().filter, diagnostics),
+          frame(scene, integrator, filter, channels, statistics, diagnostics) {
+        integrator.kind = scene.isClassic() ? IntegratorKind::Classic : IntegratorKind::Path;
+        integrator.seed = settings.seed;
+        integrator.maxDepth = settings.maxDepth;
+        integrator.hemisphereOnly = settings.hemisphereOnly;
+        integrator.atPoints = true;
+    }
+    const Scene &scene;
+    const ProbeSettings settings;
+    const StoppingRule rule;
+    IntegratorSettings integrator;
+    /// What frames have, and points make no use of.
+    PixelFilterSampler filter;
+    const std::array<ChannelInfo, 2> channels{{{"Ci", colorSamples}, {"Oi", colorSamples}}};
+    FrameContext frame;
+};
+
+/// One thread's part: blocks of points, one after the other.
+class Worker {
+public:
+    explicit Worker(Shared &shared) : shared_(shared), wave_(shared.frame), sphere_(sphereRays) {}
+
+    void answer(std::span<const ProbePoint> points, std::span<ProbeAnswer> answers) {
+        placed_.clear(), active_.clear();
+        estimates_.assign(points.size(), {});
+        for (int k = 0; k < int(points.size()); ++k) {
+            placed_.push_back(place(points[std::size_t(k)], shared_.scene, shared_.settings));
+            active_.push_back(k);
+        }
+        for (int look = 0, from = 0; !active_.empty(); ++look) {
+            const int to = shared_.rule.samplesAt(look);
+            takeSamples(from, to);
+            finishPoints(look, answers);
+            from = to;
+        }
+    }
+
+private:
+    /// Samples [from, to) of each batch of each active point.
+    void takeSamples(int from, int to) {
+        const std::int64_t each = std::int64_t(batches) * (to - from);
+        const std::int64_t all = each * std::int64_t(active_.size());
+        for (std::int64_t first = 0; first < all; first += ProbeSlots::capacity) {
+            slots_.count = int(std::min<std::int64_t>(ProbeSlots::capacity, all - first));
+            for (int slot = 0; slot < slots_.count; ++slot) {
+                const std::int64_t at = first + slot;
+                fill(slot, placed_[std::size_t(active_[std::size_t(at / each)])],
+                     int(at % each / (to - from)), from + int(at % (to - from)));
+            }
+            measure();
+            for (int slot = 0; slot < slots_.count; ++slot) {
+                const std::int64_t at = first + slot;
+                estimates_[std::size_t(active_[std::size_t(at / each)])].add(
+                    int(at % each / (to - from)), valueOf(slot));
+            }
+        }
+        for (int point : active_)
+            estimates_[std::size_t(point)].setSamples(to);
+    }
+
+    void fill(int slot, const PlacedPoint &point, int batch, int sample) {
+        for (int c = 0; c < 3; ++c) {
+            slots_.Ps[c][slot] = point.P[c], slots_.origin[c][slot] = point.origin[c];
+            slots_.aim[c][slot] = point.aim[c];
+        }
+        slots_.time[slot] = shared_.scene.options().camera.shutterOpen;
+        slots_.point[slot] = point.number;
+        slots_.pixelKey[slot] = pixelKey(point.number, batch, shared_.settings.seed);
+        slots_.sampleIndex[slot] = std::uint32_t(sample);
+    }
+
+    void measure() {
+        if (shared_.settings.quantity == ProbeQuantity::Irradiance)
+            measureIrradiance(wave_, slots_, light_, rays_);
+        else
+            measureRadiance(wave_, slots_, rays_);
+    }
+
+    Color valueOf(int slot) const {
+        Color value;
+        for (int c = 0; c < colorSamples; ++c)
+            value[c] = slots_.value[c][slot];
+        return value;
+    }
+
+    /// Writes the answers of those that have been looked at enough.
+    void finishPoints(int look, std::span<ProbeAnswer> answers) {
+        const bool last = shared_.rule.isLast(look);
+        std::erase_if(active_, [&](int point) {
+            const PointEstimate &estimate = estimates_[std::size_t(point)];
+            const bool suffices = shared_.rule.suffices(estimate, look);
+            if (!suffices && !last)
+                return false;
+            ProbeAnswer &answer = answers[std::size_t(point)];
+            answer.value = estimate.mean();
+            answer.photometric = double(luminousEfficacy) * estimate.luminance();
+            answer.halfWidth = double(luminousEfficacy) * shared_.rule.halfWidth(estimate, look);
+            answer.samples = estimate.samples();
+            answer.reached = suffices || !shared_.settings.accuracy;
+            toCheck_.push_back(point);
+            return true;
+        });
+        for (int point : toCheck_)
+            answers[std::size_t(point)].enclosed = answers[std::size_t(point)].photometric == 0 &&
+                                                   isEnclosed(placed_[std::size_t(point)]);
+        toCheck_.clear();
+    }
+
+    /// Whatever can be seen from the point is dark, and nothing is open.
+    bool isEnclosed(const PlacedPoint &point) {
+        if (shared_.settings.quantity != ProbeQuantity::Irradiance || shared_.scene.isClassic())
+            return false;
+        lookAround(point);
+        const HitBatch &hits = sphere_.hits;
+        if (std::find(hits.shape, hits.shape + sphereRays, noHit) != hits.shape + sphereRays)
+            return false;
+        constexpr float before = 1 - 1e-4f; // Just off what has been met,
+        const RayBatch &rays = sphere_.rays;
+        slots_.count = sphereRays;
+        for (int slot = 0; slot < sphereRays; ++slot) {
+            PlacedPoint met = point;
+            for (int c = 0; c < 3; ++c) {
+                met.origin[c] += before * hits.t[slot] * rays.direction[c][slot];
+                met.aim[c] = -rays.direction[c][slot]; // facing back.
+            }
+            met.P = met.origin;
+            fill(slot, met, 0, slot);
+        }
+        measureIrradiance(wave_, slots_, light_, rays_);
+        for (int slot = 0; slot < sphereRays; ++slot)
+            if (luminance(valueOf(slot)) != 0)
+                return false;
+        return true;
+    }
+
+    /// Rays in all directions alike.
+    void lookAround(const PlacedPoint &point) {
+        RayBatch &rays = sphere_.rays;
+        rays.count = sphereRays;
+        for (int ray = 0; ray < sphereRays; ++ray) {
+            const float z = 1 - (2 * float(ray) + 1) / sphereRays, r = std::sqrt(1 - z * z);
+            const float turn = float(ray) * std::numbers::phi_v<float> * 2 * float(M_PI);
+            for (int c = 0; c < 3; ++c)
+                rays.origin[c][ray] = point.origin[c];
+            rays.direction[0][ray] = r * std::cos(turn);
+            rays.direction[1][ray] = r * std::sin(turn);
+            rays.direction[2][ray] = z;
+            rays.tMax[ray] = INFINITY;
+        }
+        shared_.scene.intersect(rays, sphere_.hits, Coherence::Secondary);
+    }
+
+    static constexpr int sphereRays = 64;
+    struct SphereRays {
+        explicit SphereRays(int count) : rays(count), hits(count) {}
+        RayBatch rays;
+        HitBatch hits;
+    };
+
+    Shared &shared_;
+    PathWave wave_;
+    ProbeSlots slots_;
+    SensorLight light_;
+    ProbeRays rays_;
+    SphereRays sphere_;
+    std::vector<PlacedPoint> placed_;
+    std::vector<PointEstimate> estimates_;
+    std::vector<int> active_, toCheck_; ///< Points under way; those that have just ended.
+};
+
+} // namespace
+
+struct Prober::State : Shared {
+    using Shared::Shared;
+    std::vector<std::unique_ptr<Worker>> workers{std::size_t(std::max(1, threadCount()))};
+};
+
+Prober::Prober(const Scene &scene, const ProbeSettings &settings, TransportStatistics &statistics,
+               DiagnosticSink &diagnostics)
+    : state_(std::make_unique<State>(scene, settings, statistics, diagnostics)) {}
+
+Prober::~Prober() = default;
+
+void Prober::answer(std::span<const ProbePoint> points, std::span<ProbeAnswer> answers) {
+    const std::size_t blocks = (points.size() + blockSize - 1) / blockSize;
+    std::atomic<std::size_t> next{0};
+    parallelFor(std::min(blocks, state_->workers.size()), [&](std::size_t thread) {
+        std::unique_ptr<Worker> &worker = state_->workers[thread];
+        for (std::size_t block; (block = next++) < blocks;) {
+            if (!worker)
+                worker = std::make_unique<Worker>(*state_);
+            const std::size_t first = block * blockSize;
+            const std::size_t count = std::min<std::size_t>(blockSize, points.size() - first);
+            worker->answer(points.subspan(first, count), answers.subspan(first, count));
+        }
+    });
+}
+
+} // namespace candela

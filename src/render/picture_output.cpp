@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/picture_output.h"
+
+#include "foundation/base/whole_file.h"
+#include "image/exr_file.h"
+#include "image/imaging.h"
+#include "image/png_file.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+namespace candela {
+
+namespace {
+
+void expose(Picture &picture, const std::array<float, 2> &exposure) {
+    for (PictureChannel &channel : picture.channels)
+        if (isColorChannel(channel.name))
+            for (float &value : channel.values)
+                value = exposed(value, exposure[0], exposure[1]);
+}
+
+/// Whole numbers of R, G, B and alpha, and what else is there left out.
+std::optional<std::string> pngBytes(const Picture &picture,
+                                    const std::optional<std::array<float, 2>> &exposure,
+                                    std::string &problem) {
+    constexpr float gammaOfSrgb = 2.2f; // What the file says of a curve that is nearly that.
+    Picture shown = picture;
+    shown.channels.clear();
+    for (const char *name : {"R", "G", "B", "A"})
+        if (const PictureChannel *channel = picture.find(name))
+            shown.channels.push_back(*channel);
+    const FrameWindow &w = shown.window;
+    for (int c = 0; c < int(shown.channels.size()); ++c) {
+        PictureChannel &channel = shown.channels[c];
+        for (std::size_t i = 0; i < channel.values.size(); ++i) {
+            float &value = channel.values[i];
+            if (!exposure && isColorChannel(channel.name))
+                value = srgbCurve(value);
+            const int x = w.x0 + int(i % w.columns()), y = w.y0 + int(i / w.columns());
+            value = quantized(value, eightBitQuantize, ditherNoise(x, y, c));
+        }
+    }
+    const float gamma = exposure ? (*exposure)[1] : gammaOfSrgb;
+    return encodePng(shown, 8, gamma, problem);
+}
+
+} // namespace
+
+bool isPngName(const std::string &path) {
+    std::string extension = std::filesystem::path(path).extension().string();
+    std::ranges::transform(extension, extension.begin(),
+                           [](unsigned char c) { return char(std::tolower(c)); });
+    return extension == ".png";
+}
+
+bool isColorChannel(const std::string &channel) {
+    return channel == "R" || channel == "G" || channel == "B";
+}
+
+bool writePicture(Picture &picture, const std::string &path,
+                  const std::optional<std::array<float, 2>> &exposure, std::string &problem) {
+    if (exposure)
+        expose(picture, *exposure);
+    const auto bytes =
+        isPngName(path) ? pngBytes(picture, exposure, problem) : encodeExr(picture, problem);
+    return bytes && writeWholeFile(path, *bytes, problem);
+}
+
+} // namespace candela
