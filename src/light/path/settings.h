@@ -28,7 +28,7 @@ struct IntegratorSettings {
     int maxDepth = 64;           ///< Reflections and refractions along a path.
     bool hemisphereOnly = false; ///< --sampling hemisphere: ignore the shaders' cones.
     std::array<int, 4> crop{};   ///< x0, x1, y0, y1: the pixels to render.
-    bool atPoints = false;       ///< Paths begin at numbered points (PathResults::x), not in pixels.
+    bool atPoints = false; ///< Paths begin at numbered points (PathResults::x), not in pixels.
     /// Called after each tile, from any thread, with the share done in [0,1].
     std::function<void(double)> progress;
 };
