@@ -44,11 +44,8 @@ std::optional<std::vector<Picture>> readAll(const std::vector<std::string> &file
 /// The values as EXR, or what is for the eye as PNG; the exit status.
 int writeDifference(const Arguments &arguments, Picture values, Picture shown, int status) {
     std::string problem;
-    const bool forTheEye = isPngName(arguments.output);
-    // What is shown are display values, which the writer does not expose.
-    const std::array<float, 2> asItIs{1, 1};
-    if (!writePicture(forTheEye ? shown : values, arguments.output,
-                      forTheEye ? std::optional(asItIs) : std::nullopt, problem))
+    if (!writePicture(isPngName(arguments.output) ? shown : values, arguments.output, std::nullopt,
+                      problem))
         return refuse(problem);
     return status;
 }

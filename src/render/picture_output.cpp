@@ -36,7 +36,7 @@ std::optional<std::string> pngBytes(const Picture &picture,
         PictureChannel &channel = shown.channels[c];
         for (std::size_t i = 0; i < channel.values.size(); ++i) {
             float &value = channel.values[i];
-            if (!exposure && isColorChannel(channel.name))
+            if (!exposure && !picture.hasDisplayValues && isColorChannel(channel.name))
                 value = srgbCurve(value);
             const int x = w.x0 + int(i % w.columns()), y = w.y0 + int(i / w.columns());
             value = quantized(value, eightBitQuantize, ditherNoise(x, y, c));

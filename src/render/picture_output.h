@@ -16,7 +16,8 @@ bool isPngName(const std::string &path);
 bool isColorChannel(const std::string &name);
 
 /// Exposes R, G and B by gain and gamma, and writes all channels as OpenEXR, or R, G, B and A as a
-/// PNG of 8 bits, whose curve is that of sRGB if there is no exposure. The file is there whole or
+/// PNG of 8 bits, whose curve is that of sRGB if there is no exposure: it is applied unless the
+/// picture has display values already. The file is there whole or
 /// not at all; then `problem` says why.
 bool writePicture(Picture &, const std::string &path,
                   const std::optional<std::array<float, 2>> &exposure, std::string &problem);

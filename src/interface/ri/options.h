@@ -42,7 +42,8 @@ struct CameraRecord {
     float fieldOfView = 90; ///< Degrees across the narrower axis of the default screen window.
     float near = 1e-10f, far = 1e30f;
     Matrix4 cameraFromWorld; ///< The CTM at WorldBegin.
-    Matrix4d exactCameraFromWorld; ///< The same before it was rounded: for points of far-off worlds.
+    Matrix4d
+        exactCameraFromWorld; ///< The same before it was rounded: for points of far-off worlds.
     /// What stood before Projection (RI 3.2, 4.1.1): moves the projected picture, where the screen
     /// window is, and its depth. Affine, invertible, and x and y do not depend on z.
     Matrix4 screenFromProjected;

@@ -53,11 +53,11 @@ void reportNonFinite(PathWave &wave, int i, const std::string &shader) {
     if (wave.purpose == Purpose::Gathering)
         sample /= GatheredLight::rounds;
     const int x = wave.results.x[slot], y = wave.results.y[slot];
-    wave.frame.nonFinite.found(
-        shader, wave.frame.settings.atPoints
-                    ? "a vertex of the paths to point " + std::to_string(x)
-                    : "pixel (" + std::to_string(x) + ", " + std::to_string(y) + "), sample " +
-                          std::to_string(sample));
+    wave.frame.nonFinite.found(shader, wave.frame.settings.atPoints
+                                           ? "a vertex of the paths to point " + std::to_string(x)
+                                           : "pixel (" + std::to_string(x) + ", " +
+                                                 std::to_string(y) + "), sample " +
+                                                 std::to_string(sample));
 }
 
 } // namespace candela

@@ -29,8 +29,8 @@ void takeOrigins(const PathWave &wave, EmissionPlanes &emission) {
                  {origin[2], emission.origin[2]}});
 }
 
-/// Whether directions from a vertex of that shader may bring the light, and all lights. Sensors have
-/// no shader and no wishes.
+/// Whether directions from a vertex of that shader may bring the light, and all lights. Sensors
+/// have no shader and no wishes.
 bool hearsAsIndirect(const Scene &scene, int code, std::int32_t light) {
     return code < 0 ? !scene.lights().areLeftToSamples()
                     : scene.code(code).categories().hearsAsIndirect(light);

@@ -19,7 +19,8 @@ struct PathResults {
         x = pixels[0], y = pixels[1], sampleIndex = pixels[2];
     }
     Planes<int> pixels;
-    int *x, *y, *sampleIndex; ///< The pixel; x is the point's number (IntegratorSettings::atPoints).
+    int *x, *y,
+        *sampleIndex; ///< The pixel; x is the point's number (IntegratorSettings::atPoints).
     Planes<std::uint32_t> keys; ///< pixelKey() of the slot's pixel.
     Planes<float> radiance, opacity;
     Planes<float> channels; ///< Further channels, from the first surface that the path meets.

@@ -55,7 +55,7 @@ struct IntegratorSettings {
     bool hemisphereOnly = false; ///< --sampling hemisphere: ignore the shaders' cones.
     BidirectionalWishes bidirectional;
     std::array<int, 4> crop{};   ///< x0, x1, y0, y1: the pixels to render.
-    bool atPoints = false;       ///< Paths begin at numbered points (PathResults::x), not in pixels.
+    bool atPoints = false; ///< Paths begin at numbered points (PathResults::x), not in pixels.
     /// Called after each tile, from any thread, with the share done in [0,1].
     std::function<void(double)> progress;
 };

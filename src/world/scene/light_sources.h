@@ -112,8 +112,8 @@ struct LightTable {
     std::vector<LightGroup> groups;              ///< Those that have lights.
     std::vector<int> ambient;                    ///< Indices of the ambient lights.
     std::vector<std::vector<std::uint8_t>> isOn; ///< [lightSet][index + 1].
-    std::int32_t setOfAll = 0;  ///< See Lights::setOfAll(),
-    bool leftToSamples = false; ///< and areLeftToSamples().
+    std::int32_t setOfAll = 0;                   ///< See Lights::setOfAll(),
+    bool leftToSamples = false;                  ///< and areLeftToSamples().
     bool isSingle = false; ///< There is one source at most, on for all: none has to be chosen.
 
     bool on(std::int32_t lightSet, std::int32_t light) const { return isOn[lightSet][light] != 0; }
