@@ -71,6 +71,16 @@ const Lookup lookups[] = {
     {"float texture(\"step.exr\", .45, .5, \"sblur\", .3, \"filter\", \"box\")", .333f, .08f},
     {"float texture(\"step.exr\", .25, .5, \"blur\", .1)", 0, .02f},
     {"float texture(\"stripes.tga\", .5, .5, \"blur\", .5)", .5f, .01f},
+    // Footprints that are lines, blurred.
+    {"float texture(\"ramps.exr\", s, .5, \"blur\", .1)", .5f, 1e-2f},
+    {"float texture(\"ramps.exr\"[1], .5, .25 + s + t - 1, \"tblur\", .1)", .25f, 1e-2f},
+    {"float texture(\"ramps.exr\", .5 + .3 * (s - t), .5 + .1 * (s - t), \"blur\", .1)", .5f,
+     1e-2f},
+    {"float texture(\"ramps.exr\", .5 + 90 * (s - t), .5 - 9 * (s - t), \"blur\", .1)", .5f, 2e-2f},
+    {"float texture(\"step.exr\", .45 + .01 * (s - .5), .5, \"sblur\", .3)", .333f, .08f},
+    {"Du(float texture(\"ramps.exr\", s + t - .5, s + t - .5, \"blur\", .1))", 1, .1f},
+    {"comp(environment(\"grey.exr\", vector(cos(s + t), sin(s + t), 0), \"blur\", .1), 1)", .3f,
+     1e-3f},
     // Numbers become light.
     {"float texture(\"colour.tga\", .5, .5)", .003035f, 1e-5f},
     {"float texture(\"colour.tga\"[1], .5, .5)", .50289f, 5e-4f},
@@ -131,6 +141,8 @@ TEST(Lookups, ThatGoWrongAreZeroAndSaidOnce) {
         EXPECT_TRUE(run.says(words)) << words << "\n" << run.err;
     const auto first = run.err.find("\"missing.tx\"");
     EXPECT_EQ(run.err.find("\"missing.tx\"", first + 1), std::string::npos) << run.err;
+    const std::string line = run.err.substr(first, run.err.find('\n', first) - first);
+    EXPECT_EQ(line.find(folder.path()), line.rfind(folder.path())) << line;
 }
 
 TEST(Textureinfo, TellsWhatThereIs) {
