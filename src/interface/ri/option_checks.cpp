@@ -54,11 +54,19 @@ bool maxDepth(const GivenOption &given) {
                        "the eye, a number from 0 (emission alone) to 1048576");
 }
 
+bool textureMemory(const GivenOption &given) {
+    const float kibibytes = given.parameter.floats.empty() ? -1 : given.parameter.floats.front();
+    return (kibibytes >= 0 && kibibytes <= float(1 << 30)) ||
+           given.wrong("\"limits\" \"texturememory\" is how many kibibytes of textures are kept, "
+                       "a number from 0 (as many as usual) to 1073741824");
+}
+
 } // namespace
 
 bool checkOption(RequestDiagnostics &diagnostics, const SourceLocation &where,
                  const std::string &category, const Parameter &parameter) {
     static const std::map<std::string, bool (*)(const GivenOption &), std::less<>> checks = {
+        {"limits:texturememory", textureMemory},
         {"render:integrator", integrator},
         {"shading:highlights", highlights},
         {"shading:loopturns", loopTurns},
