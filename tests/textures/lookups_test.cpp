@@ -111,6 +111,7 @@ TEST(Lookups, ThatGoWrongAreZeroAndSaidOnce) {
     writePictures(folder);
     folder.write("broken.exr", folder.read("ramps.exr").substr(0, 900));
     folder.write("words.png", "This is no picture.");
+    const std::string colours = folder.read("colour.tga");
     const Told told = tell(
         folder,
         {{"float texture(\"missing.tx\", .5, .5)", "float texture(\"missing.tx\", .2, .5)",
@@ -122,7 +123,8 @@ TEST(Lookups, ThatGoWrongAreZeroAndSaidOnce) {
          "MakeTexture \"nothing.tif\" \"no.tx\" \"black\" \"black\" \"box\" 1 1\n"
          "MakeTexture \"words.png\" \"no.tx\" \"wavy\" \"black\" \"box\" 1 1\n"
          "MakeShadow \"grey.exr\" \"no.shd\"\n"
-         "MakeTexture \"grey.exr\" \"../outside.tx\" \"black\" \"black\" \"box\" 1 1\n"});
+         "MakeTexture \"grey.exr\" \"../outside.tx\" \"black\" \"black\" \"box\" 1 1\n"
+         "MakeTexture \"colour.tga\" \"./colour.tga\" \"black\" \"black\" \"box\" 1 1\n"});
     EXPECT_EQ(told.values.size(), 10u) << told.run.text();
     for (std::size_t k = 0; k < told.values.size(); ++k)
         EXPECT_NEAR(told.values[k], k == 5 || k == 9 ? .3f : 0, 1e-3f) << k;
@@ -130,6 +132,7 @@ TEST(Lookups, ThatGoWrongAreZeroAndSaidOnce) {
     EXPECT_EQ(run.status, 1) << "MakeTexture of nothing is an error";
     EXPECT_TRUE(folder.has("telling.exr"));
     EXPECT_FALSE(folder.has("no.tx") || folder.has("no.shd"));
+    EXPECT_EQ(folder.read("colour.tga"), colours);
     for (const char *words :
          {"telling.sl:3: warning: texture \"missing.tx\": there is no such file",
           "texture \"words.png\": ", "texture \"broken.exr\": ",
@@ -137,7 +140,8 @@ TEST(Lookups, ThatGoWrongAreZeroAndSaidOnce) {
           "texture \"missing.shd\": ", "texture \"grey.exr\": ", "no parameter \"blurr\"",
           "scene.rib:1:1: error: MakeTexture: there is no picture \"nothing.tif\"",
           "scene.rib:2:1: error: MakeTexture: there is no wrap mode \"wavy\"",
-          "scene.rib:3:1: error: MakeShadow: ", "need --allow-programs"})
+          "scene.rib:3:1: error: MakeShadow: ", "need --allow-programs",
+          "scene.rib:5:1: error: MakeTexture: "})
         EXPECT_TRUE(run.says(words)) << words << "\n" << run.err;
     const auto first = run.err.find("\"missing.tx\"");
     EXPECT_EQ(run.err.find("\"missing.tx\"", first + 1), std::string::npos) << run.err;
