@@ -187,7 +187,7 @@ class Trial:
                 Path(folder, "scene.rib").write_text(scene_of(origin))
             Path(folder, name).write_text(text, errors="replace")
             if of_shader and LOOP.search(text):
-                problem = self.render_loop(folder)
+                problem = self.render_loop(folder, origin.stem)
             else:
                 problem = self.render(folder)
         if problem:
@@ -198,20 +198,27 @@ class Trial:
                    f"{self.options.program} --memory {self.options.memory} --first {seed} --count 1"
         return None
 
-    def render_loop(self, folder):
-        """A loop may have no end, and runs as it says. Its compilation has to end all the same: it
-        is the only one of the second try, so an object in the cache is its."""
+    def render_loop(self, folder, shader):
+        """A loop may have no end, and runs as it says. Its compilation has to end all the same: what
+        the scene compiles besides is in the cache before the second try, so one object more is its."""
         problem = self.render(folder, LOOP_SECONDS)
         if problem != TOO_LONG:
             return problem
-        scene = Path(folder, "scene.rib")
-        scene.write_text(re.sub(r'LightSource ".*light".*\n', "", scene.read_text()))
-        cache = Path(folder, "cache")
+        scene, cache = Path(folder, "scene.rib"), Path(folder, "cache")
+
+        def objects():
+            return sum(path.is_file() for path in cache.rglob("*"))
+
+        dark = re.sub(r'LightSource ".*light".*\n', "", scene.read_text())
+        scene.write_text(re.sub(rf'.*"{shader}".*\n', "", dark))
+        self.render(folder, cache=str(cache))
+        before = objects()
+        scene.write_text(dark)
         for seconds in LOOP_SECONDS, self.options.seconds:
             problem = self.render(folder, seconds, str(cache))
             if problem != TOO_LONG:
                 return problem
-            if any(path.is_file() for path in cache.rglob("*")):
+            if objects() > before:
                 return None
         return problem
 
