@@ -33,6 +33,7 @@ LOOP = re.compile(r"\b(?:for|while)\b")
 SANITIZER = re.compile(r"==\d+==ERROR|.*runtime error:")
 TOO_LONG = "took too long"
 INPUTS_A_PROCESS = 200
+LOOP_ENDED = b"the loop here does not end"  # It has been compiled, and takes what turns it may.
 LOOP_SECONDS = 2  # Many more than a shader without an endless loop needs.
 FLOOD = 100_000  # Bytes of messages: an ordinary scene's few, said once each.
 SHADER_KIND = re.compile(r"^(surface|displacement|transformation|volume|light|filter|imager)\b", re.M)
@@ -231,7 +232,7 @@ class Trial:
         said = Path(folder, "said")
         messages = said.read_bytes() if said.is_file() else b""
         if status in (-signal.SIGPROF, -signal.SIGALRM):
-            return TOO_LONG
+            return None if LOOP_ENDED in messages else TOO_LONG
         if status not in (0, 1):
             how = f"signal {-status}" if status < 0 else f"exit status {status}"
             text = messages.decode(errors="replace")
