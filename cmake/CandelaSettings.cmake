@@ -16,7 +16,7 @@ if(DEFINED ENV{CI})
     add_compile_options(-Werror)
 endif()
 set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
-set(CMAKE_CXX_FLAGS_ASAN "-O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined")
+set(CMAKE_CXX_FLAGS_ASAN "-O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined,float-cast-overflow")
 set(CMAKE_CXX_FLAGS_TSAN "-O1 -g -fsanitize=thread")
 
 find_program(CCACHE ccache)

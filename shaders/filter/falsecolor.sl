@@ -4,6 +4,7 @@
 #include "digits.h"
 
 #define TICKS 40 /* at most, of a legend */
+#define DECADES 76 /* at most; floats have no more */
 
 /* In cd/m^2 or lx, what a pixel shows. */
 float measured(string quantity, map; float x, y)
@@ -152,7 +153,7 @@ filter falsecolor(
     float span = 0; /* decades; 0: linear */
 
     if (log != 0)
-        span = decades > 0 ? decades
+        span = decades > 0 ? min(decades, DECADES)
                            : clamp(ceil(log(top / exceededby(.98, quantity, map), 10)), 1, 8);
 
     float barbottom = ysize - 8 * dots, bartop = 18 * dots;

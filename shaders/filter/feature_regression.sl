@@ -7,6 +7,7 @@
    colour itself is a linear function of the place.
    docs/filters/feature_regression.md. */
 
+#define WIDEST 64          /* Pixels each way that may be told to be looked at. */
 #define ALBEDO_FLOOR .0002 /* What has no albedo is seen by this much. */
 #define PLAIN_SPREAD .3   /* Of outlines: squared difference over the sum of variances. */
 
@@ -42,6 +43,7 @@ filter feature_regression(
     float bend = .3;        /* of normals: the length of their difference that counts as another */)
 {
     float x, y, i, j, k;
+    float reach = min(search, WIDEST), around = min(patch, WIDEST), fit = min(radius, WIDEST);
 
     setsize("regression.light", xsize, ysize);
     setsize("regression.light_error", xsize, ysize);
@@ -84,10 +86,10 @@ filter feature_regression(
                      color image("regression.light_variance", x, y));
         }
     float per = tolerance * tolerance;
-    float side = 2 * patch + 1;
+    float side = 2 * around + 1;
     float scale = 1 / (3 * side * side);
-    for (j = 0; j <= search; j += 1)
-        for (i = -search; i <= search; i += 1)
+    for (j = 0; j <= reach; j += 1)
+        for (i = -reach; i <= reach; i += 1)
             if (j > 0 || i > 0) {
                 for (y = 0; y < ysize; y += 1)
                     for (x = 0; x < xsize; x += 1)
@@ -100,7 +102,7 @@ filter feature_regression(
                 for (y = 0; y < ysize; y += 1)
                     for (x = 0; x < xsize; x += 1) {
                         float sum = 0;
-                        for (k = -patch; k <= patch; k += 1)
+                        for (k = -around; k <= around; k += 1)
                             if (inside(x + k, xsize) + inside(x + k + i, xsize) == 2)
                                 sum += float image("regression.difference", x + k, y);
                         setimage("regression.difference_row", x, y, sum);
@@ -108,7 +110,7 @@ filter feature_regression(
                 for (y = 0; y < ysize; y += 1)
                     for (x = 0; x < xsize; x += 1) {
                         float sum = 0;
-                        for (k = -patch; k <= patch; k += 1)
+                        for (k = -around; k <= around; k += 1)
                             if (inside(y + k, ysize) + inside(y + k + j, ysize) == 2)
                                 sum += float image("regression.difference_row", x, y + k);
                         color turn = color image("N", x, y) - color image("N", x + i, y + j);
@@ -181,7 +183,7 @@ filter feature_regression(
     /* The fit: about (x, y), colour = basis * (b0 + b1 i + b2 j); what is wanted is b0. */
     float fitper = fittolerance * fittolerance;
     float turnscale = 1 / (bend * bend);
-    float nearness = 1 / (radius * radius);
+    float nearness = 1 / (fit * fit);
     for (y = 0; y < ysize; y += 1)
         for (x = 0; x < xsize; x += 1) {
             float plain = float image("regression.outline", x, y);
@@ -193,8 +195,8 @@ filter feature_regression(
             color own_cv = image("variance", x, y);
             color slack = contrast * contrast * own * own + 1e-12;
             color s00 = 0, s10 = 0, s11 = 0, s20 = 0, s21 = 0, s22 = 0, t0 = 0, t1 = 0, t2 = 0;
-            for (j = -radius; j <= radius; j += 1)
-                for (i = -radius; i <= radius; i += 1) {
+            for (j = -fit; j <= fit; j += 1)
+                for (i = -fit; i <= fit; i += 1) {
                     color c = image("Cs", x + i, y + j);
                     color basis = (color image("albedo", x + i, y + j) + ALBEDO_FLOOR) / own_a;
                     color d = color image("regression.pilot", x + i, y + j) - own;
@@ -224,7 +226,7 @@ filter feature_regression(
                     t2 += wt * j;
                 }
             /* A little ridge: slopes that nothing decides are none. */
-            color ridge = (plain > 0 ? .02 * 9 : .001 * radius * radius) * s00;
+            color ridge = (plain > 0 ? .02 * 9 : .001 * fit * fit) * s00;
             s11 += ridge;
             s22 += ridge;
             /* b1 and b2 out of the first equation. */

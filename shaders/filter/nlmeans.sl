@@ -4,6 +4,8 @@
    (Rousselle, Knaus and Zwicker 2012), and normals and albedo do.
    docs/filters/nlmeans.md. */
 
+#define WIDEST 64 /* Pixels each way that may be told to be looked at. */
+
 float squared(color c)
 {
     return comp(c, 0) * comp(c, 0) + comp(c, 1) * comp(c, 1) + comp(c, 2) * comp(c, 2);
@@ -35,6 +37,7 @@ filter nlmeans(
     float shade = .05;     /* of albedos, likewise */)
 {
     float x, y, i, j, k;
+    float reach = min(search, WIDEST), around = min(patch, WIDEST);
 
     setsize("nlmeans.spread", xsize, ysize);
     setsize("nlmeans.sum", xsize, ysize);
@@ -57,13 +60,13 @@ filter nlmeans(
         }
 
     float per = tolerance * tolerance;
-    float side = 2 * patch + 1;
+    float side = 2 * around + 1;
     float scale = 1 / (3 * side * side);
     float bendscale = bend > 0 ? 1 / (bend * bend) : 0;
     float shadescale = shade > 0 ? 1 / (shade * shade) : 0;
     /* Half of the offsets: each stands for its opposite, too. */
-    for (j = 0; j <= search; j += 1)
-        for (i = -search; i <= search; i += 1)
+    for (j = 0; j <= reach; j += 1)
+        for (i = -reach; i <= reach; i += 1)
             if (j > 0 || i > 0) {
                 for (y = 0; y < ysize; y += 1)
                     for (x = 0; x < xsize; x += 1)
@@ -75,7 +78,7 @@ filter nlmeans(
                 for (y = 0; y < ysize; y += 1)
                     for (x = 0; x < xsize; x += 1) {
                         float sum = 0;
-                        for (k = -patch; k <= patch; k += 1)
+                        for (k = -around; k <= around; k += 1)
                             if (inside(x + k, xsize) + inside(x + k + i, xsize) == 2)
                                 sum += float image("nlmeans.difference", x + k, y);
                         setimage("nlmeans.difference_row", x, y, sum);
@@ -83,7 +86,7 @@ filter nlmeans(
                 for (y = 0; y < ysize; y += 1)
                     for (x = 0; x < xsize; x += 1) {
                         float sum = 0;
-                        for (k = -patch; k <= patch; k += 1)
+                        for (k = -around; k <= around; k += 1)
                             if (inside(y + k, ysize) + inside(y + k + j, ysize) == 2)
                                 sum += float image("nlmeans.difference_row", x, y + k);
                         float apart = max(0, sum * scale);

@@ -2,6 +2,7 @@
 #include "adaptation.h"
 
 #define WIDEST 32 /* pixels that weights reach to either side */
+#define MOST 12   /* scales; weights of more reach no farther */
 
 /* Weights of a Gaussian at -radius to radius, three standard deviations at most; gives the radius. */
 float gaussianweights(float deviation; output float weights[])
@@ -60,7 +61,7 @@ filter reinhard02(
 
         /* The Gaussian of size s is exp(-(r / (.35 s))^2): a deviation of s/4. What surrounds one
            size is the centre of the next. */
-        for (number = 0; number <= scales; number += 1) {
+        for (number = 0; number <= min(scales, MOST); number += 1) {
             float radius = gaussianweights(size / 4, weights);
             for (y = 0; y < ysize; y += 1)
                 for (x = 0; x < xsize; x += 1) {

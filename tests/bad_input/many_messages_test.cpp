@@ -57,6 +57,21 @@ TEST_F(BadInput, ManyErrorsOnOneLongLine) {
     expectDisc();
 }
 
+// A shader is compiled once for each of its strings, and its text is as wrong each time.
+TEST_F(BadInput, ShadersWithManyStringsSpeakOnce) {
+    folder_.write("held.sl", "surface held(string map = \"\";)\n"
+                             "{ Oi = 1; Ci = map == \"a\" ? 1 : Du(length(dPdu)); }\n");
+    std::string surfaces;
+    for (int i = 0; i < 30; ++i)
+        surfaces += "Surface \"held\" \"string map\" [\"" + std::to_string(i) +
+                    "\"] Translate 9 0 5 Sphere 1 -1 1 360\n";
+    Outcome run = render(sceneWith("AttributeBegin\n" + surfaces + "AttributeEnd"));
+    EXPECT_EQ(run.status, 0) << run.text();
+    EXPECT_TRUE(run.says("held.sl:1:")) << run.text();
+    EXPECT_EQ(lines(run.err), 3) << run.text(); // With the line of the text, and its caret.
+    expectDisc();
+}
+
 // What is not printed counts all the same, and warnings stay warnings.
 TEST_F(BadInput, SuppressionLeavesTheExitStatus) {
     Outcome run = render(sceneWith("Scale 1 0 1\n" + repeated("Sphere 1 -1 1 360", 100)));

@@ -293,6 +293,17 @@ TEST_F(BadInput, UnknownIntegratorHasAPlace) {
     expectDisc();
 }
 
+TEST_F(BadInput, TextureMemoryThatIsNoAmount) {
+    for (const char *value : {"-1", "1e38", "2147483647"}) {
+        const std::string option = "Option \"limits\" \"integer texturememory\" ";
+        Outcome run = render(option + value + "\n" + sceneWith(""));
+        EXPECT_EQ(run.status, 1) << run.text();
+        EXPECT_TRUE(run.says("scene.rib:1:")) << run.text();
+        EXPECT_TRUE(run.says("texturememory")) << run.text();
+        expectDisc();
+    }
+}
+
 // One of two displays is wrong: the first error is the end, and nothing is rendered.
 TEST_F(BadInput, ErrorHandlerAbortHoldsForDisplays) {
     std::string rib = "ErrorHandler \"abort\"\n" + sceneWith("");

@@ -179,6 +179,10 @@ std::vector<LargeShader> largeShaders() {
          surface(
              "Ci = 0;\n" +
              each(300, [](const std::string &n) { return "Ci += trace(P, N + " + n + " * I);"; }))},
+        {"16 gathered samples that each gather 16, and their light", Compiles,
+         surface("color c = 0; Ci = 0;\n"
+                 "gather(\"\", P, N, 1, 16, \"surface:Ci\", c) {\n"
+                 "gather(\"\", P, N, 1, 16, \"surface:Ci\", c) Ci += c;\n}")},
         {"200 light loops",
          Compiles,
          surface("color c = 0;\n" + repeat(200, "illuminance(P, N, PI / 2) c += Cl;") +

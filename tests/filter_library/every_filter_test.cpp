@@ -181,6 +181,32 @@ TEST_P(Adaptation, TheUnitOfLightDoesNotMatter) {
 INSTANTIATE_TEST_SUITE_P(Library, Adaptation, testing::ValuesIn(cases, cases + 12),
                          [](const auto &tested) { return tested.param.name; });
 
+/// What counts turns of a loop is no more than the filter is good for: all of them end.
+TEST(Numbers, ThatNoPictureHasRoomForEnd) {
+    const Filter regression("feature_regression"), means("nlmeans");
+    const struct {
+        const char *name;
+        Filter filter;
+    } table[] = {{"nlmeans search", means.with("search", 1e38)},
+                 {"nlmeans patch", means.with("patch", 1e38).with("search", 1)},
+                 {"regression search", regression.with("search", 1e38).with("radius", 1)},
+                 {"regression patch", regression.with("patch", 1e38).with("search", 1)},
+                 {"regression radius", regression.with("radius", 1e38).with("search", 1)},
+                 {"convolve width", convolve.with("width", 1e38)},
+                 {"reinhard scales", reinhard.with("local", 1).with("scales", 1e38)},
+                 {"falsecolor decades", falsecolor.with("log", 1).with("decades", 1e38)}};
+    for (const auto &[name, filter] : table) {
+        const int size = std::string(name).starts_with("falsecolor") ? 100 : 8; // It has a legend.
+        ImageMaps maps = mapsOf(manifold(size, size, 0, 2));
+        for (const char *map : {"variance", "albedo", "N"})
+            setMap(maps, map, Picture(size, size, {.1, .1, .1}));
+        run({filter}, maps);
+        for (const Rgb &c : pictureOf(maps).pixels)
+            for (const double channel : c)
+                ASSERT_TRUE(std::isfinite(channel)) << name;
+    }
+}
+
 /// A word that a parameter cannot be is told of, and something is made all the same.
 TEST(Words, ThatNoFilterKnowsAreToldOf) {
     const struct {

@@ -33,16 +33,29 @@ LOOP = re.compile(r"\b(?:for|while)\b")
 SANITIZER = re.compile(r"==\d+==ERROR|.*runtime error:")
 TOO_LONG = "took too long"
 INPUTS_A_PROCESS = 200
+LOOP_ENDED = b"the loop here does not end"  # It has been compiled, and takes what turns it may.
 LOOP_SECONDS = 2  # Many more than a shader without an endless loop needs.
 FLOOD = 100_000  # Bytes of messages: an ordinary scene's few, said once each.
+SHADER_KIND = re.compile(r"^(surface|displacement|transformation|volume|light|filter|imager)\b", re.M)
+# A shader that is mutated, in the place of a request; (options, attributes).
+SHADER_REQUESTS = {
+    "surface": ("", 'Surface "{0}"'),
+    "displacement": ("", 'Displacement "{0}"'),
+    "transformation": ("", 'Deformation "{0}"'),
+    "volume": ("", 'Atmosphere "{0}"\nInterior "{0}"'),
+    "light": ("", 'LightSource "{0}" 3'),
+    "filter": ('PushFilter "{0}"', ""),
+    "imager": ('Imager "{0}"', ""),
+}
 SHADER_SCENE = """Format 8 8 1
 Display "out.exr" "openexr" "rgba"
 Projection "perspective" "fov" [50]
+{options}
 WorldBegin
 LightSource "pointlight" 1 "point from" [2 3 -1]
 LightSource "ambientlight" 2
 AttributeBegin
-Surface "fuzzed"
+{attributes}
 Translate 0 0 4
 Sphere 1.4 -1.4 1.4 360
 AttributeEnd
@@ -93,18 +106,22 @@ def mutate(tokens, chance):
             tokens[i], tokens[j] = tokens[j], tokens[i]
 
 
+def scene_of(path):
+    """A scene that uses a shader of the corpus."""
+    options, attributes = SHADER_REQUESTS[SHADER_KIND.search(path.read_text())[1]]
+    return SHADER_SCENE.format(options=options.format(path.stem),
+                               attributes=attributes.format(path.stem))
+
+
 def make_input(seed, corpus):
-    """Name and text of the file of a seed."""
+    """The file of the corpus that a seed changes, and its text then."""
     chance = random.Random(seed)
     origin = chance.choice(corpus)
     tokens = TOKEN.findall(origin.read_text())
     for _ in range(chance.choice([1, 1, 2, 3, 5])):
         if tokens:
             mutate(tokens, chance)
-    text = "".join(tokens)
-    if origin.suffix == ".sl":  # Found by its name, however it is changed.
-        return "fuzzed.sl", text
-    return "scene.rib", text
+    return origin, "".join(tokens)
 
 
 class Renderer:
@@ -161,15 +178,17 @@ class Trial:
 
     def attempt(self, seed):
         """What is wrong with a seed in the latest process, or none."""
-        name, text = make_input(seed, self.corpus)
+        origin, text = make_input(seed, self.corpus)
+        of_shader = origin.suffix == ".sl"  # Found by its name, however it is changed.
+        name = origin.name if of_shader else "scene.rib"
         with tempfile.TemporaryDirectory(prefix="candela-fuzz-") as folder:
-            Path(folder, "scene.rib").write_text(SHADER_SCENE)
-            Path(folder, name).write_text(text, errors="replace")
             for shader in (HERE / "corpus").glob("*.sl"):
-                if shader.name != name:
-                    shutil.copy(shader, folder)
-            if name.endswith(".sl") and LOOP.search(text):
-                problem = self.render_loop(folder)
+                shutil.copy(shader, folder)
+            if of_shader:
+                Path(folder, "scene.rib").write_text(scene_of(origin))
+            Path(folder, name).write_text(text, errors="replace")
+            if of_shader and LOOP.search(text):
+                problem = self.render_loop(folder, origin.stem)
             else:
                 problem = self.render(folder)
         if problem:
@@ -180,19 +199,27 @@ class Trial:
                    f"{self.options.program} --memory {self.options.memory} --first {seed} --count 1"
         return None
 
-    def render_loop(self, folder):
-        """A loop may have no end, and runs as it says. Its compilation has to end all the same: it
-        is the only one of the second try, so an object in the cache is its."""
+    def render_loop(self, folder, shader):
+        """A loop may have no end, and runs as it says. Its compilation has to end all the same: what
+        the scene compiles besides is in the cache before the second try, so one object more is its."""
         problem = self.render(folder, LOOP_SECONDS)
         if problem != TOO_LONG:
             return problem
-        Path(folder, "scene.rib").write_text(re.sub(r"LightSource.*\n", "", SHADER_SCENE))
-        cache = Path(folder, "cache")
+        scene, cache = Path(folder, "scene.rib"), Path(folder, "cache")
+
+        def objects():
+            return sum(path.is_file() for path in cache.rglob("*"))
+
+        dark = re.sub(r'LightSource ".*light".*\n', "", scene.read_text())
+        scene.write_text(re.sub(rf'.*"{shader}".*\n', "", dark))
+        self.render(folder, cache=str(cache))
+        before = objects()
+        scene.write_text(dark)
         for seconds in LOOP_SECONDS, self.options.seconds:
             problem = self.render(folder, seconds, str(cache))
             if problem != TOO_LONG:
                 return problem
-            if any(path.is_file() for path in cache.rglob("*")):
+            if objects() > before:
                 return None
         return problem
 
@@ -205,7 +232,7 @@ class Trial:
         said = Path(folder, "said")
         messages = said.read_bytes() if said.is_file() else b""
         if status in (-signal.SIGPROF, -signal.SIGALRM):
-            return TOO_LONG
+            return None if LOOP_ENDED in messages else TOO_LONG
         if status not in (0, 1):
             how = f"signal {-status}" if status < 0 else f"exit status {status}"
             text = messages.decode(errors="replace")

@@ -71,6 +71,16 @@ const Lookup lookups[] = {
     {"float texture(\"step.exr\", .45, .5, \"sblur\", .3, \"filter\", \"box\")", .333f, .08f},
     {"float texture(\"step.exr\", .25, .5, \"blur\", .1)", 0, .02f},
     {"float texture(\"stripes.tga\", .5, .5, \"blur\", .5)", .5f, .01f},
+    // Footprints that are lines, blurred.
+    {"float texture(\"ramps.exr\", s, .5, \"blur\", .1)", .5f, 1e-2f},
+    {"float texture(\"ramps.exr\"[1], .5, .25 + s + t - 1, \"tblur\", .1)", .25f, 1e-2f},
+    {"float texture(\"ramps.exr\", .5 + .3 * (s - t), .5 + .1 * (s - t), \"blur\", .1)", .5f,
+     1e-2f},
+    {"float texture(\"ramps.exr\", .5 + 90 * (s - t), .5 - 9 * (s - t), \"blur\", .1)", .5f, 2e-2f},
+    {"float texture(\"step.exr\", .45 + .01 * (s - .5), .5, \"sblur\", .3)", .333f, .08f},
+    {"Du(float texture(\"ramps.exr\", s + t - .5, s + t - .5, \"blur\", .1))", 1, .1f},
+    {"comp(environment(\"grey.exr\", vector(cos(s + t), sin(s + t), 0), \"blur\", .1), 1)", .3f,
+     1e-3f},
     // Numbers become light.
     {"float texture(\"colour.tga\", .5, .5)", .003035f, 1e-5f},
     {"float texture(\"colour.tga\"[1], .5, .5)", .50289f, 5e-4f},
@@ -101,6 +111,7 @@ TEST(Lookups, ThatGoWrongAreZeroAndSaidOnce) {
     writePictures(folder);
     folder.write("broken.exr", folder.read("ramps.exr").substr(0, 900));
     folder.write("words.png", "This is no picture.");
+    const std::string colours = folder.read("colour.tga");
     const Told told = tell(
         folder,
         {{"float texture(\"missing.tx\", .5, .5)", "float texture(\"missing.tx\", .2, .5)",
@@ -112,7 +123,8 @@ TEST(Lookups, ThatGoWrongAreZeroAndSaidOnce) {
          "MakeTexture \"nothing.tif\" \"no.tx\" \"black\" \"black\" \"box\" 1 1\n"
          "MakeTexture \"words.png\" \"no.tx\" \"wavy\" \"black\" \"box\" 1 1\n"
          "MakeShadow \"grey.exr\" \"no.shd\"\n"
-         "MakeTexture \"grey.exr\" \"../outside.tx\" \"black\" \"black\" \"box\" 1 1\n"});
+         "MakeTexture \"grey.exr\" \"../outside.tx\" \"black\" \"black\" \"box\" 1 1\n"
+         "MakeTexture \"colour.tga\" \"./colour.tga\" \"black\" \"black\" \"box\" 1 1\n"});
     EXPECT_EQ(told.values.size(), 10u) << told.run.text();
     for (std::size_t k = 0; k < told.values.size(); ++k)
         EXPECT_NEAR(told.values[k], k == 5 || k == 9 ? .3f : 0, 1e-3f) << k;
@@ -120,6 +132,7 @@ TEST(Lookups, ThatGoWrongAreZeroAndSaidOnce) {
     EXPECT_EQ(run.status, 1) << "MakeTexture of nothing is an error";
     EXPECT_TRUE(folder.has("telling.exr"));
     EXPECT_FALSE(folder.has("no.tx") || folder.has("no.shd"));
+    EXPECT_EQ(folder.read("colour.tga"), colours);
     for (const char *words :
          {"telling.sl:3: warning: texture \"missing.tx\": there is no such file",
           "texture \"words.png\": ", "texture \"broken.exr\": ",
@@ -127,10 +140,13 @@ TEST(Lookups, ThatGoWrongAreZeroAndSaidOnce) {
           "texture \"missing.shd\": ", "texture \"grey.exr\": ", "no parameter \"blurr\"",
           "scene.rib:1:1: error: MakeTexture: there is no picture \"nothing.tif\"",
           "scene.rib:2:1: error: MakeTexture: there is no wrap mode \"wavy\"",
-          "scene.rib:3:1: error: MakeShadow: ", "need --allow-programs"})
+          "scene.rib:3:1: error: MakeShadow: ", "need --allow-programs",
+          "scene.rib:5:1: error: MakeTexture: "})
         EXPECT_TRUE(run.says(words)) << words << "\n" << run.err;
     const auto first = run.err.find("\"missing.tx\"");
     EXPECT_EQ(run.err.find("\"missing.tx\"", first + 1), std::string::npos) << run.err;
+    const std::string line = run.err.substr(first, run.err.find('\n', first) - first);
+    EXPECT_EQ(line.find(folder.path()), line.rfind(folder.path())) << line;
 }
 
 TEST(Textureinfo, TellsWhatThereIs) {

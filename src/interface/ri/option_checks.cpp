@@ -77,6 +77,12 @@ bool trust(const GivenOption &given) {
                        "their number, a number from 0.000001 to 1000000");
 }
 
+bool textureMemory(const GivenOption &given) {
+    return isWithin(given, 0, float(1 << 30)) ||
+           given.wrong("\"limits\" \"texturememory\" is how many kibibytes of textures are kept, "
+                       "a number from 0 (as many as usual) to 1073741824");
+}
+
 } // namespace
 
 bool checkOption(RequestDiagnostics &diagnostics, const SourceLocation &where,
@@ -85,6 +91,7 @@ bool checkOption(RequestDiagnostics &diagnostics, const SourceLocation &where,
         {"bidir:connections", connections},
         {"bidir:lightpaths", lightPaths},
         {"bidir:trust", trust},
+        {"limits:texturememory", textureMemory},
         {"render:integrator", integrator},
         {"shading:highlights", highlights},
         {"shading:loopturns", loopTurns},

@@ -34,7 +34,11 @@ struct ShaderLibrary::State {
     std::map<std::string, std::shared_ptr<ShaderCode>> codes; ///< And by folded values.
     std::vector<std::shared_ptr<ShaderCode>> inOrder;
     std::size_t ready = 0; ///< How many of these have been compiled.
+    std::set<std::string> said;
 
+    /// Passes on what has not been said before: a text is compiled once for each choice of strings,
+    /// and its author reads the same each time.
+    void sayOnce(const DiagnosticList &);
     const sl::TypedShader *find(ShaderKind, const ShaderRecord &, const Options &, ir::LightRule);
     const sl::TypedShader *fromLibrary(const std::string &surface);
     /// The default surface with all its parameters at their defaults; none without a library.
@@ -98,6 +102,12 @@ ShaderLibrary::parametersOf(ShaderKind kind, const std::string &name, const Opti
     return types;
 }
 
+void ShaderLibrary::State::sayOnce(const DiagnosticList &words) {
+    for (const Diagnostic &diagnostic : words.all())
+        if (said.insert(format(diagnostic)).second)
+            diagnostics.report(diagnostic);
+}
+
 /// Null without a word if there is no library: whoever looked for it has said so.
 const sl::TypedShader *ShaderLibrary::State::fromLibrary(const std::string &surface) {
     return libraryFolders.empty()
@@ -157,8 +167,11 @@ const ir::LoweredShader *ShaderLibrary::State::lowerOnce(const sl::TypedShader &
     if (lowering.mostTurns != ir::mostLoopTurns)
         addToKey(key, "turns " + std::to_string(lowering.mostTurns));
     auto [entry, isNew] = lowered.try_emplace(key);
-    if (isNew)
-        entry->second = ir::lower(shader, strings, overriding, diagnostics, lowering);
+    if (isNew) {
+        DiagnosticList words;
+        entry->second = ir::lower(shader, strings, overriding, words, lowering);
+        sayOnce(words);
+    }
     return entry->second ? &*entry->second : nullptr;
 }
 
@@ -288,14 +301,13 @@ void ShaderLibrary::makeReady() {
     const std::size_t first = std::exchange(state_->ready, state_->inOrder.size());
     const std::size_t count = state_->ready - first;
     // What is said is passed on in the shaders' order, whichever is compiled first.
-    std::vector<DiagnosticList> said(count);
+    std::vector<DiagnosticList> words(count);
     std::vector<char> compiled(count);
     parallelFor(count, [&](std::size_t k) {
-        compiled[k] = state_->inOrder[first + k]->compileAll(said[k]);
+        compiled[k] = state_->inOrder[first + k]->compileAll(words[k]);
     });
     for (std::size_t k = 0; k < count; ++k) {
-        for (const Diagnostic &diagnostic : said[k].all())
-            state_->diagnostics.report(diagnostic);
+        state_->sayOnce(words[k]);
         if (!compiled[k])
             state_->replace(*state_->inOrder[first + k]);
     }

@@ -77,7 +77,7 @@ std::optional<PictureData> latLongOfFaces(const std::array<PictureData, 6> &face
     PictureData result;
     PictureFacts &facts = result.facts;
     facts.kind = PictureKind::Environment;
-    facts.width = std::clamp(int(4 * float(first.width) / halfWidth), 4, mostColumns);
+    facts.width = int(std::clamp(4 * float(first.width) / halfWidth, 4.0f, float(mostColumns)));
     facts.height = facts.width / 2, facts.channels = first.channels;
     facts.frameWidth = facts.width, facts.frameHeight = facts.height;
     const std::size_t rowValues = std::size_t(facts.width) * std::size_t(facts.channels);

@@ -5,6 +5,7 @@
 #include "world/texture/module.h"
 
 #include <algorithm>
+#include <filesystem>
 
 namespace candela {
 
@@ -69,9 +70,24 @@ std::optional<PictureData> prepared(const TextureOrder &order, std::vector<Pictu
     return picture;
 }
 
+/// A texture is another file in another form: whose picture it would stand in for has lost that.
+bool overwrites(const TextureOrder &order, std::string &problem) {
+    std::error_code isNotThere;
+    for (const std::string &path : order.pictures)
+        if (std::filesystem::equivalent(path, order.texture, isNotThere)) {
+            problem = path +
+                      " is the picture itself, which would be lost: the texture needs a name "
+                      "of its own";
+            return true;
+        }
+    return false;
+}
+
 } // namespace
 
 bool makeTexture(const TextureOrder &order, std::string &problem) {
+    if (overwrites(order, problem))
+        return false;
     PictureLibrary *library = pictureLibrary(problem);
     std::vector<PictureData> pictures;
     if (!library || !readAll(*library, order, pictures, problem))

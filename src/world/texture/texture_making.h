@@ -11,7 +11,7 @@ namespace candela {
 /// with all smaller levels; environments as latitude-longitude pictures; of shadow maps the depths
 /// and their camera. The order's parameter "string colorspace" ("srgb", "linear") says what the
 /// pictures' numbers are where they do not say it themselves. False, and `problem` says why, if
-/// that cannot be done.
+/// that cannot be done or the texture is one of the pictures.
 bool makeTexture(const TextureOrder &order, std::string &problem);
 
 } // namespace candela

@@ -51,7 +51,9 @@ Textures::~Textures() = default;
 
 void Textures::bind(const Options &options) {
     folders_ = searchFolders(options, "texture");
-    folders_.insert(folders_.end(), moreFolders_.begin(), moreFolders_.end());
+    for (const std::string &folder : moreFolders_)
+        if (std::ranges::find(folders_, folder) == folders_.end())
+            folders_.push_back(folder);
     worldFromCurrent_ = inverse(options.camera.cameraFromWorld).value_or(Matrix4{});
     shadowBias_ = shadowBiasOf(options);
     megabytes_ = int(options.named.number("limits:texturememory", 0) / 1024);

@@ -1,4 +1,4 @@
-surface fuzzed(matrix m = 1; vector v = vector(0, 0, 1);)
+surface matrices(matrix m = 1; vector v = vector(0, 0, 1);)
 {
     point here = transform(m, P);
     vector across = v ^ vector(N);

@@ -172,9 +172,21 @@ void walkIf(Specialization &s, const Instruction &i, BindingTimes range) {
     s.repeating -= again;
 }
 
+/// What was too large is thrown away: the rest is not written any more, for every assumption, only
+/// to be dropped. Whoever is above still finds values of the right types.
+void passOver(Specialization &s, const Instruction &i) {
+    for (ValueId old : i.results) {
+        const ValueId stand = s.b.newValue(s.text.values[old].type, Uniformity::Varying);
+        for (int h : s.active)
+            s.mapping.assign(h, old, stand);
+    }
+}
+
 } // namespace
 
 static void walk(Specialization &s, const Instruction &i, BindingTimes range) {
+    if (s.b.budget().exceeded())
+        return passOver(s, i);
     s.b.setLine(i.line);
     s.b.setFile(i.file);
     switch (i.op) {

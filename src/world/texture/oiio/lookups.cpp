@@ -60,6 +60,23 @@ struct Footprint {
         const float factor = (shorter + root) / longer;
         (x > y ? dsdx : dsdy) *= factor, (x > y ? dtdx : dtdy) *= factor;
     }
+
+    /// OpenImageIO 2.4 subtracts to find the width of a footprint, and ends the process where that
+    /// leaves 0 and blur is to be added: a surface from its edge, or coordinates one of which
+    /// stands still. It takes widths of less than a 64th of the length (its anisotropy) for one.
+    void giveWidth() {
+        constexpr double least = 1.0 / 1024;
+        const double ss = double(dsdx) * dsdx + double(dsdy) * dsdy;
+        const double tt = double(dtdx) * dtdx + double(dtdy) * dtdy;
+        const double st = double(dsdx) * dtdx + double(dsdy) * dtdy;
+        const double length2 = (ss + tt + std::hypot(ss - tt, 2 * st)) / 2;
+        const double area = std::abs(double(dsdx) * dtdy - double(dsdy) * dtdx);
+        if (area >= length2 * least) // Nothing at all is wide enough for it, too.
+            return;
+        const double angle = std::atan2(2 * st, ss - tt) / 2, length = std::sqrt(length2);
+        dsdx = float(length * std::cos(angle)), dtdx = float(length * std::sin(angle));
+        dsdy = -dtdx * float(least), dtdy = dsdx * float(least);
+    }
 };
 
 struct Answer {
@@ -115,6 +132,8 @@ bool lookUp(OIIO::TextureSystem &system, const PictureLibrary::Opened &picture,
         options.sblur = at.blur(sBlur), options.tblur = at.blur(tBlur);
         Footprint footprint{at.extent(dsdx), at.extent(dtdx), at.extent(dsdy), at.extent(dtdy)};
         footprint.matchBox();
+        if (options.sblur + options.tblur > 0)
+            footprint.giveWidth();
         Answer answer;
         const bool found = system.texture(
             picture.handle, thread, options, at.middle(s, sShift), at.middle(t, tShift),

@@ -1,6 +1,6 @@
 /* Loops, arrays, noise, functions and light. */
 float wave(float x; float count) { return sin(x * count) * 0.5 + 0.5; }
-surface fuzzed(float amount = .5; color tint = color(1, .5, .2); string space = "world";)
+surface waves(float amount = .5; color tint = color(1, .5, .2); string space = "world";)
 {
     normal Nf = faceforward(normalize(N), I);
     float weights[3] = {.5, .3, .2};
