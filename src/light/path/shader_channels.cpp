@@ -75,7 +75,8 @@ std::vector<ShaderChannelPlane> planesOf(const ShaderCode &code, ir::Question wh
         const auto &outputs = code.question(which).function.outputs;
         const int first = firstPlane(channels, std::size_t(channel - channels.begin()));
         for (int c = 0; c < channel->components; ++c)
-            planes.push_back({first + c, ir::slotOf(outputs, parameter.name, c),
+        const auto output = ir::OutputName::ofParameter(parameter.name);
+            planes.push_back({first + c, ir::slotOf(outputs, output, c),
                               isColor(parameter) ? c % colorSamples : -1});
     }
     return planes;

@@ -119,7 +119,7 @@ void writeOutputs(Lowering &lowering, const LoweredShader &lowered) {
             write(symbol->name, variables.load(variables.storageOf(*symbol)));
     for (size_t i = 0; i < lowered.parameters.size(); ++i)
         if (lowered.parameters[i].output && lowered.parameters[i].type != "string")
-            write(lowered.parameters[i].name,
+            write(OutputName::ofParameter(lowered.parameters[i].name),
                   variables.load(variables.storageOf(*shader.parameters[i].symbol)));
 }
 
