@@ -123,8 +123,12 @@ void report(const std::vector<std::string> &written, Console &console) {
 }
 
 /// Shaders that answer NaN have been named where they did; what else was not finite is said here.
-void reportNonFinite(const Film &film, const TransportStatistics &transport,
+void reportNonFinite(const Film &film, const Scene &scene, const TransportStatistics &transport,
                      DiagnosticSink &diagnostics) {
+    if (const std::uint64_t lost = scene.lights().nonFiniteSamples(); lost > 0)
+        diagnostics.warning({}, fmt::format("{} samples of lights were not finite in this frame; "
+                                            "they count as 0",
+                                            lost));
     const std::uint64_t found = film.nonFiniteSamples();
     if (found > 0 && transport.nonFiniteSamples == 0)
         diagnostics.warning({}, fmt::format("{} values of samples were not finite in this frame; "
@@ -159,7 +163,7 @@ void integrateFrame(const FrameJob &job, const PixelFilterSampler &filter, Film 
         integrate(job.scene, job.integrator, filter, sink, transport, listeners.diagnostics);
     });
     listeners.statistics.add(job.scene, transport);
-    reportNonFinite(film, transport, listeners.diagnostics);
+    reportNonFinite(film, job.scene, transport, listeners.diagnostics);
 }
 
 /// Runs the filters over the maps that the film gives, beside those that are in `picture` already.
