@@ -204,7 +204,7 @@ bool makePicture(const FrameJob &job, const PictureShaders &shaders,
     DisplaySources sources(film, isFiltered ? &filtered : nullptr);
     std::optional<ImagedPicture> imaged;
     if (shaders.imager) {
-        imaged = shaders.imager->run(sources);
+        imaged = shaders.imager->run(sources, job.listeners.diagnostics);
         sources.imaged = &*imaged;
     }
     report(writeDisplays(sources, job.displays, job.scene.options(), job.description,
