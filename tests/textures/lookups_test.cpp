@@ -24,6 +24,9 @@ void writePictures(const ScratchFolder &folder) {
              [](int x, int, int) { return x < 128 ? 0.0f : 1.0f; });
     writeEightBit(folder, "colour.tga", 8, 8, 3, [](int, int, int c) { return c ? 188 : 10; });
     writeEightBit(folder, "mask.tga", 8, 8, 1, [](int, int, int) { return 128; });
+    const Pixels half = [](int, int, int) { return 32768; };
+    writeSixteenBit(folder, "sixteen.png", 8, 8, std::nullopt, half);
+    writeSixteenBit(folder, "gamma.png", 8, 8, 2.0f, half);
     // Half black, half white: their mean is light's.
     writeEightBit(folder, "stripes.tga", 64, 64, 3,
                   [](int x, int, int) { return x % 2 ? 255 : 0; });
@@ -78,6 +81,8 @@ const Lookup lookups[] = {
     {"float texture(\"linear.tx\"[1], .5, .5)", .73725f, 5e-4f},
     {"float texture(\"mask.tga\", .5, .5)", .50196f, 5e-4f},
     {"float texture(\"photo.tx\", .5, .5)", .21586f, 5e-4f},
+    {"float texture(\"sixteen.png\", .5, .5)", .5f, 5e-4f},
+    {"float texture(\"gamma.png\", .5, .5)", .25f, 5e-4f},
 };
 
 TEST(Lookups, AreWhatThePicturesHold) {
@@ -101,19 +106,24 @@ TEST(Lookups, ThatGoWrongAreZeroAndSaidOnce) {
     writePictures(folder);
     folder.write("broken.exr", folder.read("ramps.exr").substr(0, 900));
     folder.write("words.png", "This is no picture.");
+    std::string huge = folder.read("mask.tga");
+    huge.replace(12, 4, "\x30\x75\x30\x75"); // 30000 pixels square, says the head.
+    folder.write("huge.tga", huge);
     const Told told = tell(
         folder,
         {{"float texture(\"missing.tx\", .5, .5)", "float texture(\"missing.tx\", .2, .5)",
           "float texture(\"\", .5, .5)", "float texture(\"words.png\", .5, .5)",
           "float texture(\"broken.exr\", .5, .5)", "float texture(\"grey.tx\", .5, .5)",
           "comp(environment(\"missing.env\", vector(0, 0, 1)), 0)", "shadow(\"missing.shd\", P)",
-          "shadow(\"grey.exr\", P)", "float texture(\"grey.exr\", .5, .5, \"blurr\", 1)"},
+          "shadow(\"grey.exr\", P)", "float texture(\"grey.exr\", .5, .5, \"blurr\", 1)",
+          "float texture(\"huge.tga\", .5, .5)"},
          "",
          "MakeTexture \"nothing.tif\" \"no.tx\" \"black\" \"black\" \"box\" 1 1\n"
          "MakeTexture \"words.png\" \"no.tx\" \"wavy\" \"black\" \"box\" 1 1\n"
          "MakeShadow \"grey.exr\" \"no.shd\"\n"
-         "MakeTexture \"grey.exr\" \"../outside.tx\" \"black\" \"black\" \"box\" 1 1\n"});
-    EXPECT_EQ(told.values.size(), 10u) << told.run.text();
+         "MakeTexture \"grey.exr\" \"../outside.tx\" \"black\" \"black\" \"box\" 1 1\n"
+         "MakeTexture \"grey.exr\" \"grey.exr\" \"black\" \"black\" \"box\" 1 1\n"});
+    EXPECT_EQ(told.values.size(), 11u) << told.run.text();
     for (std::size_t k = 0; k < told.values.size(); ++k)
         EXPECT_NEAR(told.values[k], k == 5 || k == 9 ? .3f : 0, 1e-3f) << k;
     const Outcome &run = told.run;
@@ -127,7 +137,9 @@ TEST(Lookups, ThatGoWrongAreZeroAndSaidOnce) {
           "texture \"missing.shd\": ", "texture \"grey.exr\": ", "no parameter \"blurr\"",
           "scene.rib:1:1: error: MakeTexture: there is no picture \"nothing.tif\"",
           "scene.rib:2:1: error: MakeTexture: there is no wrap mode \"wavy\"",
-          "scene.rib:3:1: error: MakeShadow: ", "need --allow-programs"})
+          "scene.rib:3:1: error: MakeShadow: ", "need --allow-programs",
+          "texture \"huge.tga\": it claims more pixels",
+          "scene.rib:5:1: error: MakeTexture: the texture would take the place of "})
         EXPECT_TRUE(run.says(words)) << words << "\n" << run.err;
     const auto first = run.err.find("\"missing.tx\"");
     EXPECT_EQ(run.err.find("\"missing.tx\"", first + 1), std::string::npos) << run.err;

@@ -5,6 +5,7 @@
 #include "world/texture/module.h"
 
 #include <algorithm>
+#include <filesystem>
 
 namespace candela {
 
@@ -69,9 +70,23 @@ std::optional<PictureData> prepared(const TextureOrder &order, std::vector<Pictu
     return picture;
 }
 
+/// A picture is not to be lost to the texture made of it.
+bool keepsPictures(const TextureOrder &order, std::string &problem) {
+    for (const std::string &picture : order.pictures) {
+        std::error_code isNew;
+        if (std::filesystem::equivalent(picture, order.texture, isNew)) {
+            problem = "the texture would take the place of " + picture + ", which it is made of";
+            return false;
+        }
+    }
+    return true;
+}
+
 } // namespace
 
 bool makeTexture(const TextureOrder &order, std::string &problem) {
+    if (!keepsPictures(order, problem))
+        return false;
     PictureLibrary *library = pictureLibrary(problem);
     std::vector<PictureData> pictures;
     if (!library || !readAll(*library, order, pictures, problem))
