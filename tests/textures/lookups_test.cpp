@@ -138,11 +138,48 @@ TEST(Lookups, ThatGoWrongAreZeroAndSaidOnce) {
           "scene.rib:1:1: error: MakeTexture: there is no picture \"nothing.tif\"",
           "scene.rib:2:1: error: MakeTexture: there is no wrap mode \"wavy\"",
           "scene.rib:3:1: error: MakeShadow: ", "need --allow-programs",
-          "texture \"huge.tga\": it claims more pixels",
+          "huge.tga cannot be read: it claims more pixels",
           "scene.rib:5:1: error: MakeTexture: the texture would take the place of "})
         EXPECT_TRUE(run.says(words)) << words << "\n" << run.err;
     const auto first = run.err.find("\"missing.tx\"");
     EXPECT_EQ(run.err.find("\"missing.tx\"", first + 1), std::string::npos) << run.err;
+}
+
+/// Names are known where a loop's turns are: from a table, put together, with breaks.
+TEST(Lookups, NamesMayBeChosenInLoops) {
+    ScratchFolder folder;
+    writePictures(folder);
+    writeExr(folder, "layer1.exr", 8, 8, {"Y"}, [](int, int, int) { return 0.5f; });
+    writeExr(folder, "layer2.exr", 8, 8, {"Y"}, [](int, int, int) { return 0.25f; });
+    for (const char *lanes : {"1", "16"}) {
+        const Told told =
+            tell(folder,
+                 {{"sum", "made", "stopped", "nested", "same"},
+                  "uniform string names[3] = {\"grey.exr\", \"layer1.exr\", \"layer2.exr\"};\n"
+                  "uniform float i, k; float sum = 0, made = 0, stopped = 0, nested = 0, same = 0;\n"
+                  "for (i = 0; i < 3; i += 1) sum += float texture(names[i], .5, .5);\n"
+                  "for (i = 1; i <= 2; i += 1) {\n"
+                  "    uniform string name = concat(\"layer\", format(\"%d\", i), \".exr\");\n"
+                  "    made += i * float texture(name, .5, .5);\n"
+                  "}\n"
+                  "for (i = 0; i < 3; i += 1) {\n"
+                  "    if (stopped > .7 * s + .1) break;\n"
+                  "    if (i == 0) continue;\n"
+                  "    stopped += float texture(names[i], .5, .5);\n"
+                  "}\n"
+                  "for (i = 0; i < 3; i += 1)\n"
+                  "    for (k = i; k < 3; k += 1) nested += float texture(names[k], .5, .5);\n"
+                  "for (i = 0; i < 100; i += 1) if (names[mod(i, 3)] == \"grey.exr\") same += 1;\n",
+                  "",
+                  lanes});
+        EXPECT_EQ(told.run.err, "");
+        ASSERT_EQ(told.values.size(), 5u) << told.run.text();
+        EXPECT_NEAR(told.values[0], 1.05f, 2e-3f);
+        EXPECT_NEAR(told.values[1], 1, 2e-3f);
+        EXPECT_NEAR(told.values[2], .5f, 2e-3f);
+        EXPECT_NEAR(told.values[3], .3f + 2 * .5f + 3 * .25f, 3e-3f);
+        EXPECT_EQ(told.values[4], 34);
+    }
 }
 
 TEST(Textureinfo, TellsWhatThereIs) {

@@ -46,7 +46,7 @@ ColorCurve curveOf(const OIIO::ImageInput &file, const std::string &path, Pictur
     if (!eightBits && std::string_view(file.format_name()) == "png" && !pngSaysColors(path))
         return {};
     const std::string space = spec.get_string_attribute("oiio:ColorSpace");
-    if (OIIO::Strutil::istarts_with(space, "GammaCorrected"))
+    if (OIIO::Strutil::istarts_with(space, "Gamma")) // "GammaCorrected2.2", too.
         return {false, spec.get_float_attribute("oiio:Gamma", 2.2f)};
     if (OIIO::Strutil::iequals(space, "Linear") || OIIO::Strutil::iequals(space, "scene_linear"))
         return {};
