@@ -132,6 +132,22 @@ void writeOutputs(Lowering &lowering, const LoweredShader &lowered) {
                   variables.load(variables.storageOf(*shader.parameters[i].symbol)));
 }
 
+/// Light shaders may read more of what they light than they are told.
+void warnOfWhatLightsReadInVain(Lowering &lowering) {
+    if (lowering.shader.kind != sl::ShaderKind::Light)
+        return;
+    for (const auto &symbol : lowering.shader.symbols) {
+        if (!symbol->predefined || !symbol->read)
+            continue;
+        const bool isNs = symbol->predefined->id == sl::PredefinedId::Ns;
+        if (isNs || symbol->predefined->id == sl::PredefinedId::Cs)
+            lowering.messages.warning(lowering.shader.where,
+                                      "lights are not told " + symbol->name +
+                                          " of what they light: it counts as " +
+                                          (isNs ? "facing the light" : "1"));
+    }
+}
+
 /// Whether a light shader says L itself. (L = 0 is what an ambient light has anyway.)
 bool saysL(Lowering &lowering) {
     if (lowering.shader.kind != sl::ShaderKind::Light ||
@@ -230,6 +246,7 @@ std::optional<LoweredShader> lower(const sl::TypedShader &shader,
     enter(lowering, nullptr);
     declareParameters(lowering, lowered, strings, variables);
     lower(lowering, shader.body);
+    warnOfWhatLightsReadInVain(lowering);
     writeOutputs(lowering, lowered);
     const bool setsL = saysL(lowering);
     if (lowering.messages.failed())
