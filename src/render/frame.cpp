@@ -125,12 +125,14 @@ void report(const std::vector<std::string> &written, Console &console) {
 /// Shaders that answer NaN have been named where they did; what else was not finite is said here.
 void reportNonFinite(const Film &film, const Scene &scene, const TransportStatistics &transport,
                      DiagnosticSink &diagnostics) {
+    if (transport.nonFiniteSamples > 0)
+        return;
     if (const std::uint64_t lost = scene.lights().nonFiniteSamples(); lost > 0)
         diagnostics.warning({}, fmt::format("{} samples of lights were not finite in this frame; "
                                             "they count as 0",
                                             lost));
     const std::uint64_t found = film.nonFiniteSamples();
-    if (found > 0 && transport.nonFiniteSamples == 0)
+    if (found > 0)
         diagnostics.warning({}, fmt::format("{} values of samples were not finite in this frame; "
                                             "they count as 0",
                                             found));

@@ -46,7 +46,9 @@ TEST(LitVolumes, HearEveryKindOfLight) {
             {"another where it is light", classicUnits + distant + air("startled") + wall, 1.5, 1,
              By::Both, narrow},
             {"beside what is there", classicUnits + distant + air("lamplit") + sheet(1, .25), .75,
-             1, By::Both, narrow},
+             1, By::Classic, narrow},
+            {"and lit by it, too", classicUnits + distant + air("lamplit") + sheet(1, .25), 1.25, 1,
+             By::Path, narrow},
             {"in an object",
              classicUnits + distant + "ObjectBegin 1\n" + square(0) + "ObjectEnd\n" +
                  air("lamplit") + "Translate 0 0 1\nScale -1 1 2\nObjectInstance 1\n",
