@@ -27,6 +27,11 @@ struct Arguments {
 
 const char *yesNo(bool holds) { return holds ? "yes" : "no"; }
 
+/// With the line that it fails at, if that is known.
+std::string yesOrWhereNot(bool holds, int line) {
+    return yesNo(holds) + (holds || line <= 0 ? std::string() : fmt::format(" (line {})", line));
+}
+
 std::string numberText(float number) { return fmt::format("{}", number); }
 
 /// "0.5", "(1, 0, 0)", "\"shader\" (0, 0, 0)", "{ 1, 2 }"
@@ -78,13 +83,9 @@ void printProofs(const sl::TypedShader &shader, const CompiledShader &compiled) 
     if (shader.kind == sl::ShaderKind::Surface) {
         const ir::SurfaceFacts &facts = compiled.facts;
         fmt::print("  proofs\n    affine in the light: {}\n",
-                   yesNo(facts.affine) + (facts.affine
-                                              ? std::string()
-                                              : fmt::format(" (line {})", facts.notAffineLine)));
+                   yesOrWhereNot(facts.affine, facts.notAffineLine));
         fmt::print("    light requests static: {}\n",
-                   yesNo(facts.staticRequests) +
-                       (facts.staticRequests ? std::string()
-                                             : fmt::format(" (line {})", facts.notStaticLine)));
+                   yesOrWhereNot(facts.staticRequests, facts.notStaticLine));
         fmt::print("    opaque where Os is 1: {}\n    black without light: {}\n",
                    yesNo(facts.opaqueIfOsIs1), yesNo(!facts.emits));
         fmt::print("    cones of importance: {}\n", facts.cones.size());
@@ -93,7 +94,17 @@ void printProofs(const sl::TypedShader &shader, const CompiledShader &compiled) 
                    compiled.lightFacts.conesAreTheLights ? "" : ", which differ by what is lit");
         fmt::print("    falls off with the square of the distance: {}\n",
                    yesNo(compiled.inverseSquare));
+    } else if (shader.kind == sl::ShaderKind::Volume) {
+        const ir::VolumeFacts &facts = compiled.volumeFacts;
+        fmt::print("  proofs\n    affine in what there is at its end: {}\n",
+                   yesOrWhereNot(facts.affine, facts.notAffineLine));
+        fmt::print("    asks for light: {}\n", yesNo(facts.asksForLight));
     }
+    const ir::DisplacementFacts &moves = compiled.displacement;
+    if (moves.movesP || moves.setsN)
+        fmt::print("{}    moves P: {}\n    derivatives of P known: {}\n",
+                   shader.kind == sl::ShaderKind::Surface ? "" : "  proofs\n", yesNo(moves.movesP),
+                   yesNo(moves.slopesKnown));
 }
 
 /// What a lane costs: instructions as written, services by services.def.

@@ -61,9 +61,14 @@ void addRun(CLI::App &app, int &status) {
                     "A picture to write: .png, else EXR with all outputs as layers; without it "
                     "numbers are printed, a line a point");
     run->add_option("--show", a.settings.shown,
-                    "The output that is the picture's R, G, B; default Ci, of lights Cl")
+                    "The output that is the picture's R, G, B; default Ci, of lights Cl, of what "
+                    "moves points P")
         ->type_name("OUTPUT");
     run->add_option("--shader-path", a.settings.shaderPath, "Folders to look for shaders in: a:b:c")
+        ->delimiter(':')
+        ->allow_extra_args(false);
+    run->add_option("--texture-path", a.settings.texturePath,
+                    "Folders to look for textures in, before the current one: a:b:c")
         ->delimiter(':')
         ->allow_extra_args(false);
     run->add_option("--lanes", a.lanes, "Lane width of compiled shaders; default 16")

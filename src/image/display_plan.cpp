@@ -80,12 +80,14 @@ std::string formatDefect(const PlannedDisplay &display, const Options &options) 
 }
 
 /// Settles planes and path; false, and `problem` says why, if the display cannot be written.
+/// `renamed` as tellApart() has it.
 bool settle(PlannedDisplay &display, const Options &options, std::span<const ChannelInfo> available,
-            const OutputPolicy &policy, std::string &problem) {
+            const OutputPolicy &policy, std::string &renamed, std::string &problem) {
     auto planes = displayPlanes(display.record.mode, available, problem);
     if (!planes)
         return false;
     display.planes = std::move(*planes);
+    renamed = tellApart(display.planes);
     problem = formatDefect(display, options);
     if (!problem.empty())
         return false;
@@ -117,11 +119,17 @@ std::vector<PlannedDisplay> planDisplays(const Options &options,
         const SourceLocation &where = record.parameters.where;
         const std::string about = "Display \"" + record.name + "\": ";
         PlannedDisplay display{record, {}, {}, {}};
-        std::string warning, problem;
+        std::string warning, renamed, problem;
         chooseFormat(display, warning);
         if (!warning.empty())
             sink.warning(where, about + warning);
-        if (!settle(display, options, available, policy, problem))
+        const bool settled = settle(display, options, available, policy, renamed, problem);
+        if (!renamed.empty())
+            sink.warning(where, about +
+                                    "two planes of the file have one name; the second is "
+                                    "written as another: " +
+                                    renamed);
+        if (!settled)
             sink.error(where, about + problem);
         else if (std::ranges::find(plan, display.path, &PlannedDisplay::path) != plan.end())
             sink.warning(where, about + "a display before it writes the same file; it is left out");

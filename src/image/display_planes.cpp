@@ -20,12 +20,11 @@ constexpr std::array<std::string_view, 7> letterModes{"rgb", "rgba", "a",    "z"
 /// Names of components: those of a place or direction for what is known to be one, else a
 /// colour's.
 std::string componentName(const ChannelInfo &channel, int component) {
-    static constexpr std::array<std::string_view, 10> spatial{"N", "P",    "Ng",   "I",       "L",
-                                                              "E", "dPdu", "dPdv", "dPdtime", "Ps"};
+    static constexpr std::array<std::string_view, 3> spatial{"N", "P", "Ng"};
     if (channel.components == 1)
         return channel.name;
     const bool place = channel.isPlace || std::ranges::find(spatial, channel.name) != spatial.end();
-    const std::string letters = place ? "XYZ" : "RGBA";
+    const std::string letters = channel.isList ? "" : place ? "XYZ" : "RGBA";
     const std::string suffix = component < int(letters.size()) && channel.components <= 4
                                    ? std::string(1, letters[component])
                                    : std::to_string(component);
@@ -79,6 +78,10 @@ bool addItem(std::vector<DisplayPlane> &planes, const std::string &name,
     return true;
 }
 
+bool isSame(const DisplayPlane &a, const DisplayPlane &b) {
+    return a.source == b.source && a.channel == b.channel && a.component == b.component;
+}
+
 std::string knownModes(std::span<const ChannelInfo> available) {
     std::string known;
     for (std::string_view mode : letterModes)
@@ -120,6 +123,24 @@ std::optional<std::vector<DisplayPlane>> displayPlanes(const std::string &mode,
         return std::nullopt;
     }
     return planes;
+}
+
+std::string tellApart(std::vector<DisplayPlane> &planes) {
+    std::string renamed;
+    std::vector<DisplayPlane> kept;
+    for (DisplayPlane &plane : planes) {
+        const auto taken = [&] { return std::ranges::find(kept, plane.name, &DisplayPlane::name); };
+        if (taken() != kept.end() && isSame(*taken(), plane))
+            continue;
+        const std::string wanted = plane.name;
+        while (taken() != kept.end())
+            plane.name = "shader." + plane.name;
+        if (plane.name != wanted)
+            renamed += (renamed.empty() ? "" : ", ") + wanted + " as " + plane.name;
+        kept.push_back(std::move(plane));
+    }
+    planes = std::move(kept);
+    return renamed;
 }
 
 DisplayRecord defaultDisplay() {

@@ -37,6 +37,10 @@ std::optional<std::vector<DisplayPlane>> displayPlanes(const std::string &mode,
                                                        std::span<const ChannelInfo> available,
                                                        std::string &problem);
 
+/// Gives each plane of a file a name of its own; planes that are there twice stay once. The names
+/// that had to change, "R as shader.R", empty if none had.
+std::string tellApart(std::vector<DisplayPlane> &);
+
 /// RI's default where a scene names no display: all of the picture, in a float file.
 DisplayRecord defaultDisplay();
 

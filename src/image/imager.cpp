@@ -6,6 +6,7 @@
 #include "image/imaging.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace candela {
 
@@ -101,6 +102,17 @@ void take(const QuestionCode &question, const ImagerBatch &from, std::size_t fir
     std::copy_n(plane(ir::OutputKind::alpha, 0), count, pixels.planes.back().data() + first);
 }
 
+void makeFinite(PixelPlanes &pixels, const std::string &imager, DiagnosticSink &diagnostics) {
+    std::size_t bad = 0;
+    for (std::vector<float> &plane : pixels.planes)
+        for (float &value : plane)
+            if (!std::isfinite(value))
+                value = 0, ++bad;
+    if (bad > 0)
+        diagnostics.warning({}, std::to_string(bad) + " values of what the imager \"" + imager +
+                                    "\" made are not finite (inf or nan); they count as 0");
+}
+
 } // namespace
 
 std::optional<Imager> Imager::of(const Options &options, ShaderLibrary &library,
@@ -118,7 +130,7 @@ std::optional<Imager> Imager::of(const Options &options, ShaderLibrary &library,
     return Imager(std::move(*instance), options);
 }
 
-ImagedPicture Imager::run(const DisplaySources &sources) const {
+ImagedPicture Imager::run(const DisplaySources &sources, DiagnosticSink &diagnostics) const {
     PixelPlanes pixels = exposedPixels(sources, gain_, gamma_, frame_);
     const QuestionCode &question = instance_.code->question(ir::Question::Imager);
     const std::size_t count = pixels.planes[0].size();
@@ -138,6 +150,8 @@ ImagedPicture Imager::run(const DisplaySources &sources) const {
         question.ask(args);
         take(question, lanesOf, first, lanes, pixels);
     });
+    pixels.planes.erase(pixels.planes.begin() + colorSamples, pixels.planes.end() - 1); // Oi
+    makeFinite(pixels, instance_.code->name(), diagnostics);
     ImagedPicture result{pixels.size, {}, std::move(pixels.planes.back())};
     pixels.planes.resize(colorSamples);
     result.color = std::move(pixels.planes);

@@ -21,8 +21,9 @@ public:
     /// batches on all cores, a pixel a lane: P is the pixel's centre in raster space, u, v (and s,
     /// t) where that is in the frame, from 0 at the left and the top to 1; time is the
     /// opening of the shutter, Oi and alpha those that displays would show; where filters have
-    /// given Ci another size and these not, they are 1. What it makes of Oi is not shown.
-    ImagedPicture run(const DisplaySources &) const;
+    /// given Ci another size and these not, they are 1. What it makes of Oi is not shown. Answers
+    /// that are not finite count as 0, with a warning.
+    ImagedPicture run(const DisplaySources &, DiagnosticSink &) const;
 
 private:
     Imager(ShaderInstance instance, const Options &options)

@@ -145,10 +145,16 @@ void report(const std::vector<std::string> &written, Console &console) {
 }
 
 /// Shaders that answer NaN have been named where they did; what else was not finite is said here.
-void reportNonFinite(const Film &film, const TransportStatistics &transport,
+void reportNonFinite(const Film &film, const Scene &scene, const TransportStatistics &transport,
                      DiagnosticSink &diagnostics) {
+    if (transport.nonFiniteSamples > 0)
+        return;
+    if (const std::uint64_t lost = scene.lights().nonFiniteSamples(); lost > 0)
+        diagnostics.warning({}, fmt::format("{} samples of lights were not finite in this frame; "
+                                            "they count as 0",
+                                            lost));
     const std::uint64_t found = film.nonFiniteSamples();
-    if (found > 0 && transport.nonFiniteSamples == 0)
+    if (found > 0)
         diagnostics.warning({}, fmt::format("{} values of samples were not finite in this frame; "
                                             "they count as 0",
                                             found));
@@ -181,7 +187,7 @@ void integrateFrame(const FrameJob &job, const PixelFilterSampler &filter, Film 
         integrate(job.scene, job.integrator, filter, sink, transport, listeners.diagnostics);
     });
     listeners.statistics.add(job.scene, transport);
-    reportNonFinite(film, transport, listeners.diagnostics);
+    reportNonFinite(film, job.scene, transport, listeners.diagnostics);
 }
 
 /// Runs the filters over the maps that the film gives, beside those that are in `picture` already.
@@ -222,7 +228,7 @@ bool makePicture(const FrameJob &job, const PictureShaders &shaders,
     DisplaySources sources(film, isFiltered ? &filtered : nullptr);
     std::optional<ImagedPicture> imaged;
     if (shaders.imager) {
-        imaged = shaders.imager->run(sources);
+        imaged = shaders.imager->run(sources, job.listeners.diagnostics);
         sources.imaged = &*imaged;
     }
     report(writeDisplays(sources, job.displays, job.scene.options(), job.description,

@@ -38,13 +38,29 @@ ShaderKind interfaceKind(sl::ShaderKind kind) {
 struct NamedPlanes {
     std::string name;
     std::vector<std::vector<float>> planes;
+    std::vector<int> slots; ///< Of the question's outputs, for each plane.
 };
+
+/// The outputs by their names, in the order in which these occur.
+std::vector<NamedPlanes> byName(const std::vector<ir::OutputSlot> &outputs, std::size_t points) {
+    std::vector<NamedPlanes> all;
+    for (int slot = 0; slot < int(outputs.size()); ++slot) {
+        const std::string name = outputs[std::size_t(slot)].name.text();
+        auto known = std::ranges::find(all, name, &NamedPlanes::name);
+        if (known == all.end())
+            known = all.insert(all.end(), {name, {}, {}});
+        known->planes.emplace_back(points);
+        known->slots.push_back(slot);
+    }
+    return all;
+}
 
 class ShaderRun {
 public:
     explicit ShaderRun(const RunSettings &settings)
         : settings_(settings), console_(false), folders_(foldersOf(settings, console_)),
-          shaders_({folders_.all, folders_.library, settings.jit}, console_) {}
+          shaders_({folders_.all, folders_.library, settings.jit, textureFolders(settings)},
+                   console_) {}
 
     int status() {
         const auto instance = compile();
@@ -65,6 +81,12 @@ private:
         return shaderFolders("", path, sink);
     }
 
+    static std::vector<std::string> textureFolders(const RunSettings &settings) {
+        std::vector<std::string> folders = settings.texturePath;
+        folders.push_back(".");
+        return folders;
+    }
+
     std::optional<ShaderInstance> compile() {
         const std::string name =
             plainShaderName(std::filesystem::path(settings_.shader).filename().string());
@@ -72,6 +94,13 @@ private:
         if (!kind)
             return std::nullopt;
         kind_ = *kind;
+        if (kind_ == sl::ShaderKind::Filter) {
+            console_.error({}, "\"" + name +
+                                   "\" is a filter shader: it works on a whole picture, "
+                                   "not on points; candela filter IN OUT -f " +
+                                   name + " runs it");
+            return std::nullopt;
+        }
         ShaderRecord record{name, {}, {}};
         const auto types =
             shaders_.parametersOf(interfaceKind(kind_), record.name, Options(), SourceLocation());
@@ -116,23 +145,16 @@ private:
     std::vector<NamedPlanes> run(const ShaderInstance &instance) {
         const QuestionCode &question = instance.code->question(ir::questionsOf(kind_).front());
         const std::size_t points = std::size_t(settings_.width) * std::size_t(settings_.height);
-        std::vector<NamedPlanes> found;
-        for (const ir::OutputSlot &slot : question.function.outputs) {
-            const std::string name = slot.name.text();
-            if (found.empty() || found.back().name != name)
-                found.push_back({name, {}});
-            found.back().planes.emplace_back(points);
-        }
+        std::vector<NamedPlanes> found = byName(question.function.outputs, points);
         PointGrid batch(settings_.width, settings_.height, question);
         for (std::size_t first = 0; first < points; first += PointGrid::batchSize) {
             const int count = int(std::min<std::size_t>(PointGrid::batchSize, points - first));
             batch.place(kind_, first, count);
             batch.ask(question, instance, count);
-            int plane = 0;
             for (NamedPlanes &named : found)
-                for (std::vector<float> &values : named.planes)
-                    std::copy_n(batch.output(plane++), count,
-                                values.begin() + std::ptrdiff_t(first));
+                for (std::size_t c = 0; c < named.planes.size(); ++c)
+                    std::copy_n(batch.output(named.slots[c]), count,
+                                named.planes[c].begin() + std::ptrdiff_t(first));
         }
         return found;
     }
@@ -154,9 +176,7 @@ private:
     }
 
     void write(const std::vector<NamedPlanes> &found) {
-        const std::string shown = !settings_.shown.empty()         ? settings_.shown
-                                  : kind_ == sl::ShaderKind::Light ? "Cl"
-                                                                   : "Ci";
+        const std::string shown = settings_.shown.empty() ? shownOf(kind_) : settings_.shown;
         Picture picture;
         picture.window = {settings_.width, settings_.height, 0, settings_.width, 0,
                           settings_.height};
@@ -169,6 +189,15 @@ private:
         const auto bytes = isPng ? pngOf(picture, problem) : encodeExr(picture, problem);
         if (!bytes || !writeWholeFile(settings_.output, *bytes, problem))
             console_.error({}, problem);
+    }
+
+    static const char *shownOf(sl::ShaderKind kind) {
+        switch (kind) {
+        case sl::ShaderKind::Light: return "Cl";
+        case sl::ShaderKind::Displacement:
+        case sl::ShaderKind::Transformation: return "P";
+        default: return "Ci";
+        }
     }
 
     static void addChannels(const NamedPlanes &named, bool isShown, Picture &picture) {

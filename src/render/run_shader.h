@@ -15,9 +15,11 @@ struct RunSettings {
     int width = 64, height = 64;
     /// A picture: .png, else EXR; empty = numbers on standard output, a line a point.
     std::string output;
-    std::string shown; ///< The output that is the picture's R, G, B; empty = Ci (lights: Cl).
+    /// The output that is the picture's R, G, B; empty = Ci (lights: Cl; what moves points: P).
+    std::string shown;
     std::vector<std::string> shaderPath;
-    JitOptions jit; ///< --lanes
+    std::vector<std::string> texturePath; ///< Before the current folder.
+    JitOptions jit;                       ///< --lanes
 };
 
 /// Compiles the shader and runs its text as it is at each point. The points fill the square from

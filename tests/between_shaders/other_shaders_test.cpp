@@ -69,4 +69,29 @@ TEST_F(Shown, volumesShowTheirOutputsAndHearTheSurface) {
         }
 }
 
+/// Who asks where nobody answers is told so, also while rendering.
+TEST_F(Shown, shadersThatAskInVainAreTold) {
+    folder_.write("asks.sl", "light asks() {\n"
+                             "float k = 0;\n"
+                             "k += surface(\"Kd\", k) + atmosphere(\"density\", k);\n"
+                             "k += attribute(\"ShadingRate\", k);\n"
+                             "illuminate(point (0, 0, 0)) Cl = k + normalize(Ns).L + Cs; }\n");
+    folder_.write("wonders.sl",
+                  "volume wonders() { float k = 0; Ci += attribute(\"Sides\", k); }\n");
+    const std::string rib =
+        smallView("Display \"a.exr\" \"openexr\" \"rgb\"\n") +
+        "WorldBegin\nLightSource \"asks\" 1\nAtmosphere \"wonders\"\nSurface \"matte\"\n" +
+        squareAt("1") + "WorldEnd\n";
+    const Outcome outcome = runCandela({folder_.write("scene.rib", rib), "--output-dir",
+                                        folder_.path(), "--shader-path", folder_.path()});
+    EXPECT_EQ(outcome.status, 0) << outcome.text();
+    for (const char *words :
+         {"asks.sl:3:6: warning: surface() asks another shader",
+          "asks.sl:3:25: warning: atmosphere() asks another shader",
+          "asks.sl:4:6: warning: attribute() is told to surface shaders alone; in a light shader",
+          "lights are not told Ns", "lights are not told Cs",
+          "attribute() is told to surface shaders alone; in a volume shader"})
+        EXPECT_NE(outcome.err.find(words), std::string::npos) << words << outcome.text();
+}
+
 } // namespace candela::test

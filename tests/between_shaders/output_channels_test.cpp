@@ -45,7 +45,7 @@ TEST_F(Shown, outputsOfEveryTypeOnTheirSurfaceAlone) {
                 const std::vector<float> red = plane("t.exr", "tint.R");
                 const std::vector<float> blue = plane("t.exr", "tint.B");
                 const std::vector<float> z = plane("m.exr", "way.Z");
-                const std::vector<float> second = plane("m.exr", "pair.G");
+                const std::vector<float> second = plane("m.exr", "pair.1");
                 ASSERT_EQ(weight.size(), 64u);
                 for (int y = 0; y < 8; ++y)
                     for (int x = 0; x < 8; ++x) {
@@ -154,6 +154,56 @@ TEST_F(Shown, channelsLeaveThePictureAsItIs) {
         for (const char *channel : {"R", "G", "B", "A"})
             EXPECT_EQ(plane("a.exr", channel), plane("b.exr", channel)) << integrator;
     }
+}
+
+/// No channel takes the place of another in a file, the picture's least of all.
+TEST_F(Shown, channelsWithTheNameOfAnotherPlaneGetOneOfTheirOwn) {
+    const std::string rib = smallView("Display \"c.exr\" \"openexr\" \"rgba,R,list,rgb\"\n") +
+                            "WorldBegin\nSurface \"lettered\"\n" + squareAt("1") + "WorldEnd\n";
+    const Outcome outcome =
+        runCandela({folder_.write("scene.rib", rib), "--output-dir", folder_.path(),
+                    "--shader-path", CANDELA_SOURCE_DIR "/tests/between_shaders/shaders"});
+    EXPECT_EQ(outcome.status, 0) << outcome.text();
+    EXPECT_NE(outcome.err.find("R as shader.R"), std::string::npos) << outcome.text();
+    struct Channel {
+        const char *plane;
+        float value;
+    };
+    for (const Channel &channel :
+         {Channel{"R", .5f}, {"A", 1}, {"shader.R", .125f}, {"list.0", 1}, {"list.2", 3}})
+        for (float value : plane("c.exr", channel.plane))
+            ASSERT_EQ(value, channel.value) << channel.plane;
+}
+
+/// Whatever an output parameter is called, it is the shader's own.
+TEST_F(Shown, namesOfTheCompilersOwnAreNamesLikeOthers) {
+    struct Channel {
+        const char *plane;
+        float value;
+    };
+    const Channel ofSurface[] = {
+        {"g", .125f},         {"L.R", 1},      {"L.B", 3},     {"Cl.G", 5},         {"dPdu.Z", 9},
+        {"completed", .375f}, {"Ca.R", .625f}, {"Ce.R", .75f}, {"CiOfCi.R", .875f}, {"R", .5f}};
+    const Channel ofVolume[] = {{"CiOfCi.G", 2}, {"g", .125f}};
+    for (const char *integrator : {"classic", "path"})
+        for (const char *lanes : {"1", "16"}) {
+            const std::vector<std::string> how{"--integrator", integrator, "--lanes", lanes};
+            const std::string light = "WorldBegin\nLightSource \"distantlight\" 1\n";
+            render(smallView("Display \"c.exr\" \"openexr\" "
+                             "\"g,L,Cl,dPdu,completed,Ca,Ce,CiOfCi,Ci\"\n") +
+                       light + "Surface \"clashing\"\n" + squareAt("1") + "WorldEnd\n",
+                   how);
+            for (const Channel &channel : ofSurface)
+                for (float value : plane("c.exr", channel.plane))
+                    ASSERT_NEAR(value, channel.value, 1e-6f) << channel.plane << integrator;
+            render(smallView("Display \"v.exr\" \"openexr\" \"CiOfCi,g\"\n") + light +
+                       "Atmosphere \"clashing_air\"\nSurface \"constant\"\n" + squareAt("1") +
+                       "WorldEnd\n",
+                   how);
+            for (const Channel &channel : ofVolume)
+                for (float value : plane("v.exr", channel.plane))
+                    ASSERT_NEAR(value, channel.value, 1e-6f) << channel.plane << integrator;
+        }
 }
 
 TEST_F(Shown, channelsOfNoShaderAreAnErrorThatNamesWhatThereIs) {

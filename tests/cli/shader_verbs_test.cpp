@@ -37,6 +37,20 @@ TEST(InfoVerb, TellsParametersProofsAndEntryPoints) {
     EXPECT_TRUE(has(runCandela({"info", "plastic"}).out, "surface plastic  ("));
 }
 
+TEST(InfoVerb, TellsWhatIsProvedOfOtherKinds) {
+    ScratchFolder folder;
+    const std::string fog = folder.write("fog.sl", "volume fog() { Ci *= .5; Oi *= .5; }\n");
+    const std::string lit =
+        folder.write("lit.sl", "volume lit() {\nilluminance(P) Oi += Cl;\nCi = Ci * Ci; }\n");
+    const std::string bump = folder.write("bump.sl", "displacement bump() { P += u * N; }\n");
+    const std::string said = runCandela({"info", fog, lit, bump}).out;
+    for (const char *part : {"affine in what there is at its end: yes\n    asks for light: no",
+                             "affine in what there is at its end: no (line 3)\n    asks for light: "
+                             "yes",
+                             "proofs\n    moves P: yes\n    derivatives of P known: yes"})
+        EXPECT_TRUE(has(said, part)) << part << "\n" << said;
+}
+
 TEST(InfoVerb, SaysWhatIsWrong) {
     const Outcome run = runCandela({"info", "nosuchshader"});
     EXPECT_EQ(run.status, 1);
@@ -93,6 +107,61 @@ TEST(RunVerb, OtherKinds) {
     EXPECT_EQ(numbersOf(light.out, 1), (std::vector<double>{0, 0, 0, 0, 2, .25, .25, .25}));
     const Outcome imager = runCandela({"run", "background", "--size", "2x1"});
     EXPECT_EQ(imager.status, 0) << imager.text();
+}
+
+/// One of each kind, through each verb that takes shaders: an answer or a sentence.
+TEST(ShaderVerbs, TakeEveryKind) {
+    ScratchFolder folder;
+    const char *kinds[][2] = {{"surface", "Ci = u; Oi = 1;"},
+                              {"light", "solar(vector(0, 0, 1), 0) Cl = 1;"},
+                              {"volume", "Ci *= .5; Oi *= .5;"},
+                              {"displacement", "P += .1 * N; N = calculatenormal(P);"},
+                              {"imager", "Ci = 1; alpha = 1;"},
+                              {"transformation", "P += 1;"},
+                              {"filter", "setimage(\"Ci\", 0, 0, 1);"}};
+    for (const auto &[kind, text] : kinds) {
+        const std::string name = std::string("some_") + kind;
+        const std::string file = folder.write(name + ".sl", std::string(kind) + " " + name +
+                                                                "(float k = 1) { " + text + " }\n");
+        EXPECT_EQ(runCandela({"compile", "--quiet", file}).status, 0) << kind;
+        EXPECT_EQ(runCandela({"info", file}).status, 0) << kind;
+        const bool isFilter = std::string(kind) == "filter";
+        for (const std::vector<std::string> &how :
+             {std::vector<std::string>{"run", file, "--size", "2x1"},
+              {"run", file, "--size", "2x1", "--lanes", "1"}}) {
+            const Outcome run = runCandela(how);
+            EXPECT_EQ(run.status, isFilter ? 1 : 0) << kind << run.text();
+            EXPECT_EQ(runCandela({"run", file, "-o", folder.path("shown.png")}).status,
+                      isFilter ? 1 : 0)
+                << kind;
+            if (isFilter)
+                EXPECT_TRUE(run.says("candela filter IN OUT -f some_filter")) << run.err;
+        }
+    }
+}
+
+TEST(RunVerb, NamesEachColumnOnce) {
+    ScratchFolder folder;
+    const std::string file =
+        folder.write("bump.sl", "displacement bump() { P += u * N; N = calculatenormal(P); }\n");
+    const Outcome run = runCandela({"run", file, "--size", "2x1"});
+    EXPECT_EQ(run.status, 0) << run.text();
+    EXPECT_TRUE(run.out.starts_with("# x y P.0 P.1 P.2 N.0 N.1 N.2 dPdu.0 dPdu.1 dPdu.2 dPdv.0 "
+                                    "dPdv.1 dPdv.2\n"))
+        << run.out;
+    EXPECT_EQ(numbersOf(run.out, 1)[4], -.25) << run.out; // P.z
+    EXPECT_EQ(numbersOf(run.out, 1)[10], -1) << run.out;  // dPdu.z
+}
+
+TEST(RunVerb, LooksForTextures) {
+    ScratchFolder folder;
+    const std::string file = folder.write(
+        "shown.sl", "surface shown() { Oi = 1; Ci = texture(\"grey.exr\", .5, .5); }\n");
+    const std::string grey = folder.write("grey.sl", "surface grey() { Oi = 1; Ci = .25; }\n");
+    EXPECT_EQ(runCandela({"run", grey, "--size", "8x8", "-o", folder.path("grey.exr")}).status, 0);
+    const Outcome run = runCandela({"run", file, "--size", "1x1", "--texture-path", folder.path()});
+    EXPECT_EQ(run.status, 0) << run.text();
+    EXPECT_NEAR(numbersOf(run.out, 1)[2], .25, 1e-3) << run.text();
 }
 
 TEST(RunVerb, SaysWhatIsWrong) {

@@ -295,5 +295,37 @@ TEST(DisplacedLamps, ShineAsDisplaced) {
     }
 }
 
+/// A convex body sees nothing of itself, whatever moves it: at outlines, too, its normals stay on
+/// the side that is seen.
+TEST(DisplacedLamps, ThatAreConvexDoNotLightThemselves) {
+    const std::string ball = "Sphere 1 -1 1 360\n", egg = "Scale 1 .8 1.1 " + ball;
+    std::vector<Frame> frames;
+    for (const char *place : {"", "Scale -1 1 1\n", "ReverseOrientation\n"})
+        for (const std::string &world :
+             {"Surface \"selfshining\"\n" + ball, "Surface \"selfshining\" \"by\" [.1]\n" + egg,
+              "Surface \"selfshining\" \"by\" [.1] \"turns\" [1]\n" + egg,
+              "Displacement \"swell\"\nSurface \"shining\"\n" + egg,
+              "Displacement \"puff\"\nSurface \"shining\"\n" + egg})
+            frames.push_back({place + world,
+                              "Option \"render\" \"string integrator\" [\"path\"]\n"
+                              "Format 48 48 1\nProjection \"perspective\" \"fov\" [40]\n"
+                              "Translate 0 0 4\n",
+                              place + world});
+    const auto pictures = render(frames, {16, 1, "displacement/shaders"});
+    ASSERT_EQ(pictures.size(), frames.size());
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        double seen = 0, found = 0;
+        float most = 0;
+        for (std::size_t k = 0; k < pictures[i].red.size(); ++k)
+            if (const float alpha = pictures[i].alpha[k]; alpha > 0) {
+                seen += alpha, found += pictures[i].red[k];
+                most = std::max(most, std::abs(pictures[i].red[k] / alpha - .3f));
+            }
+        EXPECT_GT(seen, 200) << frames[i].name;
+        EXPECT_NEAR(found / seen, .3, 2e-4) << frames[i].name;
+        EXPECT_LT(most, .05f) << frames[i].name; // One sample of 16, where facets show.
+    }
+}
+
 } // namespace
 } // namespace candela::test

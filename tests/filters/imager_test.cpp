@@ -53,6 +53,20 @@ TEST_F(Filtered, imagersRunBetweenExposureAndQuantisation) {
     EXPECT_EQ(at("b.png", "R", 4, 4), 10 / 255.f);
 }
 
+/// What is no number is black, in floats as in whole numbers, and said once.
+TEST_F(Filtered, whatImagersMakeIsFinite) {
+    const Outcome outcome = run(
+        smallFrame("Imager \"unbounded\"\n" + colorFile + "Display \"+b.png\" \"png\" \"rgb\"\n") +
+        plainWorld());
+    EXPECT_EQ(outcome.status, 0) << outcome.text();
+    EXPECT_TRUE(outcome.says("imager \"unbounded\" made are not finite")) << outcome.err;
+    EXPECT_EQ(everywhere("a.exr", "R"), 0);
+    EXPECT_EQ(everywhere("a.exr", "G"), 0);
+    EXPECT_EQ(everywhere("a.exr", "B"), .5f);
+    EXPECT_EQ(everywhere("a.exr", "A"), 0);
+    EXPECT_EQ(everywhere("b.png", "R"), 0);
+}
+
 TEST_F(Filtered, imagersChangeNoRawChannel) {
     const std::string display = "Display \"a.exr\" \"openexr\" \"rgbaz,radiance,Oi,N,variance\"\n";
     const std::vector<std::string> samples{"--spp", "2"};

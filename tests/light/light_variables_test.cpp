@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lights that assign L, as files of the nineties do.
+// Lights that assign L, as files of the nineties do, and lights with output parameters.
 #include "tests/light/pictures.h"
 
 #include <cmath>
@@ -43,6 +43,33 @@ TEST(LightVariables, ANewLIsWhatSurfacesSee) {
                     EXPECT_NEAR(red, .5, 1e-5) // Shadow rays start a little off the surface.
                         << integrator << distant << before;
             }
+}
+
+/// What lights leave in their output parameters stays there: it is no light, and no direction.
+TEST(LightVariables, OutputParametersChangeNothing) {
+    struct Pair {
+        const char *usual, *tagged, *rest;
+    };
+    const Pair pairs[] = {{"LightSource \"distantlight\"", "LightSource \"tagged_sun\"",
+                           " 1 \"intensity\" [2] \"point from\" [-5 0 0] \"point to\" [0 0 3]\n"},
+                          {"LightSource \"pointlight\"", "LightSource \"tagged_point\"",
+                           " 1 \"intensity\" [9] \"point from\" [.05 0 1]\n"},
+                          {"AttributeBegin AreaLightSource \"classic_lamp\"",
+                           "AttributeBegin AreaLightSource \"tagged_lamp\"",
+                           " 1 \"intensity\" [2]\n"
+                           "Polygon \"P\" [-.1 -.1 -1 .1 -.1 -1 .1 .1 -1 -.1 .1 -1]\nAttributeEnd\n"
+                           "Illuminate 1 1\n"}};
+    const std::string units = "Option \"radiometry\" \"string units\" [\"classic\"]\n";
+    for (const std::string &integrator : {classic, path})
+        for (const Pair &pair : pairs) {
+            const std::string rest = pair.rest;
+            const SmallPicture usual = litBy(units + integrator, pair.usual + rest);
+            const SmallPicture tagged = litBy(units + integrator, pair.tagged + rest);
+            ASSERT_EQ(usual.red.size(), 64u);
+            for (size_t i = 0; i < usual.red.size(); ++i)
+                EXPECT_NEAR(tagged.red[i], usual.red[i], 1e-6 * usual.red[i]) << pair.tagged << i;
+            EXPECT_GT(usual.red[0], .5) << pair.usual;
+        }
 }
 
 } // namespace

@@ -87,6 +87,13 @@ TEST(ShaderRays, GatherCountsAndTells) {
     EXPECT_NEAR(mean("distance"), height, 1e-4);
 }
 
+/// However many a shader asks for.
+TEST(ShaderRays, GatherTakesSoManySamplesAndNoMore) {
+    EXPECT_NEAR(meanOf(takePicture(inClassic + eyeBeyondTheScreen,
+                                   worldOf(screens[0], "1 1 1", "\"countless\""), 1)),
+                hiddenBySquare(), 2e-3);
+}
+
 /// What gather calls surface:Ci is followed as trace() is.
 TEST(ShaderRays, GatherTellsRadiance) {
     for (const std::string &integrator : {inClassic, inPath}) {

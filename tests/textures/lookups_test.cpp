@@ -24,6 +24,9 @@ void writePictures(const ScratchFolder &folder) {
              [](int x, int, int) { return x < 128 ? 0.0f : 1.0f; });
     writeEightBit(folder, "colour.tga", 8, 8, 3, [](int, int, int c) { return c ? 188 : 10; });
     writeEightBit(folder, "mask.tga", 8, 8, 1, [](int, int, int) { return 128; });
+    const Pixels half = [](int, int, int) { return 32768; };
+    writeSixteenBit(folder, "sixteen.png", 8, 8, std::nullopt, half);
+    writeSixteenBit(folder, "gamma.png", 8, 8, 2.0f, half);
     // Half black, half white: their mean is light's.
     writeEightBit(folder, "stripes.tga", 64, 64, 3,
                   [](int x, int, int) { return x % 2 ? 255 : 0; });
@@ -88,6 +91,8 @@ const Lookup lookups[] = {
     {"float texture(\"linear.tx\"[1], .5, .5)", .73725f, 5e-4f},
     {"float texture(\"mask.tga\", .5, .5)", .50196f, 5e-4f},
     {"float texture(\"photo.tx\", .5, .5)", .21586f, 5e-4f},
+    {"float texture(\"sixteen.png\", .5, .5)", .5f, 5e-4f},
+    {"float texture(\"gamma.png\", .5, .5)", .25f, 5e-4f},
 };
 
 TEST(Lookups, AreWhatThePicturesHold) {
@@ -111,28 +116,32 @@ TEST(Lookups, ThatGoWrongAreZeroAndSaidOnce) {
     writePictures(folder);
     folder.write("broken.exr", folder.read("ramps.exr").substr(0, 900));
     folder.write("words.png", "This is no picture.");
-    const std::string colours = folder.read("colour.tga");
+    const std::string grey = folder.read("grey.exr");
+    std::string huge = folder.read("mask.tga");
+    huge.replace(12, 4, "\x30\x75\x30\x75"); // 30000 pixels square, says the head.
+    folder.write("huge.tga", huge);
     const Told told = tell(
         folder,
         {{"float texture(\"missing.tx\", .5, .5)", "float texture(\"missing.tx\", .2, .5)",
           "float texture(\"\", .5, .5)", "float texture(\"words.png\", .5, .5)",
           "float texture(\"broken.exr\", .5, .5)", "float texture(\"grey.tx\", .5, .5)",
           "comp(environment(\"missing.env\", vector(0, 0, 1)), 0)", "shadow(\"missing.shd\", P)",
-          "shadow(\"grey.exr\", P)", "float texture(\"grey.exr\", .5, .5, \"blurr\", 1)"},
+          "shadow(\"grey.exr\", P)", "float texture(\"grey.exr\", .5, .5, \"blurr\", 1)",
+          "float texture(\"huge.tga\", .5, .5)"},
          "",
          "MakeTexture \"nothing.tif\" \"no.tx\" \"black\" \"black\" \"box\" 1 1\n"
          "MakeTexture \"words.png\" \"no.tx\" \"wavy\" \"black\" \"box\" 1 1\n"
          "MakeShadow \"grey.exr\" \"no.shd\"\n"
          "MakeTexture \"grey.exr\" \"../outside.tx\" \"black\" \"black\" \"box\" 1 1\n"
-         "MakeTexture \"colour.tga\" \"./colour.tga\" \"black\" \"black\" \"box\" 1 1\n"});
-    EXPECT_EQ(told.values.size(), 10u) << told.run.text();
+         "MakeTexture \"grey.exr\" \"grey.exr\" \"black\" \"black\" \"box\" 1 1\n"});
+    EXPECT_EQ(told.values.size(), 11u) << told.run.text();
     for (std::size_t k = 0; k < told.values.size(); ++k)
         EXPECT_NEAR(told.values[k], k == 5 || k == 9 ? .3f : 0, 1e-3f) << k;
     const Outcome &run = told.run;
     EXPECT_EQ(run.status, 1) << "MakeTexture of nothing is an error";
     EXPECT_TRUE(folder.has("telling.exr"));
     EXPECT_FALSE(folder.has("no.tx") || folder.has("no.shd"));
-    EXPECT_EQ(folder.read("colour.tga"), colours);
+    EXPECT_EQ(folder.read("grey.exr"), grey);
     for (const char *words :
          {"telling.sl:3: warning: texture \"missing.tx\": there is no such file",
           "texture \"words.png\": ", "texture \"broken.exr\": ",
@@ -141,12 +150,50 @@ TEST(Lookups, ThatGoWrongAreZeroAndSaidOnce) {
           "scene.rib:1:1: error: MakeTexture: there is no picture \"nothing.tif\"",
           "scene.rib:2:1: error: MakeTexture: there is no wrap mode \"wavy\"",
           "scene.rib:3:1: error: MakeShadow: ", "need --allow-programs",
-          "scene.rib:5:1: error: MakeTexture: "})
+          "huge.tga cannot be read: it claims more pixels",
+          "scene.rib:5:1: error: MakeTexture: the texture would take the place of "})
         EXPECT_TRUE(run.says(words)) << words << "\n" << run.err;
     const auto first = run.err.find("\"missing.tx\"");
     EXPECT_EQ(run.err.find("\"missing.tx\"", first + 1), std::string::npos) << run.err;
     const std::string line = run.err.substr(first, run.err.find('\n', first) - first);
     EXPECT_EQ(line.find(folder.path()), line.rfind(folder.path())) << line;
+}
+
+/// Names are known where a loop's turns are: from a table, put together, with breaks.
+TEST(Lookups, NamesMayBeChosenInLoops) {
+    ScratchFolder folder;
+    writePictures(folder);
+    writeExr(folder, "layer1.exr", 8, 8, {"Y"}, [](int, int, int) { return 0.5f; });
+    writeExr(folder, "layer2.exr", 8, 8, {"Y"}, [](int, int, int) { return 0.25f; });
+    for (const char *lanes : {"1", "16"}) {
+        const Told told =
+            tell(folder,
+                 {{"sum", "made", "stopped", "nested", "same"},
+                  "uniform string names[3] = {\"grey.exr\", \"layer1.exr\", \"layer2.exr\"};\n"
+                  "uniform float i, k; float sum = 0, made = 0, stopped = 0, nested = 0, same = 0;\n"
+                  "for (i = 0; i < 3; i += 1) sum += float texture(names[i], .5, .5);\n"
+                  "for (i = 1; i <= 2; i += 1) {\n"
+                  "    uniform string name = concat(\"layer\", format(\"%d\", i), \".exr\");\n"
+                  "    made += i * float texture(name, .5, .5);\n"
+                  "}\n"
+                  "for (i = 0; i < 3; i += 1) {\n"
+                  "    if (stopped > .7 * s + .1) break;\n"
+                  "    if (i == 0) continue;\n"
+                  "    stopped += float texture(names[i], .5, .5);\n"
+                  "}\n"
+                  "for (i = 0; i < 3; i += 1)\n"
+                  "    for (k = i; k < 3; k += 1) nested += float texture(names[k], .5, .5);\n"
+                  "for (i = 0; i < 100; i += 1) if (names[mod(i, 3)] == \"grey.exr\") same += 1;\n",
+                  "",
+                  lanes});
+        EXPECT_EQ(told.run.err, "");
+        ASSERT_EQ(told.values.size(), 5u) << told.run.text();
+        EXPECT_NEAR(told.values[0], 1.05f, 2e-3f);
+        EXPECT_NEAR(told.values[1], 1, 2e-3f);
+        EXPECT_NEAR(told.values[2], .5f, 2e-3f);
+        EXPECT_NEAR(told.values[3], .3f + 2 * .5f + 3 * .25f, 3e-3f);
+        EXPECT_EQ(told.values[4], 34);
+    }
 }
 
 TEST(Textureinfo, TellsWhatThereIs) {

@@ -2,6 +2,7 @@
 #include "tests/textures/pictures.h"
 
 #include "image/exr_file.h"
+#include "image/png_file.h"
 
 #include <gtest/gtest.h>
 #include <sstream>
@@ -37,6 +38,25 @@ void writeEightBit(const ScratchFolder &folder, const std::string &name, int wid
             for (int c = channels - 1; c >= 0; --c) // Blue comes first.
                 bytes += char(int(pixels(x, y, c)));
     folder.write(name, bytes);
+}
+
+void writeSixteenBit(const ScratchFolder &folder, const std::string &name, int width, int height,
+                     std::optional<float> gamma, const Pixels &pixels) {
+    Picture picture;
+    picture.window = {width, height, 0, width, 0, height};
+    for (int c = 0; c < 3; ++c) {
+        PictureChannel channel{std::string(1, "RGB"[c]), {}};
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x)
+                channel.values.push_back(pixels(x, y, c));
+        picture.channels.push_back(std::move(channel));
+    }
+    std::string problem;
+    auto bytes = encodePng(picture, 16, gamma.value_or(1), problem);
+    ASSERT_TRUE(bytes) << problem;
+    if (const auto chunk = bytes->find("gAMA"); !gamma && chunk != std::string::npos)
+        bytes->erase(chunk - 4, 16); // Length, type, four bytes, checksum.
+    folder.write(name, *bytes);
 }
 
 Told tell(const ScratchFolder &folder, const Telling &telling) {

@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,11 @@ void writeExr(const ScratchFolder &, const std::string &name, int width, int hei
 /// An 8-bit file of 1 or 3 channels that says nothing of its colours (TGA); values from 0 to 255.
 void writeEightBit(const ScratchFolder &, const std::string &name, int width, int height,
                    int channels, const Pixels &);
+
+/// A PNG file of 3 channels of 16 bits; values from 0 to 65535. It says of its colours that they are
+/// light^(1/gamma), or nothing.
+void writeSixteenBit(const ScratchFolder &, const std::string &name, int width, int height,
+                     std::optional<float> gamma, const Pixels &);
 
 /// What a surface's expressions of type float come to at one point, (s,t) = (.5,.5), `before` being
 /// done first. The run's messages are handed out, too.

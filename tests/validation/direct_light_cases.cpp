@@ -136,6 +136,44 @@ Case sphereCase(Emitter emitter) {
     return test;
 }
 
+/// The same sphere where its far wall is seen: alone, from behind one-sided walls that face
+/// inwards, or through the near one, which lets half of the light through. Nearly a sphere, it is
+/// diced.
+std::vector<Case> sphereWallCases(Emitter emitter) {
+    struct Walls {
+        const char *name, *attributes;
+        double radiance; ///< Seen from outside, for walls of radiance 1.
+    };
+    const double half = emitter == Emitter::AreaLight ? 1.5 : .75; // `constant` is dimmed by Os.
+    const Walls all[] = {{"TurnedInwards", "Sides 1\nReverseOrientation\n", 1},
+                         {"Mirrored", "Sides 1\nScale -1 1 1\nReverseOrientation\n", 1},
+                         {"OneSided", "Sides 1\n", 1},
+                         {"HalfClear", "Opacity .5 .5 .5\n", half}};
+    std::vector<Case> cases;
+    for (const Walls &walls : all)
+        for (const char *form : {"", "Scale 1 1.00001 1\n"}) {
+            const std::string shape = std::string("Translate 0 0 2\n") + walls.attributes + form +
+                                      "Sphere .5 -.5 .5 360\n";
+            std::string text = lamp(emitter, 1, shape);
+            if (const auto at = text.find("\"arealight\" 1"); at != std::string::npos)
+                text.insert(at + 13, " \"float onesided\" [0]");
+            Case test{std::string("C5_Sphere") + walls.name + (*form ? "Diced" : "") +
+                          nameOf(emitter),
+                      siUnits,
+                      text + receiver,
+                      {},
+                      Accuracy::Direct,
+                      *form ? 1024 : 256};
+            for (double d : {0.0, 1.0}) {
+                const double square = d * d + 4;
+                test.probes.push_back(
+                    exactlyAt(d, walls.radiance * pi * 0.25 * (2 / std::sqrt(square)) / square));
+            }
+            cases.push_back(std::move(test));
+        }
+    return cases;
+}
+
 /// C6: 100 lm at 1 m from four kinds of source, E in lx by K = 179 lm/W. A Lambertian emitter
 /// gives 100 / pi lx on its axis, a source that is the same all around 100 / (4 pi).
 std::vector<Case> photometricTrio() {
@@ -255,6 +293,7 @@ std::vector<Case> directLightCases() {
         add({discOffAxis(emitter)});
         add(squareCases(emitter));
         add({sphereCase(emitter), facingDiscs(emitter), halfOcclusion(emitter)});
+        add(sphereWallCases(emitter));
     }
     add(photometricTrio());
     add({smallSphere(0.1), smallSphere(1e-3), smallDisc(1e-3)});

@@ -46,7 +46,9 @@ TEST(LitVolumes, HearEveryKindOfLight) {
             {"another where it is light", classicUnits + distant + air("startled") + wall, 1.5, 1,
              By::Both, narrow},
             {"beside what is there", classicUnits + distant + air("lamplit") + sheet(1, .25), .75,
-             1, By::Both, narrow},
+             1, By::Classic, narrow},
+            {"and lit by it, too", classicUnits + distant + air("lamplit") + sheet(1, .25), 1.25, 1,
+             By::Path, narrow},
             {"in an object",
              classicUnits + distant + "ObjectBegin 1\n" + square(0) + "ObjectEnd\n" +
                  air("lamplit") + "Translate 0 0 1\nScale -1 1 2\nObjectInstance 1\n",
@@ -59,6 +61,27 @@ TEST(LitVolumes, HearEveryKindOfLight) {
              .5, 0, By::Both, narrow},
         },
         2e-5);
+}
+
+/// What ends the segment does not hide the light from its last point.
+TEST(LitVolumes, AreLitUpToTheSurface) {
+    const std::string lit = classicUnits + "LightSource \"distantlight\" 1 \"to\" [0 .2 1]\n";
+    const std::string view = "ScreenWindow -.3 .3 -.3 .3\n";
+    const char *shapes[][2] = {
+        {"a sphere", "Translate 0 0 2\nSphere .5 -.5 .5 360\n"},
+        {"an ellipsoid", "Translate 0 0 2\nScale 1 1.01 1\nSphere .5 -.5 .5 360\n"},
+        {"one-sided", "Translate 0 0 2\nSides 1\nSphere .5 -.5 .5 360\n"},
+        {"far away", "Translate 0 0 2000\nSphere .5 -.5 .5 360\n"},
+        {"a slanting wall", "Translate 0 0 2\nRotate 40 1 2 0\n"
+                            "Patch \"bilinear\" \"P\" [-2 -2 0 2 -2 0 -2 2 0 2 2 0]\n"}};
+    std::vector<World> worlds;
+    for (const auto &[name, shape] : shapes)
+        for (const char *back : {"0", "1e-9", "1e-3"})
+            worlds.push_back(
+                {std::string(name) + ", " + back + " before it",
+                 lit + air("at_the_end", "\"back\" [" + std::string(back) + "]") + shape, 1, 1,
+                 By::Both, view});
+    expectEach(worlds, 1e-6);
 }
 
 double integral(double from, double to, const std::function<double(double)> &f) {

@@ -13,6 +13,7 @@ namespace {
 using Arguments = std::span<const ast::ExprPtr>;
 
 constexpr size_t fixedArguments = 4; // Position, axis, angle, samples.
+constexpr float mostSamples = 4096;  // As occlusion() and transmission() take.
 
 /// What follows the fixed arguments: names and values; false if one is wrong.
 bool addOptional(Arguments given, ExpressionChecker &expressions, const Surroundings &here,
@@ -38,6 +39,14 @@ bool addOptional(Arguments given, ExpressionChecker &expressions, const Surround
 ExprPtr randomNumber(const Place &where) {
     ExprPtr result = makeNode(ExprKind::Builtin, {BaseType::Float, Detail::Varying, 0}, where);
     result->overload = &builtin(BuiltinId::random).overloads[0];
+    return result;
+}
+
+/// As many as are wanted, within bounds.
+ExprPtr turnsOf(ExprPtr wanted, const Place &where) {
+    ExprPtr result = makeNode(ExprKind::Builtin, {BaseType::Float, Detail::Varying, 0}, where,
+                              list(std::move(wanted), makeNumber(mostSamples, where)));
+    result->overload = &builtin(BuiltinId::min).overloads[0];
     return result;
 }
 
@@ -91,7 +100,7 @@ std::optional<GatherLoop> checkGather(const ast::Stmt &s, Surroundings &here,
     ExprPtr samples =
         expressions.checkAs(*given[3], BaseType::Float, "the number of samples of gather");
     loop.more = makeBinary(BinaryOp::Less, BaseType::Float, s.where, makeVariable(turn, s.where),
-                           std::move(samples));
+                           turnsOf(std::move(samples), s.where));
     loop.next = makeNode(ExprKind::Assign, single(BaseType::Float), s.where,
                          list(makeVariable(turn, s.where),
                               makeBinary(BinaryOp::Add, BaseType::Float, s.where,

@@ -4,6 +4,7 @@
 #include "light/path/steps.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace candela {
 
@@ -33,21 +34,48 @@ bool wantsAlbedo(const PathWave &wave) {
                                [](const FirstHitPlane &plane) { return plane.albedo >= 0; });
 }
 
+/// Planes of ShaderInput at the points in hand, those too that their shader does not read.
+class ToldInputs {
+public:
+    explicit ToldInputs(PathWave &wave) : wave_(wave) {}
+
+    const float *plane(int input) {
+        VertexChunk &chunk = wave_.chunk;
+        const Scene &scene = wave_.frame.scene;
+        if (scene.tells(chunk.code, input))
+            return chunk.vertices.points.input(input);
+        thread_local std::optional<ShadingPoints> own;
+        if (!own)
+            own.emplace(VertexChunk::capacity);
+        if (!described_)
+            scene.describedPoints(wave_.active.rays, wave_.hits, chunk.rays.data(), chunk.count(),
+                                  *own);
+        described_ = true;
+        return own->input(input);
+    }
+
+private:
+    PathWave &wave_;
+    bool described_ = false;
+};
+
 void seeFirstSurface(PathWave &wave) {
     VertexChunk &chunk = wave.chunk;
+    ToldInputs told(wave);
     std::array<const float *, colorSamples> albedo{};
     if (wantsAlbedo(wave))
         albedo = seeAlbedo(wave);
     for (int plane = 0; plane < wave.results.channels.planes(); ++plane) {
         const FirstHitPlane &from = wave.frame.firstHit[plane];
         float *values = wave.results.channels[plane];
+        const float *input = from.input >= 0 ? told.plane(from.input) : nullptr;
         for (int i = 0; i < chunk.count(); ++i) {
             if (from.id)
                 values[chunk.paths.slot[i]] = float(chunk.vertices.points.id[i]);
             else if (from.albedo >= 0)
                 values[chunk.paths.slot[i]] = albedo[from.albedo][i];
-            else if (from.input >= 0)
-                values[chunk.paths.slot[i]] = chunk.vertices.points.input(from.input)[i];
+            else if (input)
+                values[chunk.paths.slot[i]] = input[i];
         }
     }
 }

@@ -7,6 +7,7 @@
 #include "light/sampling/sobol.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace candela {
@@ -14,6 +15,15 @@ namespace candela {
 namespace {
 
 enum PointPair { onLightPair, lightPair };
+
+/// Shadow rays from a point on the surface that ends the segment start off it, as from the surface
+/// itself (docs/ray-offset.md), on the side that the segment lies on.
+Vec3 outsideZone(SurfaceVertices &vertices, int i, Vec3 P) {
+    const auto at = [i](const ConstVec3Planes &p) { return Vec3{p[0][i], p[1][i], p[2][i]}; };
+    const Vec3 N = at(vertices.facingPlanes());
+    const float height = dot(P - at(vertices.P()), N), zone = vertices.points.offset[i];
+    return std::abs(height) < zone ? P + N * (zone - height) : P;
+}
 
 /// Up to a block of the points: where they are, what they are in, and their numbers. Samples of a
 /// pixel belong to a sequence at each of the points that a segment asks for in turn.
@@ -25,8 +35,8 @@ void takePoints(PathWave &wave, const Crossing &crossing, int first, int count) 
     const std::uint64_t salt = std::uint64_t(wave.vertex + 1) << 48;
     for (int k = 0; k < count; ++k) {
         const int point = crossing.order[std::size_t(first + k)];
-        const Vec3 P = lights.point(point);
         const int i = lights.lane(point);
+        const Vec3 P = outsideZone(vertices, i, lights.point(point));
         to.P[0][k] = P.x, to.P[1][k] = P.y, to.P[2][k] = P.z;
         to.time[k] = time[i];
         to.lightSet[k] = vertices.mediaOf(i).lightSet;

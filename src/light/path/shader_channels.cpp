@@ -18,7 +18,8 @@ bool isColor(const ir::ShaderParameter &parameter) { return parameter.type == "c
 ChannelInfo channelOf(const ir::ShaderParameter &parameter) {
     const bool isPlace =
         parameter.type == "point" || parameter.type == "vector" || parameter.type == "normal";
-    return {parameter.name, int(parameter.defaults.size()), isPlace};
+    const bool isList = parameter.arraySize > 1 || parameter.type == "matrix";
+    return {parameter.name, int(parameter.defaults.size()), isPlace && !isList, isList};
 }
 
 /// What a first hit tells goes by its own name.
@@ -74,8 +75,9 @@ std::vector<ShaderChannelPlane> planesOf(const ShaderCode &code, ir::Question wh
             continue;
         const auto &outputs = code.question(which).function.outputs;
         const int first = firstPlane(channels, std::size_t(channel - channels.begin()));
+        const auto output = ir::OutputName::ofParameter(parameter.name);
         for (int c = 0; c < channel->components; ++c)
-            planes.push_back({first + c, ir::slotOf(outputs, parameter.name, c),
+            planes.push_back({first + c, ir::slotOf(outputs, output, c),
                               isColor(parameter) ? c % colorSamples : -1});
     }
     return planes;

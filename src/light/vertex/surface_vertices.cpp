@@ -178,7 +178,7 @@ void SurfaceVertices::scatter(PreparedView &view, const ConstVec3Planes &directi
                               const std::int32_t *answered, const std::int32_t *light,
                               float *const *g) {
     for (int c = 0; c < 3; ++c)
-        points.inputTable[int(ShaderInput::sampleL) + c] = const_cast<float *>(direction[c]);
+        points.readFrom(int(ShaderInput::sampleL) + c, direction[c]);
     const QuestionCode &question = code().question(ir::Question::Scatter);
     ShaderArgs args = arguments();
     args.outputs = g;

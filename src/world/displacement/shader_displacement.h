@@ -29,6 +29,7 @@ public:
 
     bool movesPoints() const override { return code().displacement().movesP; }
     bool setsNormals() const override { return !isOfSurface() && code().displacement().setsN; }
+    bool givesTrueNormals() const override { return isOfSurface() && code().displacement().setsN; }
     bool isOfSurface() const override { return code().shader().kind == sl::ShaderKind::Surface; }
     bool knowsSlopes() const override { return code().displacement().slopesKnown; }
     /// See ir::DisplacementFacts.

@@ -192,6 +192,8 @@ void DisplacedSurface::keepToTriangles(const SurfaceQuery &query,
         const bool isSurface = !isClose || !(cosine(Ng, element) >= displacedCosine);
         if (answer.Ng.x)
             answer.Ng.set(k, isSurface ? element : Ng);
+        if (answer.N.x && displacement_->givesTrueNormals())
+            answer.N.set(k, isSurface ? element : Ng);
         if (!answer.N.x || !displacement_->setsNormals())
             continue;
         // What calculatenormal(P) says is the very Ng, but for rounding, and is to stay so where Ng

@@ -14,6 +14,8 @@ public:
     /// Else it changes shading normals alone.
     virtual bool movesPoints() const = 0;
     virtual bool setsNormals() const = 0;
+    /// Normals are those of the points as they have been moved, whatever displace() says.
+    virtual bool givesTrueNormals() const { return false; }
     /// It is by the surface's own shader, which moves the points again when it shades them.
     virtual bool isOfSurface() const = 0;
     /// displace() knows dPdu and dPdv exactly.

@@ -18,6 +18,7 @@ public:
 
     bool movesPoints() const override { return true; }
     bool setsNormals() const override { return last_->setsNormals(); }
+    bool givesTrueNormals() const override { return last_->givesTrueNormals(); }
     bool isOfSurface() const override { return false; }
     bool knowsSlopes() const override { return knowsSlopes_; }
     float width(Vec3 P) const override { return last_->width(P); }

@@ -23,14 +23,15 @@ struct SeenSphere {
     float density;
 };
 
-[[gnu::always_inline]] inline SeenSphere seen(Double3 toCentre, double radius) {
+[[gnu::always_inline]] inline SeenSphere seen(Double3 toCentre, double radius, float far) {
     SeenSphere s;
     s.d2 = dot(toCentre, toCentre);
     double r2 = radius * radius;
     s.outside = s.d2 > r2;
     double sine2 = r2 / s.d2, cosine2 = (s.d2 - r2) / s.d2;
     s.height = s.outside ? sine2 / (1 + std::sqrt(s.outside ? cosine2 : 0.0)) : 2.0;
-    float density = rounded(1 / (2 * pi * s.height));
+    const bool twoWalls = s.outside & (far > 0) & (far < 1);
+    float density = rounded((twoWalls ? 0.5 : 1.0) / (2 * pi * s.height));
     bool sound = radius > 0 && s.d2 - s.d2 == 0 && r2 - r2 == 0;
     s.density = sound ? density : 0.0f;
     return s;
@@ -48,10 +49,11 @@ struct SeenSphere {
     cosine = wide ? c : s, sine = wide ? s : c;
 }
 
-/// The point that P sees on the sphere at `across` (unit, at right angles to the unit vector
-/// `towards` the centre) and the share `rho2` of the cone's solid angle within.
+/// The point that P sees on the sphere, on its `far` wall if it is outside, at `across` (unit, at
+/// right angles to the unit vector `towards` the centre) and the share `rho2` of the cone's solid
+/// angle within.
 [[gnu::always_inline]] inline Double3 pointOnSphere(Double3 P, Double3 centre, double radius,
-                                                    const SeenSphere &s, Double3 towards,
+                                                    const SeenSphere &s, bool far, Double3 towards,
                                                     Double3 across, double rho, double rho2) {
     double d = std::sqrt(s.d2), r2 = radius * radius;
     double height = s.height * rho2, cosine = 1 - height;
@@ -61,13 +63,14 @@ struct SeenSphere {
                            : r2 - s.d2 + s.d2 * cosine * cosine;
     double chord = std::sqrt(gap > 0 ? gap : 0.0), along = d * cosine;
     // First and second root of the quadratic, each in the form that doesn't cancel.
-    bool sum = !s.outside && along > 0;
+    bool sum = s.outside ? far : along > 0;
     double whole = s.outside ? along + chord : chord - along;
     double product = s.outside ? s.d2 - r2 : r2 - s.d2;
     double t = sum ? along + chord : product / (whole > 0 ? whole : 1.0);
     // From P or from the centre, whichever is nearer: the smaller of the two errors.
     bool fromP = t < radius;
-    double inDepth = s.outside ? -(d * sine * sine + chord * cosine) : t * cosine - d;
+    double ofChord = far ? chord * cosine : -chord * cosine;
+    double inDepth = s.outside ? ofChord - d * sine * sine : t * cosine - d;
     Double3 origin{fromP ? P.x : centre.x, fromP ? P.y : centre.y, fromP ? P.z : centre.z};
     return origin + towards * (fromP ? t * cosine : inDepth) + across * (t * sine);
 }
@@ -90,13 +93,18 @@ struct SeenSphere {
 } // namespace
 
 CANDELA_HOT void sampleSpheres(int count, const float *const P[3], const float *const centre[3],
-                               const float *radius, const float *u, const float *v,
-                               float *const point[3], float *pdf) {
+                               const float *radius, const float *far, const float *u,
+                               const float *v, float *const point[3], float *pdf) {
     const Columns<Double3> ps(P), centres(centre);
 #pragma GCC ivdep
     for (int i = 0; i < count; ++i) {
         Double3 p = ps[i], c = centres[i], toCentre = c - p;
-        SeenSphere s = seen(toCentre, radius[i]);
+        SeenSphere s = seen(toCentre, radius[i], far[i]);
+        // What is left of u when it has chosen the wall is uniform again.
+        const double share = far[i], drawn = s.outside ? u[i] : 1.0;
+        const bool isFar = drawn < share;
+        const double rest = isFar ? drawn / share : (drawn - share) / (1 - share);
+        const double place = s.outside ? rest : u[i];
         double d = std::sqrt(s.d2), perD = 1 / (d > 0 ? d : 1.0);
         Double3 w{toCentre.x * perD, toCentre.y * perD, d > 0 ? toCentre.z * perD : 1.0};
         // A frame about w (Duff et al. 2017).
@@ -104,19 +112,20 @@ CANDELA_HOT void sampleSpheres(int count, const float *const P[3], const float *
         Double3 e{1 + sign * w.x * w.x * a, sign * b, -sign * w.x},
             f{b, sign + w.y * w.y * a, -w.y};
         double cosine, sine, rho;
-        disc(u[i], v[i], cosine, sine, rho);
+        disc(place, v[i], cosine, sine, rho);
         Double3 across = e * cosine + f * sine;
-        store(point, i, narrow(pointOnSphere(p, c, radius[i], s, w, across, rho, rho * rho)));
+        store(point, i,
+              narrow(pointOnSphere(p, c, radius[i], s, isFar, w, across, rho, rho * rho)));
         pdf[i] = s.density;
     }
 }
 
 CANDELA_HOT void sphereDensities(int count, const float *const P[3], const float *const centre[3],
-                                 const float *radius, float *pdf) {
+                                 const float *radius, const float *far, float *pdf) {
     const Columns<Double3> ps(P), centres(centre);
 #pragma GCC ivdep
     for (int i = 0; i < count; ++i)
-        pdf[i] = seen(centres[i] - ps[i], radius[i]).density;
+        pdf[i] = seen(centres[i] - ps[i], radius[i], far[i]).density;
 }
 
 CANDELA_HOT void sampleTriangles(int count, const float *const P[3], const float *const corner[3],

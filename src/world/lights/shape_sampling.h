@@ -12,15 +12,16 @@
 
 namespace candela {
 
-/// Uniform over the cone of directions that a sphere subtends; `point` is where they meet it first.
-/// From inside a sphere and from its surface: uniform over all directions, and `point` is where
-/// they leave it.
+/// Uniform over the cone of directions that a sphere subtends; `point` is where they meet it first
+/// or, with the probability `far`, where they leave it. From inside a sphere and from its surface:
+/// uniform over all directions, and `point` is where they leave it.
 void sampleSpheres(int count, const float *const P[3], const float *const centre[3],
-                   const float *radius, const float *u, const float *v, float *const point[3],
-                   float *pdf);
-/// The density of all directions that meet the sphere.
+                   const float *radius, const float *far, const float *u, const float *v,
+                   float *const point[3], float *pdf);
+/// The density of all directions that meet the sphere, with that of the wall which they meet: if
+/// `far` is 0 or 1 the one that is drawn, else (1/2) either.
 void sphereDensities(int count, const float *const P[3], const float *const centre[3],
-                     const float *radius, float *pdf);
+                     const float *radius, const float *far, float *pdf);
 
 /// Rectangles corner + s edgeA + t edgeB, s and t in [0,1], the edges at right angles: nearly
 /// uniform by solid angle (rectangle_sampling.cpp). Sizes and distances of 1e-15 to 1e15.

@@ -38,6 +38,7 @@ struct View {
     Kind kind;
     Vec3 P, corner, edgeA, edgeB;
     float radius = 0;
+    float far = 0; ///< How often a sphere's farther wall is drawn.
 };
 
 float triangleArea(const View &view) { return float(length(cross(view.edgeA, view.edgeB)) / 2); }
@@ -51,20 +52,21 @@ struct Sampled {
 class Lanes {
 public:
     Lanes(const View &view, int count) : kind_(view.kind), count_(count) {
-        planes_ = Planes<float>(18, count);
-        for (int plane = 0; plane < 18; ++plane)
+        planes_ = Planes<float>(19, count);
+        for (int plane = 0; plane < 19; ++plane)
             p_[plane] = planes_[plane];
         for (int i = 0; i < count; ++i) {
             for (int k = 0; k < 3; ++k) {
                 p_[k][i] = view.P[k], p_[3 + k][i] = view.corner[k];
                 p_[6 + k][i] = view.edgeA[k], p_[9 + k][i] = view.edgeB[k];
             }
+            p_[18][i] = view.far;
             p_[12][i] = kind_ == Kind::Triangle ? triangleArea(view) : view.radius;
         }
     }
     Sampled sample(const std::vector<float> &u, const std::vector<float> &v) {
         if (kind_ == Kind::Sphere)
-            sampleSpheres(count_, p_, p_ + 3, p_[12], u.data(), v.data(), p_ + 13, p_[16]);
+            sampleSpheres(count_, p_, p_ + 3, p_[12], p_[18], u.data(), v.data(), p_ + 13, p_[16]);
         else if (kind_ == Kind::Rectangle)
             sampleRectangles(count_, p_, p_ + 3, p_ + 6, p_ + 9, u.data(), v.data(), p_ + 13,
                              p_[16]);
@@ -81,7 +83,7 @@ public:
             for (int k = 0; k < 3; ++k)
                 p_[13 + k][i] = points[i][k];
         if (kind_ == Kind::Sphere)
-            sphereDensities(count_, p_, p_ + 3, p_[12], p_[17]);
+            sphereDensities(count_, p_, p_ + 3, p_[12], p_[18], p_[17]);
         else if (kind_ == Kind::Rectangle)
             rectangleDensities(count_, p_, p_ + 3, p_ + 6, p_ + 9, p_ + 13, p_[17]);
         else
@@ -93,7 +95,7 @@ private:
     Kind kind_;
     int count_;
     Planes<float> planes_;
-    float *p_[18];
+    float *p_[19];
 };
 
 /// The centres of n x n strata.
@@ -160,7 +162,8 @@ std::vector<View> outsideSpheres() {
     for (float r : {1e-9f, 1e-3f, 1.0f, 1e3f, 1e9f})
         for (float distance : {1.0000002f, 1.0001f, 1.01f, 2.0f, 1e3f, 1e7f})
             for (Vec3 w : {Vec3{0, 0, 1}, Vec3{0, 0, -1}, Vec3{0.6f, -0.64f, 0.48f}})
-                views.push_back({Kind::Sphere, {0, 0, 0}, w * (r * distance), {}, {}, r});
+                for (float far : {0.0f, 0.5f, 1.0f})
+                    views.push_back({Kind::Sphere, {0, 0, 0}, w * (r * distance), {}, {}, r, far});
     views.push_back({Kind::Sphere, {1000, 2000, 3000}, {1000, 2000, 3005}, {}, {}, 0.5f});
     return views;
 }
@@ -170,7 +173,8 @@ std::vector<View> insideSpheres() {
     for (float r : {1e-6f, 1.0f, 1e9f})
         for (float at : {0.0f, 0.5f, 0.999999f, 1.0f})
             for (Vec3 w : {Vec3{0, 0, 1}, Vec3{0, -1, 0}})
-                views.push_back({Kind::Sphere, w * (r * at), {}, {}, {}, r});
+                for (float far : {0.0f, 0.5f, 1.0f})
+                    views.push_back({Kind::Sphere, w * (r * at), {}, {}, {}, r, far});
     return views;
 }
 
@@ -253,10 +257,29 @@ TEST(ShapeSampling, SphereDensityTimesSolidAngleIsOne) {
     for (const View &view : outsideSpheres()) {
         Real sine = view.radius / length(R3(view.corner) - R3(view.P));
         ASSERT_LT(sine, 1);
-        EXPECT_NEAR(sampleStrata(view, 1).pdf[0] * 2 * pi * capHeight(sine), 1, 2e-7L);
+        const Real wall = view.far == 0.5f ? 0.5L : 1;
+        EXPECT_NEAR(sampleStrata(view, 1).pdf[0] * 2 * pi * capHeight(sine), wall, 2e-7L);
     }
     for (const View &view : insideSpheres())
         EXPECT_NEAR(sampleStrata(view, 1).pdf[0] * 4 * pi, 1, 2e-7L);
+}
+
+/// Of the two walls that a direction meets, the one that is wanted; where either is, both count.
+TEST(ShapeSampling, SpheresShineFromTheWallThatIsWanted) {
+    for (float far : {0.0f, 0.5f, 1.0f})
+        for (float height : {0.51f, 0.8f, 2.0f, 50.0f}) {
+            const View view{Kind::Sphere, {0, 0, 0}, {0, 0.1f, height}, {}, {}, 0.5f, far};
+            const Sampled samples = sampleRandomly(view, 4096, 7);
+            int beyond = 0;
+            for (Vec3 point : samples.points) {
+                const R3 way = R3(point) - R3(view.P), out = R3(point) - R3(view.corner);
+                beyond += dot(way, out) > 0;
+            }
+            EXPECT_NEAR(beyond / 4096.0, far, far == 0.5f ? 0.04 : 0.001) << height;
+            const Real D = length(R3(view.corner)), s = 0.5L / D;
+            const Real closed = pi * s * s * height / D * (far == 0.5f ? 2 : 1);
+            EXPECT_NEAR(estimate(view, sampleStrata(view, 128), {0, 0, 1}) / closed, 1, 1e-4L);
+        }
 }
 
 TEST(ShapeSampling, RectangleSamplesAreWorthTheSolidAngleAndHardlyDiffer) {

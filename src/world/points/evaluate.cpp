@@ -123,7 +123,8 @@ void fillOrientation(const PointTables &tables, const float *normalSign, Shading
 /// At outlines a ray may meet the front of an element whose named point has its true normal turned
 /// away: what is seen from outside is to be shaded from outside. Such normals are mirrored at the
 /// line of sight, which moves them by as little as they were off. Those of displaced surfaces may
-/// be off by much: there the element's own is taken.
+/// be off by much: there the element's own is taken. A shader that moves the points itself finds
+/// out their true normals itself: there it is the line of sight that is mirrored at those.
 void keepSides(const PointTables &tables, const float *const *elementNg, ShadingPoints &points) {
     const Vec3Planes Ng = vec3(points, ShaderInput::Ng), N = vec3(points, ShaderInput::N);
     const Vec3Planes I = vec3(points, ShaderInput::I);
@@ -134,6 +135,10 @@ void keepSides(const PointTables &tables, const float *const *elementNg, Shading
         const float seen = dot(normal, way);
         if (!(met * seen < 0))
             continue;
+        if (!points.unmovedTable.empty()) {
+            I.set(i, way - normal * (2 * seen));
+            continue;
+        }
         const Shape &shape = tables.shapes[points.shape[i]];
         const Vec3 turned = shape.curved && !shape.away
                                 ? Vec3{elementNg[0][i], elementNg[1][i], elementNg[2][i]}
@@ -141,6 +146,22 @@ void keepSides(const PointTables &tables, const float *const *elementNg, Shading
         if (N.get(i) == normal)
             N.set(i, turned);
         Ng.set(i, turned);
+    }
+}
+
+/// The same for the normals of points as they were before their shader moves them: it faces forward
+/// by these, and would look for light within the body.
+void keepUnmovedSides(ShadingPoints &points) {
+    const Vec3Planes Ng = vec3(points, ShaderInput::Ng), I = vec3(points, ShaderInput::I);
+    for (ShaderInput input : {ShaderInput::N, ShaderInput::Ng}) {
+        float *const *planes = points.unmovedTable.data() + int(input);
+        const Vec3Planes normals{planes[0], planes[1], planes[2]};
+        for (int i = 0; i < points.count; ++i) {
+            const Vec3 normal = normals.get(i), moved = Ng.get(i), way = I.get(i);
+            const float seen = dot(normal, way);
+            if (seen * dot(moved, way) < 0 && dot(normal, moved) > 0)
+                normals.set(i, normal - way * (2 * seen / dot(way, way)));
+        }
     }
 }
 
@@ -157,6 +178,8 @@ void askSurfaces(const PointTables &tables, const SurfaceCode &code, const float
     }
     evaluateRuns(tables, code, normalSign, points);
     keepSides(tables, elementNg, points);
+    if (!points.unmovedTable.empty())
+        keepUnmovedSides(points);
 }
 
 /// Colours that are the attributes' do not change; those that do are told by their surfaces.

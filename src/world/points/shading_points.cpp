@@ -34,6 +34,12 @@ void ShadingPoints::useUnmoved(bool use) {
             unmovedTable[std::size_t(int(input) + c)] = unmoved[plane++];
 }
 
+void ShadingPoints::readFrom(int shaderInput, const float *plane) {
+    inputTable[std::size_t(shaderInput)] = const_cast<float *>(plane);
+    if (!unmovedTable.empty())
+        unmovedTable[std::size_t(shaderInput)] = const_cast<float *>(plane);
+}
+
 void ShadingPoints::makeRoomForVariables(int planes) {
     if (planes <= variables.planes())
         return;

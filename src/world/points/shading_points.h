@@ -46,6 +46,8 @@ struct ShadingPoints {
     void makeRoomForVariables(int planes);
     /// Whether the shader moves the points itself.
     void useUnmoved(bool);
+    /// Lets the shader read this plane from elsewhere.
+    void readFrom(int shaderInput, const float *plane);
     float *input(int shaderInput) { return inputTable[shaderInput]; }
     float *input(ShaderInput first, int component) { return inputTable[int(first) + component]; }
 };

@@ -97,6 +97,7 @@ std::span<const LightGroup> Lights::groupsInUse() const { return state_->lights.
 bool Lights::hasAmbient() const { return !state_->lights.ambient.empty(); }
 bool Lights::readsChoice() const { return !state_->lights.isSingle; }
 int Lights::count() const { return int(state_->lights.lights.size()); }
+std::uint64_t Lights::nonFiniteSamples() const { return state_->nonFiniteLight; }
 bool Lights::isOn(std::int32_t lightSet, std::int32_t light) const {
     return state_->lights.on(lightSet, light);
 }

@@ -400,11 +400,13 @@ std::vector<std::uint8_t> wideSources(const LightTable &table,
     return wide;
 }
 
-/// The sphere within which the eye and all other sources that have a place are; -1 = none.
+/// The sphere within which the eye and all other sources that have a place are, if scattered rays
+/// can meet it as a light; -1 = none.
 std::int32_t surroundingSource(const LightTable &table, std::span<const EmitterBound> bounds) {
     const auto radiusOf = [&](std::size_t k) {
-        const LightElement *element =
-            table.sources[k].members == 1 ? &table.firstElementOf(table.sources[k]) : nullptr;
+        const LightSource &source = table.sources[k];
+        const bool isSingle = source.members == 1 && table.lights[source.light].finite();
+        const LightElement *element = isSingle ? &table.firstElementOf(source) : nullptr;
         return element && element->form == LightElement::Form::Sphere ? element->edgeA.x : 0.0f;
     };
     std::int32_t dome = -1;

@@ -49,11 +49,15 @@ Vec3 vectorL(const LightBatch &batch, int lane) {
     return {batch.L[0][lane], batch.L[1][lane], batch.L[2][lane]};
 }
 
-/// Sum of Cl's color samples; lights may take away as well.
+/// How much there is of a light's answer; lights may take away as well. What is not finite counts
+/// as 0, as it does where light is sampled.
+double amount(float answer) { return std::isfinite(answer) ? std::fabs(answer) : 0.0; }
+
+/// Sum of Cl's color samples.
 double totalCl(const LightBatch &batch, int lane) {
     double total = 0;
     for (int c = 0; c < colorSamples; ++c)
-        total += std::fabs(batch.Cl[c][lane]);
+        total += amount(batch.Cl[c][lane]);
     return total;
 }
 
@@ -64,11 +68,13 @@ std::int32_t codeOf(const SceneState &state, std::int32_t source) {
     return points.appearances[points.appearanceOf(element.instance, element.shape)].code;
 }
 
-/// Without extent, classic units are what a white diffuser sends.
+/// Without extent, classic units are what a white diffuser sends. The tree adds powers up as
+/// floats.
 void setPower(SceneLight &light, double power) {
+    constexpr double most = 1e30;
     if (!light.finite() && !light.si)
         power *= pi;
-    light.power = std::isfinite(power) && power > 0 ? power : 0;
+    light.power = power > 0 ? std::min(power, most) : 0;
 }
 
 /// A cone about the directions that are lit, if it is narrow and enough of them are; of the lanes
@@ -258,7 +264,7 @@ private:
         std::vector<std::array<double, 2>> sums(lights());
         forLanes(samples_, [&](int k, int i, int lane) {
             for (int c = 0; c < colorSamples; ++c)
-                sums[k][i % 2] += std::fabs(radiance[c][lane]);
+                sums[k][i % 2] += amount(radiance[c][lane]);
         });
         for (int k = 0; k < lights(); ++k) {
             const auto [front, back] = sums[k];

@@ -6,7 +6,7 @@
 namespace candela {
 
 LightBatch::LightBatch(int capacity)
-    : inputs(int(ShaderInput::Count), capacity), answers(3 + colorSamples, capacity),
+    : inputs(int(ShaderInput::Count), capacity), answers(4 + colorSamples, capacity),
       integers(2, capacity) {
     for (int plane = 0; plane < int(ShaderInput::Count); ++plane)
         inputTable.push_back(inputs[plane]);
@@ -30,7 +30,8 @@ void LightBatch::ask(const SceneState &state, const ShaderCode &code, const std:
     if (!question.code)
         return;
     thread_local std::vector<float *> outputs;
-    outputs.assign(question.function.outputs.size(), answers[0]);
+    // The shader's output parameters go where nobody looks.
+    outputs.assign(question.function.outputs.size(), answers[3 + colorSamples]);
     question.place(ir::OutputKind::L, L.data(), outputs);
     question.place(ir::OutputKind::Cl, Cl.data(), outputs);
     ShaderArgs args;

@@ -23,6 +23,7 @@ namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
 constexpr double largestBelow1 = 0x1.fffffffffffffp-1;
+constexpr float pointRounding = 8 * 0x1p-24f; ///< Of a point's largest coordinate.
 
 /// Up to lightBatchSize points whose sources share a bin: who asks, and where the answers go.
 struct Block {
@@ -112,7 +113,6 @@ CANDELA_HOT void aim(int count, Planes3 point, Planes3 normal, float frontSign,
     const float *nx = normal[0], *ny = normal[1], *nz = normal[2];
     const float *px = P[0], *py = P[1], *pz = P[2];
     float *lx = L[0], *ly = L[1], *lz = L[2];
-    constexpr float rounding = 8 * 0x1p-24f;
     constexpr float most = std::numeric_limits<float>::max();
     auto larger = [](float a, float b) { return a > b ? a : b; };
 #pragma GCC ivdep
@@ -123,7 +123,7 @@ CANDELA_HOT void aim(int count, Planes3 point, Planes3 normal, float frontSign,
         const float along = dx * nx[i] + dy * ny[i] + dz * nz[i], height = std::fabs(along) / size;
         const float ofLamp = larger(std::fabs(x[i]), larger(std::fabs(y[i]), std::fabs(z[i])));
         const float ofP = larger(std::fabs(px[i]), larger(std::fabs(py[i]), std::fabs(pz[i])));
-        const float zone = offset[i] + rounding * larger(ofLamp, ofP);
+        const float zone = offset[i] + pointRounding * larger(ofLamp, ofP);
         const float density = drawnPdf[i] * probability[i];
         const bool sound = (density > 0) & (density <= most) & (seen > 0) & (height > 0) &
                            (along * frontSign <= 0);
@@ -163,16 +163,51 @@ CANDELA_HOT void aimAtDelta(int count, Planes3 given, Planes3 Ps, Planes3 P, boo
     }
 }
 
+/// Ends L before the zone in which the light's own elements might stand in the way, where it leads
+/// to the point of the element that was drawn; shaders may say another L.
+CANDELA_HOT void endBeforeZone(int count, Planes3 point, Planes3 normal,
+                               const float *__restrict offset, Planes3 P, float *const L[3],
+                               float *__restrict distance) {
+    const float *x = point[0], *y = point[1], *z = point[2];
+    const float *nx = normal[0], *ny = normal[1], *nz = normal[2];
+    const float *px = P[0], *py = P[1], *pz = P[2];
+    float *lx = L[0], *ly = L[1], *lz = L[2];
+    constexpr float same = 1e-4f;
+    auto larger = [](float a, float b) { return a > b ? a : b; };
+#pragma GCC ivdep
+    for (int i = 0; i < count; ++i) {
+        const float dx = x[i] - px[i], dy = y[i] - py[i], dz = z[i] - pz[i];
+        const float off = std::fabs(dx - lx[i]) + std::fabs(dy - ly[i]) + std::fabs(dz - lz[i]);
+        const float size = std::sqrt(nx[i] * nx[i] + ny[i] * ny[i] + nz[i] * nz[i]);
+        const float height = std::fabs(lx[i] * nx[i] + ly[i] * ny[i] + lz[i] * nz[i]) / size;
+        const float ofLamp = larger(std::fabs(x[i]), larger(std::fabs(y[i]), std::fabs(z[i])));
+        const float ofP = larger(std::fabs(px[i]), larger(std::fabs(py[i]), std::fabs(pz[i])));
+        const float zone = offset[i] + pointRounding * larger(ofLamp, ofP);
+        const bool isThere = (off <= same * distance[i]) & (height > 0);
+        const float before = isThere ? larger(1 - zone / height, 0.5f) : 1.0f;
+        lx[i] *= before, ly[i] *= before, lz[i] *= before;
+        distance[i] *= before;
+    }
+}
+
 CANDELA_HOT void keepSound(int count, const std::int32_t *__restrict light,
                            const float *__restrict from, float *__restrict value) {
     for (int i = 0; i < count; ++i)
         value[i] = light[i] != 0 ? from[i] : 0.0f;
 }
 
-CANDELA_HOT void shareOut(int count, const float *__restrict probability, float scale,
-                          float *__restrict value) {
-    for (int i = 0; i < count; ++i)
-        value[i] *= scale / probability[i];
+/// One light's answer that is not finite must not spoil what the others give to the same point.
+void dropNonFinite(const SceneState &state, int count, float *const *value) {
+    for (int c = 0; c < colorSamples; ++c) {
+        if (lanes::allFinite(count, value[c]))
+            continue;
+        for (int i = 0; i < count; ++i)
+            if (!std::isfinite(value[c][i])) {
+                ++state.nonFiniteLight;
+                for (int k = 0; k < colorSamples; ++k)
+                    value[k][i] = 0;
+            }
+    }
 }
 
 CANDELA_HOT void turnUnit(int count, Planes3 from, float sign, float *const to[3]) {
@@ -186,8 +221,9 @@ CANDELA_HOT void turnUnit(int count, Planes3 from, float sign, float *const to[3
 }
 
 /// Values and shadows of those that are to be had.
-void take(const Block &block, const SourceBin &bin, float *const *value) {
+void take(const SceneState &state, const Block &block, const SourceBin &bin, float *const *value) {
     const LightSamples &out = block.out;
+    dropNonFinite(state, block.count, value);
     for (int c = 0; c < colorSamples; ++c)
         keepSound(block.count, out.light, value[c], out.value[c]);
     for (int i = 0; i < block.count; ++i)
@@ -229,7 +265,7 @@ void sampleSurfaces(const SceneState &state, const SourceBin &bin, const Block &
                                 own.points.input(ShaderInput::Ng, 1),
                                 own.points.input(ShaderInput::Ng, 2)};
     tellPlaces(block.count, block.probability, Ng, 1, block.out);
-    take(block, bin, radiance);
+    take(state, block, bin, radiance);
 }
 
 /// Which lights a batch asks.
@@ -264,13 +300,26 @@ void samplePlain(const SceneState &state, const SourceBin &bin, const Block &blo
     batch.ask(state, *bin.shader);
     aimAtSources(block, bin, own);
     tellPlaces(count, block.probability, own.drawn.normal.data(), bin.elementSign, block.out);
-    take(block, bin, batch.Cl.data());
+    take(state, block, bin, batch.Cl.data());
 }
 
 /// How far rays start off the surface.
 void fillRayOffsets(int count, Planes3 P, Planes3 Ps, float *offset) {
     for (int i = 0; i < count; ++i)
         offset[i] = length(Vec3{P[0][i] - Ps[0][i], P[1][i] - Ps[1][i], P[2][i] - Ps[2][i]});
+}
+
+/// What the answers of lights without extent are worth, for what they are chosen with. A classic
+/// area light is the mean over its positions: each source counts by its share of them, however many
+/// sources there are.
+void findWorth(const SceneState &state, const SourceBin &bin, const Block &block,
+               const ElementRows &rows, float *worth) {
+    const bool isMean = bin.asked == SourceBin::Asked::ClassicArea;
+    const float unit = bin.si ? 1 / pi : 1;
+    for (int i = 0; i < block.count; ++i) {
+        const float whole = isMean ? float(state.lights.lights[rows.light[i]].area) : 1;
+        worth[i] = unit * (isMean ? rows.area[i] / whole : 1) / block.probability[i];
+    }
 }
 
 /// Lights without extent, or taken so.
@@ -305,15 +354,22 @@ void sampleDelta(const SceneState &state, const SourceBin &bin, const Block &blo
     aimAtDelta(count, batch.L.data(), block.Ps.data(), block.P.data(), bin.distant, own.rows.light,
                out.L.data(), out.distance, out.pdfSolidAngle, out.light);
     tellPlaces(count, block.probability, nullptr, 1, out);
-    take(block, bin, batch.Cl.data());
+    if (bin.asked == SourceBin::Asked::ClassicArea)
+        endBeforeZone(count, own.drawn.point.data(), own.drawn.normal.data(), own.rows.offset,
+                      block.P.data(), out.L.data(), out.distance);
+    take(state, block, bin, batch.Cl.data());
+    float *worth = own.drawn.pdf; // There is no density that would need it.
+    findWorth(state, bin, block, own.rows, worth);
     for (float *value : out.value)
-        shareOut(count, block.probability, bin.si ? 1 / pi : 1, value);
+        lanes::multiply(count, worth, value);
 }
 
 void sampleBlock(const SceneState &state, const SourceBin &bin, const Block &block,
                  SamplingScratch &own) {
     own.rows.draw(state.lights, block.count, block.source, block.u);
-    if (bin.asked != SourceBin::Asked::PointShader)
+    if (bin.asked == SourceBin::Asked::ClassicArea)
+        placeOnElements(own.rows, own.rows.u, block.v, own.drawn);
+    else if (bin.asked != SourceBin::Asked::PointShader)
         sampleElements(own.rows, block.P.data(), own.rows.u, block.v, own.drawn);
     switch (bin.asked) {
     case SourceBin::Asked::Surface: return sampleSurfaces(state, bin, block, own);
@@ -495,9 +551,8 @@ void Lights::sampleOne(int index, const LightQuery &query, LightSamples &samples
         const int piece = chooseByCumulative(light.cumulative, choice);
         source[i] += piece;
         across[i] = std::min(float(choice), 0x1.fffffep-1f);
-        if (light.finite())
-            probability[i] =
-                float(light.cumulative[piece] - (piece > 0 ? light.cumulative[piece - 1] : 0));
+        probability[i] =
+            float(light.cumulative[piece] - (piece > 0 ? light.cumulative[piece - 1] : 0));
     }
     answer(*state_, blockOf(query, source, probability, across, samples), own);
     hideBehindItself(*state_, index, query, samples);

@@ -34,7 +34,8 @@ struct alignas(64) LightElement {
     std::int32_t source = 0; ///< The one that it belongs to.
     Form form = Form::NoShape;
     std::uint32_t instance = noHit, shape = 0, element = 0; ///< The place of a triangle's points.
-    /// Current space. Spheres: the centre, and the radius as edgeA.x.
+    /// Current space. Spheres: the centre, the radius as edgeA.x, and as edgeB.x how often those
+    /// outside aim at the wall that is farther off.
     Vec3 corner, edgeA, edgeB;
     float offset = 0; ///< Rays towards it end so far before it: see ShadingPoints::offset.
     float area = 0;   ///< Of its whole source, m^2.

@@ -50,7 +50,7 @@ struct LightSamples {
     /// What a loop's Cl is worth before the shadow: for finite pdf the radiance L_i (W m^-2
     /// sr^-1), undivided, since the pdf includes the choice; for delta lights (pdfSolidAngle = 0)
     /// E_perp / pi, or in classic units the number the light shader wrote, divided by the
-    /// probability of choosing the light.
+    /// probability of choosing the light; of one in pieces, of the piece over its share of the area.
     std::array<float *, colorSamples> value{};
     float *pdfSolidAngle = nullptr; ///< Of this direction, choice included; 0 = delta light.
     std::int32_t *light = nullptr;  ///< Index + 1; 0 = no sample (black).
@@ -74,6 +74,8 @@ public:
     void sample(LightGroup, const LightQuery &, LightSamples &) const;
     /// sample() reads LightQuery::choice: which light, and where on it.
     bool readsChoice() const;
+    /// How many samples were not finite so far; they count as 0.
+    std::uint64_t nonFiniteSamples() const;
     /// `classic`: one sample of light `index` (of count()) at every point, no choice. Lamps
     /// that cast no shadows hide nothing but parts of themselves.
     int count() const;

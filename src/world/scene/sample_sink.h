@@ -16,6 +16,7 @@ struct ChannelInfo {
     std::string name; ///< "Ci", "Oi", "z", "N", "P", "albedo", "id", or an output of shaders.
     int components = 1;
     bool isPlace = false; ///< A position or a direction: X, Y, Z rather than R, G, B.
+    bool isList = false;  ///< An array or a matrix: 0, 1, 2 rather than letters.
 };
 
 /// Samples of whole pixels, structure of arrays. All samples of a pixel that are in one batch

@@ -208,6 +208,18 @@ void Scene::shadingPoints(const RayBatch &rays, const HitBatch &hits, const int 
         std::fill_n(points.input(ShaderInput::rayDepth, 0), count, 0.0f);
 }
 
+bool Scene::tells(int code, int input) const {
+    const WantedInputs &wanted = state_->points.codes[code].wanted;
+    const auto isIn = [input](ShaderInput first, ShaderInput last) {
+        return input >= int(first) && input <= int(last);
+    };
+    return isIn(ShaderInput::u, ShaderInput::v)          ? wanted.uv
+           : isIn(ShaderInput::s, ShaderInput::t)        ? wanted.st
+           : isIn(ShaderInput::Cs, ShaderInput::CsLast_) ? wanted.Cs
+           : isIn(ShaderInput::Os, ShaderInput::OsLast_) ? wanted.Os
+                                                         : true;
+}
+
 void Scene::describedPoints(const RayBatch &rays, const HitBatch &hits, const int *order, int count,
                             ShadingPoints &points) const {
     static const SurfaceCode all = [] {

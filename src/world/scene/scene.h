@@ -69,6 +69,9 @@ public:
     /// code; rays are those that made the hits. I is the ray's direction times t.
     void shadingPoints(const RayBatch &, const HitBatch &, const int *order, int count,
                        ShadingPoints &) const;
+    /// shadingPoints() fills this plane of ShaderInput at points of the code: position and normals,
+    /// and of s, t, u, v, Cs and Os what its shader reads.
+    bool tells(int code, int input) const;
     /// The same for points of any codes: their geometry, s, t, u, v, Cs and Os, whatever their
     /// shaders read.
     void describedPoints(const RayBatch &, const HitBatch &, const int *order, int count,

@@ -8,6 +8,7 @@
 #include "world/scene/media.h"
 #include "world/scene/scene.h"
 
+#include <atomic>
 #include <memory>
 #include <vector>
 
@@ -32,6 +33,8 @@ struct SceneState {
     std::vector<SurfaceMedia> mediaOfAppearance; ///< In the order of points.appearances.
     std::vector<std::int32_t> mediaOfLight;      ///< By index: the atmosphere of what shines.
     std::vector<const ShaderCode *> areaLightCodes; ///< Distinct shaders of Area lights.
+    /// Samples of lights that were not finite, and counted as 0.
+    mutable std::atomic<std::uint64_t> nonFiniteLight = 0;
     Scene::Statistics statistics;
     Vec3 centre; ///< Of a sphere around the scene, current space.
     float radius = 1;

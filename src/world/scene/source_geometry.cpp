@@ -104,6 +104,13 @@ void setTriangle(LightElement &element, const RayShape &mesh, std::uint32_t numb
     element.edgeB = transformPoint(currentFromOuter, mesh.positions[c]) - corner;
 }
 
+/// Where the near wall lets rays through, the far one shines beside it, or alone.
+static float shareOfFarWall(const RayShape &sphere) {
+    if (sphere.frontSign != 0)
+        return sphere.frontSign < 0 ? 1.0f : 0.0f;
+    return sphere.opaque ? 0.0f : 0.5f;
+}
+
 std::optional<LightElement> sphereOf(const LightElement &like, const RayShape &shape,
                                      const Matrix4 &currentFromOuter) {
     if (!(shape.radius > 0) || !keepsSpheres(currentFromOuter))
@@ -113,6 +120,7 @@ std::optional<LightElement> sphereOf(const LightElement &like, const RayShape &s
     element.form = LightElement::Form::Sphere;
     element.corner = transformPoint(currentFromOuter, shape.centre);
     element.edgeA = {length(radius), 0, 0};
+    element.edgeB = {shareOfFarWall(shape), 0, 0};
     return element;
 }
 

@@ -261,7 +261,7 @@ void sampleElements(const ElementRows &rows, const float *const from[3], const f
                              b.edgeB.data(), b.u, b.v, b.point.data(), b.pdf);
             break;
         case Form::Sphere:
-            sampleSpheres(b.count, b.from.data(), b.corner.data(), b.edgeA[0], b.u, b.v,
+            sampleSpheres(b.count, b.from.data(), b.corner.data(), b.edgeA[0], b.edgeB[0], b.u, b.v,
                           b.point.data(), b.pdf);
         }
         finishPoints(form, b);
@@ -306,7 +306,8 @@ void elementDensities(const ElementRows &rows, const float *const from[3],
             return rectangleDensities(b.count, b.from.data(), b.corner.data(), b.edgeA.data(),
                                       b.edgeB.data(), b.given.data(), b.pdf);
         case Form::Sphere:
-            return sphereDensities(b.count, b.from.data(), b.corner.data(), b.edgeA[0], b.pdf);
+            return sphereDensities(b.count, b.from.data(), b.corner.data(), b.edgeA[0], b.edgeB[0],
+                                   b.pdf);
         }
     });
 }

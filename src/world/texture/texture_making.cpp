@@ -70,23 +70,22 @@ std::optional<PictureData> prepared(const TextureOrder &order, std::vector<Pictu
     return picture;
 }
 
-/// A texture is another file in another form: whose picture it would stand in for has lost that.
-bool overwrites(const TextureOrder &order, std::string &problem) {
-    std::error_code isNotThere;
-    for (const std::string &path : order.pictures)
-        if (std::filesystem::equivalent(path, order.texture, isNotThere)) {
-            problem = path +
-                      " is the picture itself, which would be lost: the texture needs a name "
-                      "of its own";
-            return true;
+/// A picture is not to be lost to the texture made of it.
+bool keepsPictures(const TextureOrder &order, std::string &problem) {
+    for (const std::string &picture : order.pictures) {
+        std::error_code isNew;
+        if (std::filesystem::equivalent(picture, order.texture, isNew)) {
+            problem = "the texture would take the place of " + picture + ", which it is made of";
+            return false;
         }
-    return false;
+    }
+    return true;
 }
 
 } // namespace
 
 bool makeTexture(const TextureOrder &order, std::string &problem) {
-    if (overwrites(order, problem))
+    if (!keepsPictures(order, problem))
         return false;
     PictureLibrary *library = pictureLibrary(problem);
     std::vector<PictureData> pictures;

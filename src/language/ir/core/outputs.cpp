@@ -66,6 +66,12 @@ OutputName::OutputName(std::string_view text) : kind(OutputKind::Parameter) {
     cone = std::max(number, 0);
 }
 
+OutputName OutputName::ofParameter(std::string_view name) {
+    OutputName output(OutputKind::Parameter);
+    output.parameter = name;
+    return output;
+}
+
 std::string OutputName::text() const {
     if (kind == OutputKind::Parameter)
         return parameter;

@@ -29,7 +29,9 @@ float valueWhenEnded(OutputKind);
 /// What an output is of.
 struct OutputName {
     OutputName(OutputKind k, int coneNumber = 0) : kind(k), cone(coneNumber) {}
-    /// As text() spells it.
+    /// Of a shader's own parameter, whatever it is called.
+    static OutputName ofParameter(std::string_view name);
+    /// As text() spells it; what no row of outputs.def is called, a parameter.
     OutputName(std::string_view);
     OutputName(const std::string &text) : OutputName(std::string_view(text)) {}
     OutputName(const char *text) : OutputName(std::string_view(text)) {}

@@ -25,6 +25,15 @@ TEST(OutputName, OfAShadersOwnIsItsText) {
     }
 }
 
+TEST(OutputName, OfAParameterIsNoRowOfThatName) {
+    for (const char *text : {"g", "L", "Cl", "dPdu", "completed", "cone 0 axis", "weight"}) {
+        const OutputName name = OutputName::ofParameter(text);
+        EXPECT_EQ(name.kind, OutputKind::Parameter) << text;
+        EXPECT_EQ(name.text(), text);
+    }
+    EXPECT_EQ(slotOf({{OutputKind::G, 0}}, OutputName::ofParameter("g")), -1);
+}
+
 TEST(OutputName, FindsItsSlot) {
     const std::vector<OutputSlot> slots = {
         {OutputKind::Ci, 0}, {OutputKind::Ci, 1}, {{OutputKind::ConeAngle, 1}, 0}};

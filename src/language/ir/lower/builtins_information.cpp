@@ -37,6 +37,11 @@ Components option(BuiltinCall &call) {
 
 /// Attributes are the same all over a primitive, so they are hidden parameters of the instance.
 Components attribute(BuiltinCall &call) {
+    const sl::ShaderKind kind = call.lowering.shader.kind;
+    if (kind != sl::ShaderKind::Surface)
+        call.lowering.messages.warning(call.expr.where,
+                                       "attribute() is told to surface shaders alone; in a " +
+                                           std::string(sl::nameOf(kind)) + " shader it gives 0");
     return askFor(call, [&](const std::string &name, const std::string &type, int numbers) {
         return toldSlots(call.b, attributeParameter(name, type), numbers);
     });

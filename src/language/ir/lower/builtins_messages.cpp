@@ -68,6 +68,13 @@ ValueId toldString(BuiltinCall &call, const std::string &hidden) {
 
 /// Asks the shader that `whose` calls: hidden parameters of the one that asks.
 Components ask(BuiltinCall &call, const std::string &whose) {
+    const sl::ShaderKind kind = call.lowering.shader.kind;
+    if (kind == sl::ShaderKind::Light || kind == sl::ShaderKind::Imager)
+        call.lowering.messages.warning(
+            call.expr.where, std::string(call.expr.overload->function->name) +
+                                 "() asks another shader of the same primitive, which " +
+                                 (kind == sl::ShaderKind::Light ? "a light" : "an imager") +
+                                 " does not have: it gives 0");
     const std::string name = call.text(0, "the name of a parameter");
     const sl::Type &type = call.expr.operands[1]->type;
     if (type.base == sl::BaseType::String)

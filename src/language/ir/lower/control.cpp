@@ -5,6 +5,7 @@
 #include "language/ir/core/builder_control.h"
 #include "language/ir/core/builder_sources.h"
 #include "language/ir/lower/expression.h"
+#include "language/ir/lower/limits.h"
 #include "language/ir/lower/place_scope.h"
 #include "language/ir/lower/scan.h"
 #include "language/ir/lower/statement.h"
@@ -196,7 +197,7 @@ private:
 /// while (condition) body. A cheap condition is written twice: before the loop, and at the end of
 /// each round. Others stand once, at the head of the rounds: they may call functions whose loops
 /// have such conditions, and so on.
-void lowerLoop(Lowering &lowering, const sl::Stmt &statement) {
+static void lowerRounds(Lowering &lowering, const sl::Stmt &statement) {
     Builder &b = lowering.b;
     Variables &variables = lowering.variables;
     std::vector<ValueId> &cells = variables.cells;
@@ -234,6 +235,32 @@ void lowerLoop(Lowering &lowering, const sl::Stmt &statement) {
     const Components results = loop(b, initial, round);
     cells = before;
     variables.setCells(carried, {results.begin() + 1, results.end()});
+}
+
+/// The first rounds one in the other, as long as it is known that there is another one: where a
+/// round may be broken, what it counts is known within what it has not broken.
+static void writeRounds(Lowering &lowering, const sl::Stmt &statement, int most) {
+    Builder &b = lowering.b;
+    std::vector<ValueId> &cells = lowering.variables.cells;
+    const auto holds =
+        most > 0 ? constantBool(b, condition(lowering, *statement.value)) : std::nullopt;
+    if (!holds)
+        return lowerRounds(lowering, statement);
+    if (!*holds)
+        return;
+    if (loopEffects(statement).drawsAnew)
+        cells[lowering.turn] = add(b, cells[lowering.turn], number(b, 1));
+    Round(lowering, statement).run([&] {
+        writeRounds(lowering, statement, most - 1);
+        return boolean(b, false);
+    });
+}
+
+void lowerLoop(Lowering &lowering, const sl::Stmt &statement) {
+    if (statement.value && isCheapAndPure(*statement.value) && choosesTexts(statement))
+        writeRounds(lowering, statement, mostWrittenRounds);
+    else
+        lowerRounds(lowering, statement);
 }
 
 } // namespace candela::ir

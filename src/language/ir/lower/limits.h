@@ -10,6 +10,8 @@ namespace candela::ir {
 /// Requests for light: light loops, diffuse() and its like, trace(), with those of each call of a
 /// function. What is asked of a surface without one of its lobes is written for each of them.
 inline constexpr std::size_t mostRequests = 320;
+/// Rounds of a loop that are written out because its strings have to be known.
+inline constexpr int mostWrittenRounds = 64;
 /// Numbers that one printf() prints.
 inline constexpr std::size_t mostPrinted = 256;
 

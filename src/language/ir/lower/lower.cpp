@@ -98,10 +98,19 @@ std::vector<KindOutput> outputsOf(sl::ShaderKind kind) {
     return {};
 }
 
+bool sets(const sl::TypedShader &shader, sl::PredefinedId id) {
+    return std::ranges::any_of(shader.symbols, [&](const auto &symbol) {
+        return symbol->predefined && symbol->predefined->id == id && symbol->written;
+    });
+}
+
 /// An output only where the text sets it.
-bool isSetAtWill(sl::ShaderKind kind, const sl::Symbol &predefined) {
+bool isSetAtWill(const sl::TypedShader &shader, const sl::Symbol &predefined) {
     const bool isBound = predefined.name.size() > 1 && predefined.name[1] == 'C';
-    return isBound || (kind == sl::ShaderKind::Surface && predefined.name == "P");
+    if (isBound || shader.kind != sl::ShaderKind::Surface)
+        return isBound;
+    const bool isN = predefined.name == "N" && sets(shader, sl::PredefinedId::P);
+    return predefined.name == "P" || isN;
 }
 
 void writeOutputs(Lowering &lowering, const LoweredShader &lowered) {
@@ -113,23 +122,36 @@ void writeOutputs(Lowering &lowering, const LoweredShader &lowered) {
     };
     for (const KindOutput &output : outputsOf(shader.kind))
         write(output.name, variables.load(output.variable));
-    // The paper's bounds, and P of surfaces, where the shader sets them.
+    // The paper's bounds, and P of surfaces, with N, where the shader sets them.
     for (const auto &symbol : shader.symbols)
-        if (symbol->predefined && symbol->written && isSetAtWill(shader.kind, *symbol))
+        if (symbol->predefined && symbol->written && isSetAtWill(shader, *symbol))
             write(symbol->name, variables.load(variables.storageOf(*symbol)));
     for (size_t i = 0; i < lowered.parameters.size(); ++i)
         if (lowered.parameters[i].output && lowered.parameters[i].type != "string")
-            write(lowered.parameters[i].name,
+            write(OutputName::ofParameter(lowered.parameters[i].name),
                   variables.load(variables.storageOf(*shader.parameters[i].symbol)));
+}
+
+/// Light shaders may read more of what they light than they are told.
+void warnOfWhatLightsReadInVain(Lowering &lowering) {
+    if (lowering.shader.kind != sl::ShaderKind::Light)
+        return;
+    for (const auto &symbol : lowering.shader.symbols) {
+        if (!symbol->predefined || !symbol->read)
+            continue;
+        const bool isNs = symbol->predefined->id == sl::PredefinedId::Ns;
+        if (isNs || symbol->predefined->id == sl::PredefinedId::Cs)
+            lowering.messages.warning(lowering.shader.where,
+                                      "lights are not told " + symbol->name +
+                                          " of what they light: it counts as " +
+                                          (isNs ? "facing the light" : "1"));
+    }
 }
 
 /// Whether a light shader says L itself. (L = 0 is what an ambient light has anyway.)
 bool saysL(Lowering &lowering) {
-    const bool written = std::ranges::any_of(lowering.shader.symbols, [](const auto &symbol) {
-        return symbol->predefined && symbol->predefined->id == sl::PredefinedId::L &&
-               symbol->written;
-    });
-    if (lowering.shader.kind != sl::ShaderKind::Light || !written)
+    if (lowering.shader.kind != sl::ShaderKind::Light ||
+        !sets(lowering.shader, sl::PredefinedId::L))
         return false;
     const Components L = lowering.variables.load(sl::PredefinedId::L);
     return !std::ranges::all_of(L, [&](ValueId v) {
@@ -224,6 +246,7 @@ std::optional<LoweredShader> lower(const sl::TypedShader &shader,
     enter(lowering, nullptr);
     declareParameters(lowering, lowered, strings, variables);
     lower(lowering, shader.body);
+    warnOfWhatLightsReadInVain(lowering);
     writeOutputs(lowering, lowered);
     const bool setsL = saysL(lowering);
     if (lowering.messages.failed())

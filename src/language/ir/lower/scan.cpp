@@ -69,6 +69,7 @@ bool drawsRandom(const sl::Builtin &function) {
 /// Collects what is assigned, following calls into the functions' bodies.
 class AssignmentWalker : public Walker {
 public:
+    const std::vector<const sl::Symbol *> &everything() const { return assigned_; }
     std::vector<const sl::Symbol *> outside() const {
         std::vector<const sl::Symbol *> result;
         for (const sl::Symbol *symbol : assigned_)
@@ -215,6 +216,21 @@ protected:
     }
 };
 
+class TextChoiceWalker : public Walker {
+public:
+    bool chooses = false;
+
+protected:
+    void visit(const sl::Expr &expr) override {
+        if (expr.type.base != sl::BaseType::String)
+            return;
+        const bool isBuilt = expr.kind == sl::ExprKind::Builtin && !expr.operands.empty();
+        const bool isChosen =
+            expr.kind == sl::ExprKind::Element && expr.operands[1]->kind != sl::ExprKind::Number;
+        chooses |= isBuilt || isChosen || expr.kind == sl::ExprKind::Assign;
+    }
+};
+
 class TextWalker : public Walker {
 public:
     std::vector<std::string> texts;
@@ -261,6 +277,29 @@ std::vector<std::string> textsOf(const sl::TypedShader &shader) {
         for (const sl::ExprPtr &value : parameter.defaults)
             walker.walk(value.get());
     return walker.texts;
+}
+
+bool choosesTexts(const sl::Stmt &loop) {
+    TextChoiceWalker walker;
+    walker.walk(loop);
+    return walker.chooses;
+}
+
+std::set<const sl::Symbol *> fixedTexts(const sl::TypedShader &shader) {
+    AssignmentWalker assignments;
+    ArrayWalker arrays;
+    walkAll(shader, assignments);
+    walkAll(shader, arrays);
+    std::set<const sl::Symbol *> fixed;
+    for (const sl::Symbol *symbol : arrays.computed)
+        if (symbol && symbol->type.base == sl::BaseType::String && !symbol->written)
+            fixed.insert(symbol);
+    for (const sl::Symbol *symbol : assignments.everything())
+        fixed.erase(symbol);
+    for (const ArrayWalker::Passing &passing : arrays.passings)
+        if (passing.formal->written)
+            fixed.erase(passing.argument);
+    return fixed;
 }
 
 bool asksOtherShaders(const sl::TypedShader &shader) {

@@ -36,6 +36,12 @@ bool isCheapAndPure(const sl::Expr &);
 /// Whether the shader gets light by loops, diffuse() and its kin, or irradiance().
 bool gathersLight(const sl::TypedShader &);
 
+/// Whether a loop's rounds make or choose strings, which have to be known when it is compiled.
+bool choosesTexts(const sl::Stmt &loop);
+
+/// Arrays of strings that nothing assigns once they are declared.
+std::set<const sl::Symbol *> fixedTexts(const sl::TypedShader &);
+
 /// Arrays that are somewhere indexed by computed indices, or passed on to a formal that is.
 std::set<const sl::Symbol *> computedArrays(const sl::TypedShader &);
 

@@ -6,15 +6,21 @@
 #include "language/ir/lower/expression.h"
 #include "language/ir/lower/light.h"
 
+#include <algorithm>
+
 namespace candela::ir {
 namespace {
 
+/// Of the rounds of a loop that stand in each other the innermost is meant.
 void jump(Lowering &lowering, const sl::Stmt &statement) {
-    for (const OpenLoop &loop : lowering.frames.back().loops)
-        if (loop.statement == statement.target)
-            lowering.variables
-                .cells[statement.kind == sl::StmtKind::Break ? loop.broken : loop.continued] =
-                boolean(lowering.b, true);
+    const std::vector<OpenLoop> &loops = lowering.frames.back().loops;
+    const auto loop = std::find_if(loops.rbegin(), loops.rend(), [&](const OpenLoop &open) {
+        return open.statement == statement.target;
+    });
+    if (loop != loops.rend())
+        lowering.variables
+            .cells[statement.kind == sl::StmtKind::Break ? loop->broken : loop->continued] =
+            boolean(lowering.b, true);
 }
 
 void declareLocal(Lowering &lowering, const sl::Stmt &statement) {

@@ -48,9 +48,11 @@ Components load(Lowering &lowering, const Target &target, const sl::Place &where
     const Storage &storage = target.storage;
     const int width = storage.width;
     Components value;
+    const bool isKnown =
+        storage.cell >= 0 && target.element && constantFloat(b, *target.element) != nullptr;
     if (!target.element) {
         value = lowering.variables.load(storage);
-    } else if (storage.memory >= 0) {
+    } else if (storage.memory >= 0 && !isKnown) {
         const ValueId index = computedIndex(b, *target.element);
         const PlaceScope place(b, where);
         for (int c = 0; c < width; ++c)

@@ -10,8 +10,9 @@
 
 namespace candela::ir {
 
-Variables::Variables(Builder &b, std::set<const sl::Symbol *> inMemory)
-    : b_(b), inMemory_(std::move(inMemory)) {}
+Variables::Variables(Builder &b, std::set<const sl::Symbol *> inMemory,
+                     std::set<const sl::Symbol *> fixed)
+    : b_(b), inMemory_(std::move(inMemory)), fixed_(std::move(fixed)) {}
 
 int Variables::newCells(const Components &values) {
     const int first = int(cells.size());
@@ -54,6 +55,8 @@ const Storage &Variables::declare(const sl::Symbol &symbol, const Components &in
             storage.memory = c == 0 ? array : storage.memory;
         }
         fill(storage, initial);
+        if (fixed_.contains(&symbol))
+            storage.cell = newCells(initial);
     }
     return storage_[&symbol] = storage;
 }

@@ -19,7 +19,7 @@ namespace candela::ir {
 struct Storage {
     sl::BaseType base = sl::BaseType::Float;
     int length = 0;  ///< 0 = a single value.
-    int cell = -1;   ///< Its first cell; -1 if it is memory.
+    int cell = -1;   ///< Its first cell; -1 if it is memory alone.
     int memory = -1; ///< First of Function::arrays, one a component.
     int width = 1;   ///< Scalars of one element.
 
@@ -29,8 +29,9 @@ struct Storage {
 
 class Variables {
 public:
-    /// Emits loads and stores of what is in memory.
-    Variables(Builder &b, std::set<const sl::Symbol *> inMemory);
+    /// Emits loads and stores of what is in memory. Arrays that are `fixed` have cells beside it.
+    Variables(Builder &b, std::set<const sl::Symbol *> inMemory,
+              std::set<const sl::Symbol *> fixed);
 
     /// The present values.
     std::vector<ValueId> cells;
@@ -67,7 +68,7 @@ private:
     Builder &b_;
     std::map<const sl::Symbol *, Storage> storage_;
     std::map<sl::PredefinedId, Storage> predefined_;
-    std::set<const sl::Symbol *> inMemory_;
+    std::set<const sl::Symbol *> inMemory_, fixed_;
 };
 
 } // namespace candela::ir

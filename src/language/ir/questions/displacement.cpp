@@ -54,9 +54,13 @@ bool readsOtherSpaces(const Function &displace) {
     return false;
 }
 
-/// With the derivatives of P, if they are to be had.
+/// With the derivatives of P, if they are to be had. A surface shader's N is for its own eyes: the
+/// moved surface has the normal that follows from P.
 Function displaced(const Function &whole, SlopeReport &report) {
-    Function result = silenced(reduced(whole, isOfDisplacement));
+    const bool ofSurface = slotOf(whole.outputs, OutputKind::Ci) >= 0;
+    Function result = silenced(reduced(whole, [ofSurface](OutputKind kind) {
+        return kind == OutputKind::P || (kind == OutputKind::N && !ofSurface);
+    }));
     report = addOutputSlopes(result, {Direction::U, Direction::V}, mostSlopeValues,
                              [](const OutputName &name) { return name.kind == OutputKind::P; });
     return result;

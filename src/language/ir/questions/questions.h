@@ -115,7 +115,7 @@ SurfaceFacts surfaceFacts(const Plan &);
 /// surface shaders that set P.
 struct DisplacementFacts {
     bool movesP = false;      ///< P is not provably as it was.
-    bool setsN = false;       ///< N likewise; surface shaders never do.
+    bool setsN = false;       ///< N likewise; of surface shaders, if they set P, too.
     bool slopesKnown = false; ///< The derivatives in Displaced are there, and rest on no guess.
     /// What it makes of P and N may depend on where the object is placed beyond what its own space
     /// says: named spaces, "shader" space, the eye and the like are read.

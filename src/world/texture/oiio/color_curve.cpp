@@ -4,6 +4,8 @@
 #include <OpenImageIO/strutil.h>
 
 #include <cmath>
+#include <fstream>
+#include <string_view>
 
 namespace candela {
 
@@ -13,18 +15,43 @@ float ColorCurve::light(float value) const {
     return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
 }
 
-ColorCurve curveOf(const OIIO::ImageSpec &spec, PictureCurve told) {
+namespace {
+
+/// OpenImageIO calls PNG files sRGB that say nothing; chunks before the pixels say what is true.
+bool pngSaysColors(const std::string &path) {
+    std::ifstream file(path, std::ios::binary);
+    file.ignore(8); // The signature. Chunks: length, type, data, checksum.
+    for (unsigned char head[8]; file.read(reinterpret_cast<char *>(head), 8);) {
+        const std::string_view type(reinterpret_cast<const char *>(head) + 4, 4);
+        if (type == "sRGB" || type == "gAMA" || type == "iCCP")
+            return true;
+        if (type == "IDAT")
+            return false;
+        const unsigned length = unsigned(head[0]) << 24 | unsigned(head[1]) << 16 |
+                                unsigned(head[2]) << 8 | unsigned(head[3]);
+        file.ignore(std::streamsize(length) + 4);
+    }
+    return false;
+}
+
+} // namespace
+
+ColorCurve curveOf(const OIIO::ImageInput &file, const std::string &path, PictureCurve told) {
+    const OIIO::ImageSpec &spec = file.spec();
     if (told == PictureCurve::Srgb)
         return {true, 1};
     if (told == PictureCurve::Linear || spec.format.is_floating_point() || spec.nchannels < 3)
         return {};
+    const bool eightBits = spec.format == OIIO::TypeDesc::UINT8;
+    if (!eightBits && std::string_view(file.format_name()) == "png" && !pngSaysColors(path))
+        return {};
     const std::string space = spec.get_string_attribute("oiio:ColorSpace");
-    if (OIIO::Strutil::istarts_with(space, "GammaCorrected"))
+    if (OIIO::Strutil::istarts_with(space, "Gamma")) // "GammaCorrected2.2", too.
         return {false, spec.get_float_attribute("oiio:Gamma", 2.2f)};
     if (OIIO::Strutil::iequals(space, "Linear") || OIIO::Strutil::iequals(space, "scene_linear"))
         return {};
     const bool isSrgb = OIIO::Strutil::icontains(space, "srgb");
-    return {isSrgb || spec.format == OIIO::TypeDesc::UINT8, 1};
+    return {isSrgb || eightBits, 1};
 }
 
 void makeLinear(const ColorCurve &curve, const OIIO::ImageSpec &spec, int pixels, float *values) {

@@ -17,9 +17,9 @@ struct ColorCurve {
     float light(float value) const;
 };
 
-/// Of a picture of this description. Files of one or two channels hold heights, masks and the like
+/// Of an open picture. Files of one or two channels hold heights, masks and the like
 /// and are taken as they are unless they are said to be sRGB; so are floats.
-ColorCurve curveOf(const OIIO::ImageSpec &, PictureCurve told);
+ColorCurve curveOf(const OIIO::ImageInput &, const std::string &path, PictureCurve told);
 
 /// Puts light in the place of a row's numbers: colours, not alpha, by which they are multiplied
 /// then if the file has not done so.

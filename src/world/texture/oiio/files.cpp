@@ -85,7 +85,7 @@ bool readPicture(const std::string &path, PictureCurve told, PictureData &pictur
         problem = file->geterror();
         return false;
     }
-    const ColorCurve curve = curveOf(spec, told);
+    const ColorCurve curve = curveOf(*file, path, told);
     makeLinear(curve, spec, spec.width * spec.height, picture.values.data());
     return true;
 }

@@ -32,7 +32,7 @@ public:
         if (!file)
             return nullptr;
         facts = factsOf(file->spec());
-        const bool isLight = curveOf(file->spec(), PictureCurve::AsTold).isLinear();
+        const bool isLight = curveOf(*file, path, PictureCurve::AsTold).isLinear();
         const OIIO::ustring name(isLight ? path : linearName(path));
         const std::scoped_lock lock(mutex_);
         if (!isLight)

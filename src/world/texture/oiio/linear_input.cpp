@@ -1,11 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/texture/oiio/linear_input.h"
 
+#include <filesystem>
+
 namespace candela {
 
 static const std::string prefix = "candela-linear:";
 
 std::string linearName(const std::string &path) { return prefix + path; }
+
+/// More than any codec packs, so that the pixels that are missing are not waited for.
+static bool claimsTooMuch(const OIIO::ImageSpec &spec, const std::string &path) {
+    constexpr double mostPacked = 1 << 14;
+    std::error_code error;
+    const auto bytes = std::filesystem::file_size(path, error);
+    return !error && double(spec.image_bytes(true)) > mostPacked * double(bytes) + (1 << 20);
+}
 
 std::unique_ptr<OIIO::ImageInput> openPicture(const std::string &path, std::string &problem) {
     OIIO::ImageSpec asItStands;
@@ -13,17 +23,22 @@ std::unique_ptr<OIIO::ImageInput> openPicture(const std::string &path, std::stri
     auto file = OIIO::ImageInput::open(path, &asItStands);
     if (!file)
         problem = OIIO::geterror();
+    else if (claimsTooMuch(file->spec(), path)) {
+        problem = "it claims more pixels than can be in so small a file";
+        file.reset();
+    }
     return file;
 }
 
 bool LinearInput::open(const std::string &name, OIIO::ImageSpec &spec) {
     std::string problem;
-    file_ = openPicture(name.substr(name.starts_with(prefix) ? prefix.size() : 0), problem);
+    const std::string path = name.substr(name.starts_with(prefix) ? prefix.size() : 0);
+    file_ = openPicture(path, problem);
     if (!file_) {
         errorfmt("{}", problem);
         return false;
     }
-    curve_ = curveOf(file_->spec(), PictureCurve::AsTold);
+    curve_ = curveOf(*file_, path, PictureCurve::AsTold);
     describe();
     spec = m_spec;
     return true;
