@@ -60,14 +60,13 @@ const char *nameOf(IntegratorKind kind) {
 FrameDescription describe(const Scene &scene, const IntegratorSettings &integrator,
                           const std::string &file) {
     FrameDescription description;
-    description.metadata = {
-        {"renderer", "Candela"},
-        {"scene", std::filesystem::path(file).filename().string()},
-        {"integrator", nameOf(integrator.kind)},
-        {"spp", std::to_string(integrator.lastSample)},
-        {"seed", std::to_string(integrator.seed)},
-        {"maxdepth", std::to_string(integrator.maxDepth)},
-        {"sampling", integrator.hemisphereOnly ? "hemisphere" : "cones"}};
+    description.metadata = {{"renderer", "Candela"},
+                            {"scene", std::filesystem::path(file).filename().string()},
+                            {"integrator", nameOf(integrator.kind)},
+                            {"spp", std::to_string(integrator.lastSample)},
+                            {"seed", std::to_string(integrator.seed)},
+                            {"maxdepth", std::to_string(integrator.maxDepth)},
+                            {"sampling", integrator.hemisphereOnly ? "hemisphere" : "cones"}};
     const Matrix4 &worldToCamera = scene.options().camera.cameraFromWorld;
     description.worldToCamera = worldToCamera;
     description.worldToNdc = worldToCamera * scene.camera().ndcFromCamera();
@@ -130,6 +129,9 @@ Film::Settings filmSettings(const Scene &scene, const std::array<int, 4> &crop,
                             filter.hasNegativeLobes(),
                             wantsHalves(displays)};
     settings.splats = scene.isBidirectional();
+    // Sums of splats are exact to a share of what light there is, in rooms and under the stars.
+    if (const double typical = scene.lights().typicalRadiance(); settings.splats && typical > 0)
+        settings.splatUnits.fill(commonSplatUnit * std::exp2(std::floor(std::log2(typical))));
     std::erase_if(settings.channels, [&](const ChannelInfo &channel) {
         return std::ranges::find(given, channel.name, &ChannelInfo::name) == given.end();
     });

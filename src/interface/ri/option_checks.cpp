@@ -67,8 +67,9 @@ bool lightPaths(const GivenOption &given) {
 
 bool connections(const GivenOption &given) {
     return isWithin(given, 0, 64) ||
-           given.wrong("\"bidir\" \"connections\" is with how many points on paths from lights each "
-                       "point that the camera finds is connected, a number from 0 to 64");
+           given.wrong(
+               "\"bidir\" \"connections\" is with how many points on paths from lights each "
+               "point that the camera finds is connected, a number from 0 to 64");
 }
 
 bool trust(const GivenOption &given) {

@@ -4,6 +4,7 @@
 #include "light/path/stages.h"
 #include "light/sampling/mis.h"
 #include "light/sampling/sobol.h"
+#include "light/vertex/vectors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,20 +15,22 @@ namespace candela {
 
 namespace {
 
-constexpr Stage eyeStages[] = {meet, arrive,     cross, emit,    ask,     see, seeOutputParameters,
-                               stateLobes, light, connect, scatter, deliver};
-constexpr Stage gatheringStages[] = {meet,          arrive,
-                                     cross,         emit,
-                                     ask,           see,
-                                     lightGathered, seeOutputParameters,
-                                     scatterBesidesFiniteLobes, deliver};
+constexpr Stage eyeStages[] = {
+    meet,       arrive, cross,   emit,    ask,    see, seeOutputParameters,
+    stateLobes, light,  connect, scatter, deliver};
+constexpr Stage gatheringStages[] = {meet,
+                                     arrive,
+                                     cross,
+                                     emit,
+                                     ask,
+                                     see,
+                                     lightGathered,
+                                     seeOutputParameters,
+                                     scatterBesidesFiniteLobes,
+                                     deliver};
 
 constexpr double pi = std::numbers::pi;
 
-ConstVec3Planes constant(const MutableVec3Planes &planes) {
-    return {planes[0], planes[1], planes[2]};
-}
-Vec3 at(const ConstVec3Planes &planes, int i) { return {planes[0][i], planes[1][i], planes[2][i]}; }
 double square(double x) { return x * x; }
 
 /// own.vertex, direction and distance; own.lane lists those that have one.
@@ -45,8 +48,8 @@ int draw(EyeWave &wave, int turn) {
         own.vertex[i] = -1;
         const std::size_t k = std::size_t(std::uint64_t(own.bits[0][i]) * rows.size() >> 32);
         const LightVertex &vertex = rows[k];
-        const bool wanted = total[i] > 0 && chunk.paths.depth[i] + vertex.depth + 2 <=
-                                                wave.frame.settings.maxDepth;
+        const bool wanted =
+            total[i] > 0 && chunk.paths.depth[i] + vertex.depth + 2 <= wave.frame.settings.maxDepth;
         const Vec3 way = vertex.P - at(P, i);
         const float distance = length(way);
         const Vec3 unit = distance > 0 ? way / distance : Vec3{0, 0, 1};

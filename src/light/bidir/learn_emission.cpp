@@ -149,7 +149,7 @@ private:
     const std::vector<double> &darkness_;
     std::vector<double> power_;
     std::vector<Worth> straight_, squares_; ///< By light.
-    std::vector<double> found_; ///< Of the light that is seen.
+    std::vector<double> found_;             ///< Of the light that is seen.
 };
 
 } // namespace

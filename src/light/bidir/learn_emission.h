@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where light paths are worth beginning, learned from pilots: what the camera sees directly of point
-// lights' surroundings, and from then on which paths have been seen.
+// Where light paths are worth beginning, learned from pilots: what the camera sees directly of
+// point lights' surroundings, and from then on which paths have been seen.
 #pragma once
 
 #include "light/path/wave.h"

@@ -3,11 +3,11 @@
 #include "foundation/base/lanes.h"
 #include "light/bidir/light_wave.h"
 #include "light/sampling/mis.h"
+#include "light/vertex/vectors.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 
 namespace candela {
 
@@ -16,81 +16,6 @@ namespace {
 constexpr float pi = std::numbers::pi_v<float>;
 /// What `path` finds more seldom than this, light paths being 1, it does not find.
 constexpr double leastOfPath = 1e-9;
-
-ConstVec3Planes constant(const MutableVec3Planes &planes) {
-    return {planes[0], planes[1], planes[2]};
-}
-Vec3 at(const ConstVec3Planes &planes, int i) { return {planes[0][i], planes[1][i], planes[2][i]}; }
-
-/// The pixel that gets the splat at a raster position, chosen by the filter's worth there for each
-/// pixel in reach, and what all of them are worth together.
-struct SplatPlace {
-    float x = 0, y = 0, weight = 0;
-};
-
-class PixelChoice {
-public:
-    explicit PixelChoice(const PixelFilterRecord &filter) : filter_(filter) {
-        // The kernel's integral, by the sums over pixels that all places give.
-        constexpr int steps = 32;
-        double sum = 0;
-        for (int row = 0; row < steps; ++row)
-            for (int column = 0; column < steps; ++column)
-                sum += overPixels((column + 0.5) / steps, (row + 0.5) / steps,
-                                  [](int, int, double) {});
-        perKernel_ = 1 / (sum / (steps * steps));
-    }
-
-    SplatPlace choose(float x, float y, float number) const {
-        const double column = std::floor(double(x)), row = std::floor(double(y));
-        const double dx = x - column, dy = y - row;
-        double all = 0;
-        overPixels(dx, dy, [&](int, int, double worth) { all += std::fabs(worth); });
-        if (!(all > 0))
-            return {};
-        double rest = number * all;
-        SplatPlace place;
-        overPixels(dx, dy, [&](int i, int k, double worth) {
-            if (worth == 0 || rest < 0)
-                return;
-            rest -= std::fabs(worth);
-            place = {float(column + i + 0.5), float(row + k + 0.5),
-                     float(std::copysign(all, worth) * perKernel_)};
-        });
-        return place;
-    }
-
-private:
-    /// The kernel at each pixel in reach of a place in a pixel; their sum.
-    template <class Body> double overPixels(double dx, double dy, Body body) const {
-        const int columns = int(std::ceil(filter_.xWidth / 2)), rows = int(std::ceil(filter_.yWidth / 2));
-        double sum = 0;
-        for (int k = -rows; k <= rows; ++k)
-            for (int i = -columns; i <= columns; ++i) {
-                const double worth = kernel(dx - i - 0.5, dy - k - 0.5);
-                sum += worth;
-                body(i, k, worth);
-            }
-        return sum;
-    }
-    double kernel(double dx, double dy) const {
-        // A box of one pixel has no rim to share.
-        if (std::fabs(dx) * 2 > filter_.xWidth || std::fabs(dy) * 2 > filter_.yWidth)
-            return 0;
-        return pixelFilterKernel(filter_, dx, dy);
-    }
-
-    PixelFilterRecord filter_;
-    double perKernel_ = 1;
-};
-
-const PixelChoice &pixelChoice(const FrameContext &frame) {
-    thread_local const FrameContext *known = nullptr;
-    thread_local std::optional<PixelChoice> choice;
-    if (known != &frame)
-        choice.emplace(frame.filter.record()), known = &frame;
-    return *choice;
-}
 
 /// The vertices that may be seen: on the frame and on a side that shows.
 int findSeen(LightWave &wave) {
@@ -154,7 +79,8 @@ int weigh(LightWave &wave, int count) {
     int left = 0;
     for (int k = 0; k < count; ++k) {
         const int i = image.lane[k];
-        const double out = std::fabs(double(dot(at(constant(image.sights.direction), i), at(Ng, i))));
+        const double out =
+            std::fabs(double(dot(at(constant(image.sights.direction), i), at(Ng, i))));
         const double in = std::fabs(double(dot(at(constant(ends.toPrevious), i), at(Ng, i))));
         const double perArea =
             parallel ? 1 : 1 / (double(image.sights.distance[i]) * image.sights.distance[i]);
@@ -162,8 +88,8 @@ int weigh(LightWave &wave, int count) {
         const double tries = ends.counts.lightImage;
         const double weight = misWeightAmong(
             1, techniquesBefore(ends, i, reached, ends.reversePdf[i]) / (tries * tries));
-        const double path = pathTechniquesBefore(ends, i, reached, ends.reversePdf[i],
-                                                 chunk.paths.depth[i] == 0);
+        const double path =
+            pathTechniquesBefore(ends, i, reached, ends.reversePdf[i], chunk.paths.depth[i] == 0);
         image.pathGain[i] = float(1 / (weight * std::max(std::sqrt(path) / tries, leastOfPath)));
         const double scale = in > 0 ? weight * image.sights.importance[i] * out / (in * pi) : 0;
         bool some = false, sound = true;
@@ -197,14 +123,13 @@ void note(LightTally &tally, const LightImage &image, int slot, int i, int k,
 
 void splat(LightWave &wave, int count) {
     LightImage &image = wave.image;
-    const PixelChoice &pixels = pixelChoice(wave.frame);
     for (int k = 0; k < count; ++k) {
         const int i = image.lane[k];
         if (image.transmittance[0][k] == 0 && image.transmittance[1][k] == 0 &&
             image.transmittance[2][k] == 0)
             continue;
-        const SplatPlace place =
-            pixels.choose(image.sights.x[i], image.sights.y[i], wave.chunk.numbers.x(lightChoicePair)[i]);
+        const SplatPlace place = wave.pixels.choose(image.sights.x[i], image.sights.y[i],
+                                                    wave.chunk.numbers.x(lightChoicePair)[i]);
         if (place.weight == 0)
             continue;
         if (wave.tally)
@@ -254,8 +179,7 @@ void showToCamera(PathWave &path) {
     if (count == 0)
         return;
     for (int i = 0; i < chunk.count(); ++i) {
-        image.light[i] =
-            chunk.paths.depth[i] == 0 ? wave.starts.light[chunk.paths.slot[i]] : 0;
+        image.light[i] = chunk.paths.depth[i] == 0 ? wave.starts.light[chunk.paths.slot[i]] : 0;
         for (int c = 0; c < 3; ++c)
             image.towardsLens[c][i] = -image.sights.direction[c][i];
     }

@@ -18,9 +18,9 @@ struct LightVertex {
     float u, v;
     Vec3 elementNormal;
     Vec3 P;
-    Vec3 toPrevious;   ///< Unit vector, against the light.
-    float distance;    ///< To there, metres.
-    float time, width; ///< Of the ray, where it met the surface.
+    Vec3 toPrevious;                      ///< Unit vector, against the light.
+    float distance;                       ///< To there, metres.
+    float time, width;                    ///< Of the ray, where it met the surface.
     std::array<float, colorSamples> flux; ///< That arrives with the path, W.
     float back;                           ///< Subpaths::back.
     double last, earlier;                 ///< Likewise.

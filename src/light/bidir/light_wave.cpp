@@ -5,6 +5,7 @@
 #include "light/path/stages.h"
 #include "light/path/steps.h"
 #include "light/sampling/sobol.h"
+#include "light/vertex/vectors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +16,8 @@ namespace candela {
 
 namespace {
 
-constexpr Stage lightStages[] = {meet, arrive, askAgainstLight, receive, keep, showToCamera,
-                                 scatterLight};
+constexpr Stage lightStages[] = {meet, arrive,       askAgainstLight, receive,
+                                 keep, showToCamera, scatterLight};
 /// Shaders that are not affine in the light take none from paths that begin on lights.
 constexpr Stage passingStages[] = {meet, arrive, askAgainstLight, scatterLight};
 
@@ -26,9 +27,8 @@ enum StartPair { placePair, wayPair, choicePair };
 /// Paths are addressed as if each 2^16 of them were the samples of a pixel beyond the frame.
 constexpr int pathsOfKey = 1 << 16;
 
-ConstVec3Planes constant(const MutableVec3Planes &planes) {
-    return {planes[0], planes[1], planes[2]};
-}
+/// Directions that differ by no more (radians) are the same but for rounding.
+constexpr float mostTurn = 1e-2f;
 
 double square(double x) { return x * x; }
 
@@ -37,7 +37,15 @@ double square(double x) { return x * x; }
 LightWave::LightWave(FrameContext &frame, const TechniqueCounts &counts, SampleSink &sink)
     : PathWave(frame, Purpose::Light, stagesOfLight, counts), sink(sink), starts(capacity),
       brightness(1, capacity), image(VertexChunk::capacity), tilted(VertexChunk::capacity),
-      arrived(13, VertexChunk::capacity), given(VertexChunk::capacity) {}
+      arrival(VertexChunk::capacity), pixels(frame.filter.record()) {}
+
+LightArrival::LightArrival(int capacity)
+    : floats(8, capacity), integers(4, capacity), given(capacity) {
+    place = {floats[0], floats[1], floats[2]};
+    choice = floats[3], u = floats[4], v = floats[5], pdf = floats[6], scattered = floats[7];
+    light = integers[0], source = integers[1], element = integers[2];
+    withoutExtent = integers[3];
+}
 
 std::span<const Stage> stagesOfLight(const PathWave &, const ShaderCode &code) {
     return code.facts().affine ? std::span<const Stage>(lightStages) : passingStages;
@@ -106,67 +114,77 @@ void startLight(LightWave &wave, std::int64_t first, int count) {
     wave.frame.statistics.lightPaths += count;
 }
 
+namespace {
+
+/// Of the vertices that light meets first, its light and place; false if there are none.
+bool findLights(LightWave &wave) {
+    const VertexChunk &chunk = wave.chunk;
+    LightArrival &arrival = wave.arrival;
+    const LightStarts &starts = wave.starts;
+    const bool alike = chunk.vertices.code().categories().hearsAllAsIndirect();
+    bool some = false;
+    for (int i = 0; i < chunk.count(); ++i) {
+        const int slot = chunk.paths.slot[i];
+        const bool isFirst = chunk.paths.depth[i] == 0;
+        arrival.light[i] = isFirst ? starts.light[slot] : 0;
+        arrival.source[i] = isFirst ? starts.source[slot] : -1;
+        arrival.element[i] = isFirst ? starts.element[slot] : -1;
+        arrival.withoutExtent[i] = isFirst && starts.element[slot] < 0 ? starts.light[slot] : 0;
+        arrival.choice[i] = 0;
+        arrival.u[i] = starts.lightSample[0][slot], arrival.v[i] = starts.lightSample[1][slot];
+        put(arrival.place, i, at(constant(starts.origin), slot));
+        arrival.scattered[i] = alike && chunk.mixture.total()[i] > 0 ? 1.0f : 0.0f;
+        some |= isFirst;
+    }
+    return some;
+}
+
+/// What the light of vertex i, which has no extent, is worth there over what the path carries; none
+/// if its shader lights the point from elsewhere, which is left to light samples.
+std::array<float, colorSamples> worthOfGiven(LightWave &wave, int i) {
+    const LightSamples &given = wave.arrival.given.samples;
+    const Vec3 L{given.L[0][i], given.L[1][i], given.L[2][i]};
+    const Vec3 apart = normalize(L) - at(constant(wave.subpaths->toPrevious), i);
+    std::array<float, colorSamples> worth{};
+    if (given.light[i] == 0 || !(dot(apart, apart) < mostTurn * mostTurn))
+        return worth;
+    const double distance = wave.hits.t[wave.chunk.rays[i]];
+    const bool isDistant = wave.frame.scene.lights().isDistant(wave.arrival.light[i]);
+    for (int c = 0; c < colorSamples; ++c)
+        worth[c] = float(std::numbers::pi * (isDistant ? 1 : square(distance)) * given.value[c][i]);
+    return worth;
+}
+
+} // namespace
+
 void receive(PathWave &path) {
     LightWave &wave = static_cast<LightWave &>(path); // Stages of light serve light waves alone.
-    VertexChunk &chunk = wave.chunk;
-    const int count = chunk.count();
-    if (std::none_of(chunk.paths.depth, chunk.paths.depth + count, [](int d) { return d == 0; }))
+    if (!findLights(wave))
         return;
-    const Lights lights = wave.frame.scene.lights();
-    const LightStarts &starts = wave.starts;
-    const Planes<float> &planes = wave.arrived;
-    std::int32_t *light = wave.image.integers[1], *source = wave.image.integers[3],
-                 *element = wave.image.integers[4];
-    float *choice = planes[0], *u = planes[1], *v = planes[2], *pdf = planes[6];
-    float *scattered = planes[7];
-    MutableVec3Planes place{planes[3], planes[4], planes[5]};
-    const bool alike = chunk.vertices.code().categories().hearsAllAsIndirect();
-    for (int i = 0; i < count; ++i) {
-        const int slot = chunk.paths.slot[i];
-        const bool first = chunk.paths.depth[i] == 0;
-        light[i] = first ? starts.light[slot] : 0;
-        source[i] = first ? starts.source[slot] : -1, element[i] = first ? starts.element[slot] : -1;
-        choice[i] = 0, u[i] = starts.lightSample[0][slot], v[i] = starts.lightSample[1][slot];
-        for (int c = 0; c < 3; ++c)
-            place[c][i] = starts.origin[c][slot];
-        scattered[i] = alike && chunk.mixture.total()[i] > 0 ? 1.0f : 0.0f;
-    }
-    LightQuery query = lightQuery(chunk.vertices, chunk.N, scattered, {choice, u, v});
-    lights.densityOf(query, source, element, constant(place), pdf);
-    LightSamples &given = wave.given.samples;
-    std::int32_t *withoutExtent = wave.image.integers[5];
-    bool some = false;
-    for (int i = 0; i < count; ++i) {
-        withoutExtent[i] = light[i] > 0 && element[i] < 0 ? light[i] : 0;
-        some |= withoutExtent[i] > 0;
-    }
-    if (some)
-        lights.sampleGiven(withoutExtent, query, given);
+    VertexChunk &chunk = wave.chunk;
+    LightArrival &arrival = wave.arrival;
     Subpaths &ends = *wave.subpaths;
-    for (int i = 0; i < count; ++i) {
-        if (light[i] == 0)
+    const Lights lights = wave.frame.scene.lights();
+    const LightQuery query = lightQuery(chunk.vertices, chunk.N, arrival.scattered,
+                                        {arrival.choice, arrival.u, arrival.v});
+    lights.densityOf(query, arrival.source, arrival.element, constant(arrival.place), arrival.pdf);
+    if (!lanes::allEqual(chunk.count(), arrival.withoutExtent, 0))
+        lights.sampleGiven(arrival.withoutExtent, query, arrival.given.samples);
+    for (int i = 0; i < chunk.count(); ++i) {
+        if (arrival.light[i] == 0)
             continue;
-        const bool hasExtent = element[i] >= 0;
-        ends.last[i] *= square(hasExtent ? double(pdf[i]) * ends.back[i] : double(pdf[i]));
-        float worth[colorSamples];
-        bool arrives = lights.isOn(chunk.vertices.points.lightSet[i], light[i]);
-        for (float &w : worth)
-            w = 1;
-        if (!hasExtent) {
-            const Vec3 L{given.L[0][i], given.L[1][i], given.L[2][i]}, unit = normalize(L);
-            const Vec3 apart = unit - Vec3{ends.toPrevious[0][i], ends.toPrevious[1][i],
-                                           ends.toPrevious[2][i]};
-            // Shaders that light the point from elsewhere are left to light samples.
-            arrives &= given.light[i] != 0 && dot(apart, apart) < 1e-4f;
-            const double distance = wave.hits.t[chunk.rays[i]];
-            const double spread = lights.isDistant(light[i]) ? 1 : square(distance);
-            for (int c = 0; c < colorSamples; ++c)
-                worth[c] = float(std::numbers::pi * spread * given.value[c][i]);
-        }
+        const bool hasExtent = arrival.withoutExtent[i] == 0;
+        const double pdf = arrival.pdf[i];
+        ends.last[i] *= square(hasExtent ? pdf * ends.back[i] : pdf);
+        std::array<float, colorSamples> worth{1, 1, 1};
+        if (!hasExtent)
+            worth = worthOfGiven(wave, i);
+        if (!lights.isOn(chunk.vertices.points.lightSet[i], arrival.light[i]))
+            worth = {};
         float brightest = 0;
         for (int c = 0; c < colorSamples; ++c) {
             float &flux = chunk.paths.throughput[c][i];
-            flux = arrives ? flux * worth[c] : 0.0f;
+            flux = worth[c] != 0 ? flux * worth[c] : 0.0f;
             brightest = std::max(brightest, std::fabs(flux));
         }
         wave.brightness[0][chunk.paths.slot[i]] = brightest;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "light/bidir/light_vertices.h"
+#include "light/bidir/pixel_choice.h"
 #include "light/path/wave.h"
 #include "world/scene/light_starts.h"
 
@@ -19,7 +20,7 @@ struct LightImage {
     Camera::Sights sights;
     Planes<float> floats;
     Planes<float> response, seen; ///< The answer; what a splat is worth.
-    float *pathGain; ///< The square of what `path` finds of it over that of a splat.
+    float *pathGain;              ///< The square of what `path` finds of it over that of a splat.
     Planes<std::int32_t> integers;
     std::int32_t *answered, *light, *lane;
     RayBatch rays;
@@ -28,6 +29,20 @@ struct LightImage {
     Planes<float> transmittance;
     std::vector<float> x, y;
     std::array<std::vector<float>, colorSamples> splats;
+};
+
+/// What the stage `receive` works with.
+struct LightArrival {
+    explicit LightArrival(int capacity);
+
+    Planes<float> floats;
+    MutableVec3Planes place; ///< On the light.
+    float *choice, *u, *v, *pdf, *scattered;
+    Planes<std::int32_t> integers;
+    std::int32_t *light, *source,
+        *element;                ///< Of the vertices' first scattering; 0, -1, -1 of others.
+    std::int32_t *withoutExtent; ///< The light, if it is no surface.
+    LightSampleStorage given;
 };
 
 /// What a pilot wants to know of splats, by cells of the crop window.
@@ -59,12 +74,12 @@ struct LightWave : PathWave {
     LightWave(FrameContext &, const TechniqueCounts &, SampleSink &);
 
     SampleSink &sink;
-    LightStarts starts; ///< By slot, for the first surface that the path meets.
+    LightStarts starts;       ///< By slot, for the first surface that the path meets.
     Planes<float> brightness; ///< Likewise: what roulette measures throughputs by.
     LightImage image;
     VertexView tilted; ///< Of the chunk's vertices, for the ratio of refraction.
-    Planes<float> arrived; ///< What arriveFromLights works with.
-    LightSampleStorage given;
+    LightArrival arrival;
+    PixelChoice pixels;
     std::vector<LightVertex> kept;
     bool keeps = true;           ///< Vertices are wanted.
     LightTally *tally = nullptr; ///< Of pilots.

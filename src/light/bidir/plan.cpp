@@ -27,7 +27,8 @@ constexpr int samplesOfPixel = 4, mostPixels = 4096, leastPixels = 512, pilotSha
 constexpr double rareLight = 8;
 constexpr float tinyWidth = 1e-3f;
 constexpr int lightPathsOfPilot = 4096;
-/// Of learning where light paths begin best: for the pilots, and for the frame, if it has such paths.
+/// Of learning where light paths begin best: for the pilots, and for the frame, if it has such
+/// paths.
 constexpr int roundsOfPilot = 3, roundsOfFrame = 64;
 /// A ray of a light path costs more than one of a camera path, with the connection to the lens; and
 /// a connection of each vertex, as a share of all that a camera path costs. Measured on rooms of
@@ -138,8 +139,8 @@ private:
         }
     }
 
-    void followLight(const BidirectionalPlan &plan,
-                     TransportStatistics &statistics, LightVertices &vertices, Trial &trial) {
+    void followLight(const BidirectionalPlan &plan, TransportStatistics &statistics,
+                     LightVertices &vertices, Trial &trial) {
         FrameContext frame = pilotFrame(statistics, frame_.filter);
         NoPicture nothing;
         const auto [width, height] = frame.scene.options().format.effectiveResolution();
@@ -152,8 +153,7 @@ private:
         follow(wave);
         vertices.rows = std::move(wave.kept);
         vertices.paths = lightPathsOfPilot;
-        const double inCell =
-            double(crop_[1] - crop_[0]) * (crop_[3] - crop_[2]) / cells;
+        const double inCell = double(crop_[1] - crop_[0]) * (crop_[3] - crop_[2]) / cells;
         const double ofMean = lightPathsOfPilot * inCell;
         const double ofSquares = ofMean * tally.samples;
         varianceOfPath_.assign(cells, 0);
@@ -168,8 +168,7 @@ private:
 
     /// Never 0: where `path` finds no light at all, it is all alike.
     void setMeanOfPath(const Trial &trial) {
-        const double all =
-            std::accumulate(trial.mean.begin(), trial.mean.end(), 0.0) / cells;
+        const double all = std::accumulate(trial.mean.begin(), trial.mean.end(), 0.0) / cells;
         findsLight_ = all > 0;
         meanOfPath_.clear();
         for (double mean : trial.mean)

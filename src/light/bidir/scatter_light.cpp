@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Light goes on at a vertex: directions are drawn as the light sees the surface, and what becomes of
-// it is what an eye that looks against it would see (Veach 1997, 5.3: adjoint scattering).
+// Light goes on at a vertex: directions are drawn as the light sees the surface, and what becomes
+// of it is what an eye that looks against it would see (Veach 1997, 5.3: adjoint scattering).
 #include "foundation/base/lanes.h"
 #include "light/bidir/light_wave.h"
 #include "light/path/stages.h"
 #include "light/path/steps.h"
+#include "light/vertex/vectors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,15 +23,10 @@ constexpr float tilt = 0.02f;
 /// nobody else, and paths from lights that meet them are few.
 constexpr float oneDirectionShare = 0.1f;
 
-ConstVec3Planes constant(const MutableVec3Planes &planes) {
-    return {planes[0], planes[1], planes[2]};
-}
-Vec3 at(const ConstVec3Planes &planes, int i) { return {planes[0][i], planes[1][i], planes[2][i]}; }
-
-bool showsFront(const LightWave &wave, int i, Vec3 towards) {
-    const VertexChunk &chunk = wave.chunk;
-    const ShadingPoints &points = chunk.vertices.points;
-    const ConstVec3Planes Ng = const_cast<SurfaceVertices &>(chunk.vertices).input(ShaderInput::Ng);
+/// An eye that light goes on to along `towards` would see vertex i.
+bool showsFront(LightWave &wave, int i, Vec3 towards) {
+    const ShadingPoints &points = wave.chunk.vertices.points;
+    const ConstVec3Planes Ng = wave.chunk.vertices.input(ShaderInput::Ng);
     return !wave.frame.scene.isOneSided(points.instance[i], points.shape[i]) ||
            dot(towards, at(Ng, i)) > 0;
 }
@@ -82,8 +78,7 @@ private:
 const std::int32_t *lightsOf(LightWave &wave) {
     std::int32_t *light = wave.image.light;
     for (int i = 0; i < wave.chunk.count(); ++i)
-        light[i] =
-            wave.chunk.paths.depth[i] == 0 ? wave.starts.light[wave.chunk.paths.slot[i]] : 0;
+        light[i] = wave.chunk.paths.depth[i] == 0 ? wave.starts.light[wave.chunk.paths.slot[i]] : 0;
     return light;
 }
 
@@ -221,9 +216,8 @@ void askAgainstLight(PathWave &path) {
     const ConstVec3Planes Ng = vertices.input(ShaderInput::Ng);
     for (int i = 0; i < chunk.count(); ++i) {
         // From behind nobody sees a one-sided surface: light that meets its front passes, too.
-        const bool unseen =
-            wave.frame.scene.isOneSided(points.instance[i], points.shape[i]) &&
-            dot(at(constant(ends.toPrevious), i), at(Ng, i)) > 0;
+        const bool unseen = wave.frame.scene.isOneSided(points.instance[i], points.shape[i]) &&
+                            dot(at(constant(ends.toPrevious), i), at(Ng, i)) > 0;
         for (int c = 0; c < colorSamples; ++c)
             vertices.setOpacity(c, i, unseen ? 0 : ends.other.answers().Oi[c][i]);
     }

@@ -5,6 +5,7 @@
 #include "light/path/wave.h"
 #include "light/sampling/mis.h"
 #include "light/vertex/reversal.h"
+#include "light/vertex/vectors.h"
 #include "world/scene/light_starts.h"
 
 #include <algorithm>
@@ -15,11 +16,6 @@ namespace candela {
 namespace {
 
 double square(double x) { return x * x; }
-
-Vec3 at(const ConstVec3Planes &planes, int i) { return {planes[0][i], planes[1][i], planes[2][i]}; }
-ConstVec3Planes constant(const MutableVec3Planes &planes) {
-    return {planes[0], planes[1], planes[2]};
-}
 
 } // namespace
 
@@ -100,8 +96,8 @@ void weighLightSamplesAmongAll(PathWave &wave) {
     DirectLight &direct = chunk.direct;
     const LightSamples &samples = direct.sample.samples;
     const int count = chunk.count();
-    const ConstVec3Planes Ng = chunk.vertices.input(ShaderInput::Ng), unit = {
-                                  direct.unit[0], direct.unit[1], direct.unit[2]};
+    const ConstVec3Planes Ng = chunk.vertices.input(ShaderInput::Ng),
+                          unit = {direct.unit[0], direct.unit[1], direct.unit[2]};
     for (int c = 0; c < 3; ++c)
         for (int i = 0; i < count; ++i)
             ends.seenAlong[c][i] = -direct.unit[c][i];
@@ -170,9 +166,8 @@ void lookBack(PathWave &wave, const ConstVec3Planes &direction) {
         const double last = finite ? ends.last[i] : 0;
         const double back = square(ends.reversePdf[i] * ends.back[i]);
         ends.nextEarlier[i] = passable ? last + back * ends.earlier[i] : 0;
-        ends.nextEarlierOfPath[i] = passable ? (chunk.paths.depth[i] == 0 ? last : 0) +
-                                                   back * ends.earlierOfPath[i]
-                                             : 0;
+        ends.nextEarlierOfPath[i] =
+            passable ? (chunk.paths.depth[i] == 0 ? last : 0) + back * ends.earlierOfPath[i] : 0;
         ends.nextConnections[i] = finite ? square(ends.counts.connections) : 0;
         ends.nextPdf[i] = finite ? chunk.way.pdf[i] : 1.0f;
         ends.nextCosine[i] = std::fabs(dot(at(constant(ends.seenAlong), i), at(Ng, i)));

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Paths that are made from both of their ends: what a vertex must know of the ways in which the
-// path up to it might have been found (Veach 1997, section 10.2; kept incrementally as Georgiev 2012
-// has it).
+// path up to it might have been found (Veach 1997, section 10.2; kept incrementally as Georgiev
+// 2012 has it).
 //
-// A path with the vertices x_0 (on a light) to x_k (on the lens) is found by technique s if its first
-// s vertices come from the light and the others from the eye. Techniques count by the square of
-// n p, their densities in area measure times how often each is tried. With f_i the density of a
+// A path with the vertices x_0 (on a light) to x_k (on the lens) is found by technique s if its
+// first s vertices come from the light and the others from the eye. Techniques count by the square
+// of n p, their densities in area measure times how often each is tried. With f_i the density of a
 // vertex from its own end and r_i that from the other, the techniques that take fewer vertices from
 // the end of x_m add up, over the square of the one that ends there, to
 //
 //     r_m^2 (last_m + r_(m-1)^2 earlier_m)
-//     last_m    = n^2 / f_m^2                                        0 where the edge is no connection
-//     earlier_m = (last_(m-1) + r_(m-2)^2 earlier_(m-1)) / f_m^2
+//     last_m    = n^2 / f_m^2                                        0 where the edge is no
+//     connection earlier_m = (last_(m-1) + r_(m-2)^2 earlier_(m-1)) / f_m^2
 //
 // Straight on through a surface is no vertex: the edge goes on. A vertex of one direction has the
 // density 1 both ways and no connections; one that light cannot pass the other way forgets what was

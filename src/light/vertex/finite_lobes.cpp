@@ -30,8 +30,7 @@ void VertexView::look(SurfaceVertices &vertices, const ConstVec3Planes &I, bool 
     vertices.prepareFrom(I, view_);
     facingNormals(vertices.count(), vertices.input(ShaderInput::Ng), I,
                   {facing_[0], facing_[1], facing_[2]});
-    const bool transmits =
-        transmittedLight(vertices.count(), view_.answers.Oi, transmission_[0]);
+    const bool transmits = transmittedLight(vertices.count(), view_.answers.Oi, transmission_[0]);
     stateFiniteLobes(vertices.count(), view_.answers.cones, {facing_[0], facing_[1], facing_[2]},
                      transmits ? transmission_[0] : nullptr,
                      hemisphereOnly ? &hemisphere_ : nullptr, mixture_);

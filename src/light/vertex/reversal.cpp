@@ -16,8 +16,7 @@ void reversals(int count, const PreparedSurface &view, const ConstVec3Planes &ba
         for (int i = 0; cone.first && i < count; ++i) {
             if (passes[i] > 0 || cone.kindAngle[i] > 0 || !(cone.importance[i] > 0))
                 continue;
-            const Vec3 along =
-                normalize(Vec3{cone.axis[0][i], cone.axis[1][i], cone.axis[2][i]});
+            const Vec3 along = normalize(Vec3{cone.axis[0][i], cone.axis[1][i], cone.axis[2][i]});
             const Vec3 apart = along - Vec3{back[0][i], back[1][i], back[2][i]};
             if (!(dot(apart, apart) < mostTurn * mostTurn))
                 continue;

@@ -29,8 +29,8 @@ public:
     /// How points are seen from the lens, planes of the caller's.
     struct Sights {
         std::array<float *, 3> origin{}, direction{}; ///< From the lens, of unit length.
-        float *distance = nullptr; ///< To the point; 0 = it lies beyond the clipping planes.
-        float *nearest = nullptr;  ///< Along it, of the near clipping plane.
+        float *distance = nullptr;        ///< To the point; 0 = it lies beyond the clipping planes.
+        float *nearest = nullptr;         ///< Along it, of the near clipping plane.
         float *x = nullptr, *y = nullptr; ///< Raster position; anywhere, also off the frame.
         /// The mean radiance of a pixel that 1 W leaving towards the lens makes there, from an
         /// area seen face on, per W m^-2 sr^-1: 1 over the area that the pixel sees at the point.
@@ -75,9 +75,9 @@ private:
     float low_[2] = {}, high_[2] = {}; ///< Bounds of the frame on that plane.
     float lensRadius_ = 0, focalDistance_ = 0;
     float shutterOpen_ = 0, shutterClose_ = 0;
-    float pixelArea_ = 1; ///< On that plane,
+    float pixelArea_ = 1;  ///< On that plane,
     double frameArea_ = 1; ///< and of the whole frame.
-    float focal_ = 1; ///< Distance of the screen plane for which the screen window is stated.
+    float focal_ = 1;      ///< Distance of the screen plane for which the screen window is stated.
 };
 
 } // namespace candela

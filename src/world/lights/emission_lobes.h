@@ -12,9 +12,9 @@
 namespace candela {
 
 struct EmissionCone {
-    Vec3 axis;           ///< Unit vector.
-    float angle = 360;   ///< Full angle, degrees.
-    float exponent = 0;  ///< Of the cosine with the axis.
+    Vec3 axis;          ///< Unit vector.
+    float angle = 360;  ///< Full angle, degrees.
+    float exponent = 0; ///< Of the cosine with the axis.
     float importance = 1;
 };
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What pilots have learned of where light paths are worth beginning: from which lights, and from
 // point lights in which directions, from distant ones through which part of the disc. Where a
-// surface shines from matters as much as whither; of these four numbers too little would be learned.
+// surface shines from matters as much as whither; of these four numbers too little would be
+// learned.
 #pragma once
 
 #include "foundation/base/vec3.h"

@@ -58,8 +58,8 @@ struct Guide {
         return grid ? share * grid->pdf(place[0], place[1]) * even + (1 - share) * own : own;
     }
 
-    /// A place on the grid, for the guided part of `number`; else nothing, and the number is uniform
-    /// again.
+    /// A place on the grid, for the guided part of `number`; else nothing, and the number is
+    /// uniform again.
     std::optional<std::array<double, 2>> sample(float &number, float other) const {
         if (!grid)
             return std::nullopt;
@@ -110,9 +110,10 @@ public:
         startFarAway();
         for (int code = 0; code < int(byCode.size()); ++code)
             for (std::size_t first = 0; first < byCode[code].size(); first += lightBatchSize)
-                startOnSurfaces(code, std::span(byCode[code]).subspan(
-                                          first, std::min<std::size_t>(byCode[code].size() - first,
-                                                                       lightBatchSize)));
+                startOnSurfaces(
+                    code, std::span(byCode[code])
+                              .subspan(first, std::min<std::size_t>(byCode[code].size() - first,
+                                                                    lightBatchSize)));
     }
 
 private:
@@ -170,8 +171,8 @@ private:
         put(out_.origin, i, emitter.place);
         put(out_.direction, i, direction);
         put(out_.normal, i, {});
-        const double directionPdf = guide.pdf(squareOfDirection(direction),
-                                              emitter.lobes.pdf(direction), 1 / (4 * pi));
+        const double directionPdf =
+            guide.pdf(squareOfDirection(direction), emitter.lobes.pdf(direction), 1 / (4 * pi));
         out_.positionPdf[i] = float(probability);
         out_.directionPdf[i] = float(directionPdf);
         for (float *plane : out_.flux)
@@ -187,8 +188,8 @@ private:
             const int *lane = distant_.data() + first;
             askDirections(lane, count);
             for (int k = 0; k < count; ++k)
-                startThroughDisc(
-                    lane[k], normalize(Vec3{batch_.L[0][k], batch_.L[1][k], batch_.L[2][k]}));
+                startThroughDisc(lane[k],
+                                 normalize(Vec3{batch_.L[0][k], batch_.L[1][k], batch_.L[2][k]}));
         }
     }
 
@@ -237,8 +238,8 @@ private:
             u = float((*place)[0]), v = float((*place)[1]);
         const Vec3 across = directionAbout(direction, 0, v);
         const float radius = state_.radius * std::sqrt(u);
-        const double pdf = guide.pdf({u, v}, 1 / state_.emitters.discArea,
-                                     1 / state_.emitters.discArea);
+        const double pdf =
+            guide.pdf({u, v}, 1 / state_.emitters.discArea, 1 / state_.emitters.discArea);
         put(out_.origin, i, state_.centre + across * radius - direction * (2 * state_.radius));
         put(out_.direction, i, direction);
         put(out_.normal, i, {});
@@ -267,8 +268,7 @@ private:
             for (int c = 0; c < 3; ++c)
                 std::fill_n(points.input(input, c), count, 0.0f);
         evaluatePoints(state_.points, state_.camera, state_.points.codes[code], nullptr, points);
-        std::fill_n(points.input(ShaderInput::time, 0), count,
-                    state_.options.camera.shutterOpen);
+        std::fill_n(points.input(ShaderInput::time, 0), count, state_.options.camera.shutterOpen);
         for (int k = 0; k < count; ++k)
             sendFrom(own, k, lane[k]);
         float *radiance[colorSamples];
@@ -290,8 +290,8 @@ private:
         const Vec3 P = vec3(ShaderInput::P), Ng = vec3(ShaderInput::Ng);
         const Emitter &emitter = state_.emitters.lights[out_.light[i] - 1];
         const int light = out_.light[i] - 1;
-        const Vec3 direction = sampleCosine(emitter.sides, Ng, numbers_.direction[0][i],
-                                            numbers_.direction[1][i]);
+        const Vec3 direction =
+            sampleCosine(emitter.sides, Ng, numbers_.direction[0][i], numbers_.direction[1][i]);
         for (int c = 0; c < 3; ++c) {
             points.input(ShaderInput::I, c)[k] = -direction[c];
             points.input(ShaderInput::E, c)[k] = P[c] + direction[c];
@@ -325,7 +325,8 @@ private:
 
 } // namespace
 
-LightStarts::LightStarts(int capacity) : floats(13 + colorSamples, capacity), integers(3, capacity) {
+LightStarts::LightStarts(int capacity)
+    : floats(13 + colorSamples, capacity), integers(3, capacity) {
     light = integers[0], source = integers[1], element = integers[2];
     for (int c = 0; c < 3; ++c)
         origin[c] = floats[c], direction[c] = floats[3 + c], normal[c] = floats[6 + c];
@@ -376,9 +377,7 @@ void Lights::startDensities(int count, const std::int32_t *light,
         double pdf = 0;
         switch (emitter.form) {
         case EmitterForm::None: continue;
-        case EmitterForm::Surface:
-            pdf = cosineDensity(emitter.sides, dot(along, N));
-            break;
+        case EmitterForm::Surface: pdf = cosineDensity(emitter.sides, dot(along, N)); break;
         case EmitterForm::Point:
             pdf = own.pdf(squareOfDirection(along), emitter.lobes.pdf(along), 1 / (4 * pi));
             break;
@@ -409,6 +408,14 @@ std::optional<std::array<double, 2>> Lights::guidedPlaceFor(std::int32_t light,
     if (emitter.form != EmitterForm::Point)
         return std::nullopt;
     return squareOfDirection(normalize(P - emitter.place));
+}
+
+double Lights::typicalRadiance() const {
+    double power = 0;
+    for (const SceneLight &light : state_->lights.lights)
+        power += light.power;
+    const double area = 4 * pi * double(state_->radius) * state_->radius;
+    return area > 0 && std::isfinite(power) ? power / (pi * area) : 0;
 }
 
 std::vector<double> Lights::startProbabilities() const {

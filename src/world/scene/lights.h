@@ -122,6 +122,9 @@ public:
     std::optional<std::array<double, 2>> guidedPlace(std::int32_t light, const Vec3 &direction,
                                                      const Vec3 &P) const;
     std::optional<std::array<double, 2>> guidedPlaceFor(std::int32_t light, const Vec3 &P) const;
+    /// A radiance of the order of what there is: as if all light were spread over a sphere around the
+    /// scene. 0 if none is known.
+    double typicalRadiance() const;
     /// How likely paths begin at the lights, by index, as long as nothing is learned.
     std::vector<double> startProbabilities() const;
     /// What light[i] (index + 1), which has no extent, sends to the points; black where it is off.

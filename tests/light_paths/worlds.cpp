@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/bidir/worlds.h"
+#include "tests/light_paths/worlds.h"
 
 namespace candela::test {
 
@@ -89,8 +89,7 @@ std::vector<World> worlds() {
          "\"point to\" [0 0 0]\n" +
              walls + plasticBall},
         {"Sky", "",
-         lamp("ReverseOrientation\nSphere 50 -50 50 360\n", .5) +
-             pointLight(2, ".2 .5 0") + walls,
+         lamp("ReverseOrientation\nSphere 50 -50 50 360\n", .5) + pointLight(2, ".2 .5 0") + walls,
          true},
         {"Linked", "",
          pointLight(2, ".2 .5 0") + pointLight(3, "-.5 .5 0") + "Illuminate 3 0\n" + walls +
@@ -108,7 +107,8 @@ std::vector<World> worlds() {
         {"RoughMetal", "",
          lamp(ceilingLamp, 10) + walls +
              bodyOf("\"roughmetal\" \"alpha\" [.2]", "Sphere .45 -.45 .45 360\n")},
-        {"Mirror", "", lamp(ceilingLamp, 10) + walls + bodyOf("\"mirror\"", "Sphere .4 -.4 .4 360\n")},
+        {"Mirror", "",
+         lamp(ceilingLamp, 10) + walls + bodyOf("\"mirror\"", "Sphere .4 -.4 .4 360\n")},
         {"Glass", "",
          lamp("Translate .4 .6 -.2\nSphere .2 -.2 .2 360\n", 8) + walls +
              bodyOf("\"glass\"", "Sphere .4 -.4 .4 360\n")},
@@ -117,11 +117,12 @@ std::vector<World> worlds() {
              bodyOf("\"glass\"",
                     "Sphere .45 -.45 .45 360\nSurface \"matte\" \"Ka\" [0] \"Kd\" [.7]\n"
                     "Sphere .25 -.25 .25 360\n")},
-        {"BumpyBall", "", lamp(ceilingLamp, 10) + walls + bodyOf("\"turned\"", "Sphere .45 -.45 .45 360\n")},
+        {"BumpyBall", "",
+         lamp(ceilingLamp, 10) + walls + bodyOf("\"turned\"", "Sphere .45 -.45 .45 360\n")},
         {"TurnedCones", "",
          lamp(ceilingLamp, 10) + walls + bodyOf("\"stated\"", "Sphere .45 -.45 .45 360\n")},
-        {"Toon", "", lamp(ceilingLamp, 10) + walls + bodyOf("\"squared\"", "Sphere .45 -.45 .45 360\n"),
-         true},
+        {"Toon", "",
+         lamp(ceilingLamp, 10) + walls + bodyOf("\"squared\"", "Sphere .45 -.45 .45 360\n"), true},
         {"Instances", "",
          lamp(ceilingLamp, 10) + "ObjectBegin 1\nSphere .4 -.4 .4 360\nObjectEnd\n" + walls +
              block("Surface \"plastic\" \"Ka\" [0]\nTranslate -.4 -.6 .3\nScale -1 .7 1\n"

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// `bidir` and `path` give the same light, region by region, whatever techniques are taken and however
-// they are weighed; so weights sum to 1, and what one end makes of a surface is what the other does.
-#include "tests/bidir/worlds.h"
+// `bidir` and `path` give the same light, region by region, whatever techniques are taken and
+// however they are weighed; so weights sum to 1, and what one end makes of a surface is what the
+// other does.
+#include "tests/light_paths/worlds.h"
 #include "tests/support/frames.h"
 
 #include <cmath>
@@ -28,15 +29,18 @@ struct Techniques {
 const Techniques techniques[] = {
     {"Image", "Option \"bidir\" \"float lightpaths\" [1] \"integer connections\" [0]\n"},
     {"All", "Option \"bidir\" \"float lightpaths\" [.5] \"integer connections\" [1]\n"},
-    {"Trusted",
-     "Option \"bidir\" \"float lightpaths\" [1] \"integer connections\" [1] \"float trust\" [30]\n"},
+    {"Trusted", "Option \"bidir\" \"float lightpaths\" [1] \"integer connections\" [1] \"float "
+                "trust\" [30]\n"},
 };
 
 std::string optionsOf(const World &world, const std::string &integrator) {
     const bool tiny = world.name == "Tiny", huge = world.name == "Huge";
     return "Format 20 20 1\nOption \"render\" \"string integrator\" [\"" + integrator + "\"]\n" +
            "Projection \"perspective\" \"fov\" [60]\n" + world.camera + "Translate 0 0 " +
-           (tiny ? ".0026" : huge ? "2600" : "2.6") + "\n";
+           (tiny   ? ".0026"
+            : huge ? "2600"
+                   : "2.6") +
+           "\n";
 }
 
 /// values[region][seed], of red and green.
@@ -46,7 +50,8 @@ Regions renderRegions(const World &world, const std::string &options, int sample
     Regions result(2 * regions * regions, std::vector<double>(seeds));
     for (int seed = 0; seed < seeds; ++seed) {
         const std::vector<FramePixels> frames =
-            render(std::vector<Frame>{{world.name, options, world.text}}, {samples, seed + 1, "bidir/shaders", world.mayWarn});
+            render(std::vector<Frame>{{world.name, options, world.text}},
+                   {samples, seed + 1, "light_paths/shaders", world.mayWarn});
         if (frames.empty())
             return {};
         constexpr int side = pixels / regions;
@@ -77,8 +82,8 @@ void compare(const std::string &what, const std::vector<double> &path,
     EXPECT_LE(std::fabs(b.mean - a.mean),
               studentQuantile(familyWiseLevel / comparisons, seeds - 1) * error +
                   rounding * std::fabs(a.mean))
-        << what << ": path " << a.mean << " +- " << a.standardError << ", bidir " << b.mean << " +- "
-        << b.standardError;
+        << what << ": path " << a.mean << " +- " << a.standardError << ", bidir " << b.mean
+        << " +- " << b.standardError;
 }
 
 class Agreement : public testing::TestWithParam<World> {};

@@ -8,9 +8,9 @@
 namespace candela::test {
 
 struct World {
-    std::string name;   ///< Letters and digits.
-    std::string camera; ///< RIB before the view's translation: mirrorings, scales, turns.
-    std::string text;   ///< RIB between WorldBegin and WorldEnd, si units.
+    std::string name;     ///< Letters and digits.
+    std::string camera;   ///< RIB before the view's translation: mirrorings, scales, turns.
+    std::string text;     ///< RIB between WorldBegin and WorldEnd, si units.
     bool mayWarn = false; ///< Not all of it begins paths on lights, and that is said.
 };
 
