@@ -47,6 +47,7 @@ void Statistics::add(const Scene &scene, const TransportStatistics &transport) {
     numbers_["scene.buildingSeconds"] += s.secondsBuilding;
     numbers_["transport.raySeconds"] += s.secondsTracing;
     numbers_["transport.paths"] += double(transport.paths);
+    numbers_["transport.lightPaths"] += double(transport.lightPaths);
     numbers_["transport.cameraRays"] += double(transport.cameraRays);
     numbers_["transport.bounceRays"] += double(transport.bounceRays);
     numbers_["transport.shadowRays"] += double(transport.shadowRays);
