@@ -163,7 +163,7 @@ std::vector<Case> sphereWallCases(Emitter emitter) {
                       text + receiver,
                       {},
                       Accuracy::Direct,
-                      *form ? 1024 : 256};
+                      256};
             for (double d : {0.0, 1.0}) {
                 const double square = d * d + 4;
                 test.probes.push_back(
