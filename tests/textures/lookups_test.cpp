@@ -166,26 +166,26 @@ TEST(Lookups, NamesMayBeChosenInLoops) {
     writeExr(folder, "layer1.exr", 8, 8, {"Y"}, [](int, int, int) { return 0.5f; });
     writeExr(folder, "layer2.exr", 8, 8, {"Y"}, [](int, int, int) { return 0.25f; });
     for (const char *lanes : {"1", "16"}) {
-        const Told told =
-            tell(folder,
-                 {{"sum", "made", "stopped", "nested", "same"},
-                  "uniform string names[3] = {\"grey.exr\", \"layer1.exr\", \"layer2.exr\"};\n"
-                  "uniform float i, k; float sum = 0, made = 0, stopped = 0, nested = 0, same = 0;\n"
-                  "for (i = 0; i < 3; i += 1) sum += float texture(names[i], .5, .5);\n"
-                  "for (i = 1; i <= 2; i += 1) {\n"
-                  "    uniform string name = concat(\"layer\", format(\"%d\", i), \".exr\");\n"
-                  "    made += i * float texture(name, .5, .5);\n"
-                  "}\n"
-                  "for (i = 0; i < 3; i += 1) {\n"
-                  "    if (stopped > .7 * s + .1) break;\n"
-                  "    if (i == 0) continue;\n"
-                  "    stopped += float texture(names[i], .5, .5);\n"
-                  "}\n"
-                  "for (i = 0; i < 3; i += 1)\n"
-                  "    for (k = i; k < 3; k += 1) nested += float texture(names[k], .5, .5);\n"
-                  "for (i = 0; i < 100; i += 1) if (names[mod(i, 3)] == \"grey.exr\") same += 1;\n",
-                  "",
-                  lanes});
+        const Told told = tell(
+            folder,
+            {{"sum", "made", "stopped", "nested", "same"},
+             "uniform string names[3] = {\"grey.exr\", \"layer1.exr\", \"layer2.exr\"};\n"
+             "uniform float i, k; float sum = 0, made = 0, stopped = 0, nested = 0, same = 0;\n"
+             "for (i = 0; i < 3; i += 1) sum += float texture(names[i], .5, .5);\n"
+             "for (i = 1; i <= 2; i += 1) {\n"
+             "    uniform string name = concat(\"layer\", format(\"%d\", i), \".exr\");\n"
+             "    made += i * float texture(name, .5, .5);\n"
+             "}\n"
+             "for (i = 0; i < 3; i += 1) {\n"
+             "    if (stopped > .7 * s + .1) break;\n"
+             "    if (i == 0) continue;\n"
+             "    stopped += float texture(names[i], .5, .5);\n"
+             "}\n"
+             "for (i = 0; i < 3; i += 1)\n"
+             "    for (k = i; k < 3; k += 1) nested += float texture(names[k], .5, .5);\n"
+             "for (i = 0; i < 100; i += 1) if (names[mod(i, 3)] == \"grey.exr\") same += 1;\n",
+             "",
+             lanes});
         EXPECT_EQ(told.run.err, "");
         ASSERT_EQ(told.values.size(), 5u) << told.run.text();
         EXPECT_NEAR(told.values[0], 1.05f, 2e-3f);

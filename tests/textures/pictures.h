@@ -23,8 +23,8 @@ void writeExr(const ScratchFolder &, const std::string &name, int width, int hei
 void writeEightBit(const ScratchFolder &, const std::string &name, int width, int height,
                    int channels, const Pixels &);
 
-/// A PNG file of 3 channels of 16 bits; values from 0 to 65535. It says of its colours that they are
-/// light^(1/gamma), or nothing.
+/// A PNG file of 3 channels of 16 bits; values from 0 to 65535. It says of its colours that they
+/// are light^(1/gamma), or nothing.
 void writeSixteenBit(const ScratchFolder &, const std::string &name, int width, int height,
                      std::optional<float> gamma, const Pixels &);
 

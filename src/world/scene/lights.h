@@ -50,7 +50,8 @@ struct LightSamples {
     /// What a loop's Cl is worth before the shadow: for finite pdf the radiance L_i (W m^-2
     /// sr^-1), undivided, since the pdf includes the choice; for delta lights (pdfSolidAngle = 0)
     /// E_perp / pi, or in classic units the number the light shader wrote, divided by the
-    /// probability of choosing the light; of one in pieces, of the piece over its share of the area.
+    /// probability of choosing the light; of one in pieces, of the piece over its share of the
+    /// area.
     std::array<float *, colorSamples> value{};
     float *pdfSolidAngle = nullptr; ///< Of this direction, choice included; 0 = delta light.
     std::int32_t *light = nullptr;  ///< Index + 1; 0 = no sample (black).
