@@ -38,6 +38,10 @@ constexpr double costOfLightRay = 1.6, costOfConnections = 1.4;
 /// share of the mean besides.
 constexpr double floorOfLuminance = 0.1;
 
+/// Few samples a pixel do not show how much more evenly many of them lie; those of light paths do
+/// not lie evenly in pixels. So `path` is left only for what promises to be this much better.
+constexpr double worthLeavingPath = 0.5;
+
 class NoMessages : public DiagnosticSink {
 public:
     void report(const Diagnostic &) override {}
@@ -262,9 +266,10 @@ BidirectionalPlan planTechniques(FrameContext &frame, EmissionGuide &guide) {
     for (std::size_t cell = 0; cell < mean.size(); ++cell)
         trials[0].variance[cell] += pilot.varianceOfPath()[cell];
     std::size_t best = 0;
+    double least = worthLeavingPath * badness(trials[0], mean);
     for (std::size_t k = 1; k < plans.size(); ++k)
-        if (badness(trials[k], mean) < badness(trials[best], mean))
-            best = k;
+        if (const double own = badness(trials[k], mean); own < least)
+            best = k, least = own;
     if (best > 0 && std::ranges::any_of(guide.lights, [](auto &grid) { return grid.has_value(); }))
         guide = pilot.learn(roundsOfFrame);
     return plans[best];
