@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/asked_instruction_set.h"
+#include "apps/shared_options.h"
 #include "apps/verbs.h"
 
 #include "render/probe_file.h"
@@ -15,8 +16,9 @@ namespace {
 
 struct Arguments {
     ProbeFileSettings settings;
-    std::string points, accuracy, plane, grid, integrator, cpu, sampling = "cones";
-    int samples = 0, lanes = laneBlock;
+    std::string points, accuracy, plane, grid, integrator;
+    int samples = 0;
+    TestingArguments testing;
     float offset = 0;
     bool radiance = false, csv = false, turned = false;
 };
@@ -91,8 +93,7 @@ std::string take(Arguments &a, bool hasOffset) {
     s.format = a.csv ? AnswerFormat::Csv : AnswerFormat::Plain;
     if (!a.integrator.empty())
         s.render.integrator = a.integrator;
-    s.render.jit.width = a.lanes;
-    s.render.hemisphereOnly = a.sampling == "hemisphere";
+    a.testing.apply(s.render);
     return takePlane(a);
 }
 
@@ -145,22 +146,9 @@ void addScene(CLI::App &probe, Arguments &a) {
     probe.add_option("--threads", r.threads, "Threads; default: all cores")
         ->check(CLI::Range(1, 1024));
     probe.add_option("--seed", r.seed, "Seed of all random choices; default 0");
-    for (auto [name, folders, what] : {std::tuple{"--shader-path", &r.shaderPath, "shaders"},
-                                       {"--archive-path", &r.archivePath, "archives"},
-                                       {"--texture-path", &r.texturePath, "textures"}})
-        probe.add_option(name, *folders, "Folders to look for " + std::string(what) + " in: a:b:c")
-            ->delimiter(':')
-            ->allow_extra_args(false);
+    addSearchPaths(probe, r);
     probe.add_flag("--quiet", r.quiet, "No progress, only messages");
-    auto *testing = probe.add_option_group("For tests and benchmarks");
-    testing->add_option("--lanes", a.lanes, "Lane width of compiled shaders; default 16")
-        ->check(CLI::IsMember({1, 16}));
-    testing->add_option(
-        "--cpu", a.cpu,
-        "x86-64 level of all code: v2, v3 or v4; default: $CANDELA_CPU, else the best");
-    testing->add_option("--sampling", a.sampling, "cones, or hemisphere: ignore importance cones")
-        ->check(CLI::IsMember({"cones", "hemisphere"}));
-    testing->add_option("--stats", r.statisticsFile, "Write figures of the run to this JSON file");
+    addTestingOptions(probe, a.testing, r);
 }
 
 int run(Arguments &a, bool hasOffset) {
@@ -189,7 +177,7 @@ void addProbe(CLI::App &app, int &status) {
     addQuestion(*probe, *arguments);
     addScene(*probe, *arguments);
     probe->callback([arguments, probe, &status] {
-        status = instructionSetIsAsAsked(arguments->cpu)
+        status = instructionSetIsAsAsked(arguments->testing.cpu)
                      ? run(*arguments, probe->count("--offset") > 0)
                      : 2;
     });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/asked_instruction_set.h"
+#include "apps/shared_options.h"
 #include "apps/verbs.h"
 
 #include "render/render.h"
@@ -40,8 +41,9 @@ template <class Parse> auto checked(Parse parse, const char *expected) {
 
 struct Arguments {
     RenderSettings settings;
-    std::string file, format, crop, integrator, cpu, sampling = "cones";
-    int samples = 0, lanes = laneBlock;
+    std::string file, format, crop, integrator;
+    int samples = 0;
+    TestingArguments testing;
 };
 
 } // namespace
@@ -67,27 +69,11 @@ void addRender(CLI::App &app, int &status) {
            "WxH: resolution in pixels, in place of Format; a FrameAspectRatio makes it smaller")
         ->check(CLI::Validator(checked(parseFormat, "WIDTHxHEIGHT"), ""));
     app.add_option("--output-dir", s.outputDirectory, "Folder for pictures; default: this one");
-    app.add_option("--shader-path", s.shaderPath, "Folders to look for shaders in: a:b:c")
-        ->delimiter(':')
-        ->allow_extra_args(false);
-    app.add_option("--archive-path", s.archivePath, "Folders to look for archives in: a:b:c")
-        ->delimiter(':')
-        ->allow_extra_args(false);
-    app.add_option("--texture-path", s.texturePath, "Folders to look for textures in: a:b:c")
-        ->delimiter(':')
-        ->allow_extra_args(false);
+    addSearchPaths(app, s);
     app.add_flag("--allow-programs", s.allowPrograms,
                  "Trust the RIB: let it write outside the output folder");
     app.add_flag("--quiet", s.quiet, "No progress, only messages");
-    auto *testing = app.add_option_group("For tests and benchmarks");
-    testing->add_option("--lanes", a.lanes, "Lane width of compiled shaders; default 16")
-        ->check(CLI::IsMember({1, 16}));
-    testing->add_option(
-        "--cpu", a.cpu,
-        "x86-64 level of all code: v2, v3 or v4; default: $CANDELA_CPU, else the best");
-    testing->add_option("--sampling", a.sampling, "cones, or hemisphere: ignore importance cones")
-        ->check(CLI::IsMember({"cones", "hemisphere"}));
-    testing->add_option("--stats", s.statisticsFile, "Write figures of the run to this JSON file");
+    addTestingOptions(app, a.testing, s);
 
     app.callback([arguments, &app, &status] {
         Arguments &a = *arguments;
@@ -102,9 +88,8 @@ void addRender(CLI::App &app, int &status) {
             s.integrator = a.integrator;
         s.resolution = parseFormat(a.format);
         s.crop = parseCrop(a.crop);
-        s.jit.width = a.lanes;
-        s.hemisphereOnly = a.sampling == "hemisphere";
-        if (!instructionSetIsAsAsked(a.cpu)) {
+        a.testing.apply(s);
+        if (!instructionSetIsAsAsked(a.testing.cpu)) {
             status = 2;
             return;
         }

@@ -121,6 +121,8 @@ std::vector<World> worlds() {
          lamp(ceilingLamp, 10) + walls + bodyOf("\"turned\"", "Sphere .45 -.45 .45 360\n")},
         {"TurnedCones", "",
          lamp(ceilingLamp, 10) + walls + bodyOf("\"stated\"", "Sphere .45 -.45 .45 360\n")},
+        {"EyeOfTheCamera", "",
+         lamp(ceilingLamp, 10) + walls + bodyOf("\"eyed\"", "Sphere .45 -.45 .45 360\n")},
         {"Toon", "",
          lamp(ceilingLamp, 10) + walls + bodyOf("\"squared\"", "Sphere .45 -.45 .45 360\n"), true},
         {"Instances", "",

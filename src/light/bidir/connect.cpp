@@ -31,8 +31,6 @@ constexpr Stage gatheringStages[] = {meet,
 
 constexpr double pi = std::numbers::pi;
 
-double square(double x) { return x * x; }
-
 /// own.vertex, direction and distance; own.lane lists those that have one.
 int draw(EyeWave &wave, int turn) {
     VertexChunk &chunk = wave.chunk;
@@ -72,7 +70,7 @@ int respondTo(EyeWave &wave, int drawn) {
     float *response[colorSamples];
     for (int c = 0; c < colorSamples; ++c)
         response[c] = own.response[c];
-    chunk.vertices.scatter(constant(own.direction), own.answered, own.indirect, response);
+    chunk.vertices.scatter(constant(own.direction), own.answered, nullptr, response);
     chunk.mixture.pdf(constant(own.direction), own.eyePdf);
     int left = 0;
     for (int k = 0; k < drawn; ++k) {
@@ -133,7 +131,6 @@ void meetFar(EyeWave &wave, const std::int32_t *lane, int count) {
     std::iota(order, order + count, 0);
     own.far.meet(wave.frame.scene, wave.lightVertices.rows[own.vertex[lane[0]]].code, own.farRays,
                  own.farHits, order, count);
-    own.far.prepare(nullptr);
 }
 
 /// The connections of lanes lane[0..count), whose light vertices share a code: own.value, and where
@@ -147,8 +144,8 @@ void weigh(EyeWave &wave, const std::int32_t *lane, int count) {
     const MutableVec3Planes toPrevious{floats[0], floats[1], floats[2]};
     const MutableVec3Planes along{floats[3], floats[4], floats[5]};
     const MutableVec3Planes toEye{floats[6], floats[7], floats[8]};
-    float *reversePdf = floats[9], *pdf = floats[10], *transmits = floats[11];
-    std::int32_t *answered = own.farIntegers[1], *light = own.farIntegers[2];
+    float *reversePdf = floats[9], *pdf = floats[10];
+    std::int32_t *light = own.farIntegers[1];
     for (int k = 0; k < count; ++k) {
         const LightVertex &vertex = wave.lightVertices.rows[own.vertex[lane[k]]];
         for (int c = 0; c < 3; ++c) {
@@ -156,21 +153,18 @@ void weigh(EyeWave &wave, const std::int32_t *lane, int count) {
             along[c][k] = -vertex.toPrevious[c] * vertex.distance;
             toEye[c][k] = -own.direction[c][lane[k]];
         }
-        answered[k] = finiteRequests, light[k] = vertex.light;
+        light[k] = vertex.light;
     }
-    const PreparedSurface &seen = own.far.prepared();
-    const bool clear = transmittedLight(count, seen.Oi, transmits);
     const bool hemisphere = wave.frame.settings.hemisphereOnly;
-    stateFiniteLobes(count, seen.cones, own.far.facingPlanes(), clear ? transmits : nullptr,
-                     hemisphere ? &own.farHemisphere : nullptr, own.farMixture);
-    own.farMixture.pdf(constant(toPrevious), reversePdf);
+    own.fromEye.look(own.far, own.far.input(ShaderInput::I), hemisphere);
+    own.fromEye.pdf(constant(toPrevious), reversePdf);
     float *response[colorSamples];
     for (int c = 0; c < colorSamples; ++c)
         response[c] = own.farResponse[c];
-    own.far.scatter(constant(toPrevious), answered, light, response);
+    own.fromEye.scatter(constant(toPrevious), own.answered, light, response);
     own.fromLight.look(own.far, constant(along), hemisphere);
     own.fromLight.pdf(constant(toEye), pdf);
-    const MutableVec3Planes end{floats[12], floats[13], floats[14]};
+    const MutableVec3Planes end{floats[11], floats[12], floats[13]};
     own.far.rayOrigins(constant(toEye), end);
 
     const ConstVec3Planes Ng = chunk.vertices.input(ShaderInput::Ng);
@@ -185,9 +179,9 @@ void weigh(EyeWave &wave, const std::int32_t *lane, int count) {
         const double perArea = 1 / square(own.distance[i]);
         const double out = std::fabs(double(dot(direction, at(farNg, k))));
         const double in = std::fabs(double(dot(vertex.toPrevious, at(farNg, k))));
-        const double there = own.farMixture.total()[k] > 0 ? reversePdf[k] : 0;
-        const double fromEye = square(own.eyePdf[i] * out * perArea) *
-                               (vertex.last + square(there * vertex.back) * vertex.earlier);
+        const double fromEye =
+            square(own.eyePdf[i] * out * perArea) *
+            (vertex.last + square(double(reversePdf[k]) * vertex.back) * vertex.earlier);
         const double reached = pdf[k] * std::fabs(double(dot(direction, at(Ng, i)))) * perArea;
         const double fromLight = techniquesBefore(ends, i, reached, own.eyeReversePdf[i]);
         const double weight = misWeightAmong(1, (fromEye + fromLight) / tries);
@@ -273,17 +267,16 @@ void connectOnce(EyeWave &wave, int turn) {
 } // namespace
 
 Connections::Connections(int capacity)
-    : bits(1, capacity), integers(4, capacity), floats(12, capacity),
+    : bits(1, capacity), integers(3, capacity), floats(12, capacity),
       response(colorSamples, capacity), value(colorSamples, capacity), far(capacity),
-      farRays(capacity), farHits(capacity), fromLight(capacity), farMixture(capacity),
-      farHemisphere(capacity), farFloats(15, capacity), farResponse(colorSamples, capacity),
-      farIntegers(3, capacity), shadow(capacity), transmittance(colorSamples, capacity) {
-    vertex = integers[0], lane = integers[1], answered = integers[2], indirect = integers[3];
+      farRays(capacity), farHits(capacity), fromEye(capacity), fromLight(capacity),
+      farFloats(14, capacity), farResponse(colorSamples, capacity), farIntegers(2, capacity),
+      shadow(capacity), transmittance(colorSamples, capacity) {
+    vertex = integers[0], lane = integers[1], answered = integers[2];
     std::fill_n(answered, integers.lanes(), finiteRequests);
     direction = {floats[0], floats[1], floats[2]};
     distance = floats[3], eyePdf = floats[4], eyeReversePdf = floats[5];
     origin = {floats[6], floats[7], floats[8]}, end = {floats[9], floats[10], floats[11]};
-    far.speak(false);
 }
 
 EyeWave::EyeWave(FrameContext &frame, const TechniqueCounts &counts, const LightVertices &vertices,

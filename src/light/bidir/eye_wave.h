@@ -13,9 +13,9 @@ struct Connections {
 
     Planes<std::uint32_t> bits;
     Planes<std::int32_t> integers;
-    std::int32_t *vertex; ///< Which light vertex; -1 = none.
-    std::int32_t *lane;   ///< Those that are connected, by the code of their light vertex.
-    std::int32_t *answered, *indirect;
+    std::int32_t *vertex;   ///< Which light vertex; -1 = none.
+    std::int32_t *lane;     ///< Those that are connected, by the code of their light vertex.
+    std::int32_t *answered; ///< finiteRequests in all lanes.
     Planes<float> floats;
     MutableVec3Planes direction; ///< Unit vector to the light vertex,
     float *distance;             ///< and how far it is.
@@ -24,12 +24,10 @@ struct Connections {
     Planes<float> response, value;
 
     // The light vertices of one code.
-    SurfaceVertices far; ///< As the eye sees them.
+    SurfaceVertices far;
     RayBatch farRays;
     HitBatch farHits;
-    VertexView fromLight;
-    ConeMixture farMixture;
-    HemisphereCone farHemisphere;
+    VertexView fromEye, fromLight; ///< How they are seen.
     Planes<float> farFloats, farResponse;
     Planes<std::int32_t> farIntegers;
     RayBatch shadow;

@@ -50,7 +50,8 @@ void addShare(const Worth &worth, double share, Worth &to) {
 class Learner {
 public:
     Learner(FrameContext &frame, const std::vector<double> &darkness)
-        : frame_(frame), darkness_(darkness), power_(frame.scene.lights().startProbabilities()) {
+        : frame_(frame), darkness_(darkness), power_(frame.scene.lights().startProbabilities()),
+          wave_(frame, {1, 0}, nothing_) {
         const int shining =
             int(std::ranges::count_if(power_, [](double power) { return power > 0; }));
         found_.resize(power_.size());
@@ -87,15 +88,13 @@ public:
     }
 
     void followLight(int round) {
-        NoPicture nothing;
-        const std::array<int, 4> whole = wholeFrame();
+        const std::array<int, 4> whole = wholeFrame(frame_.scene);
         LightTally tally(whole, double(whole[1]) * whole[3]);
         tally.keepsSplats = true;
-        LightWave wave(frame_, {1, 0}, nothing);
-        wave.tally = &tally;
-        startLight(wave, std::int64_t(round + 1) * pathsOfRound, pathsOfRound);
-        follow(wave);
-        const LightStarts &starts = wave.starts;
+        wave_.tally = &tally;
+        startLight(wave_, std::int64_t(round + 1) * pathsOfRound, pathsOfRound);
+        follow(wave_);
+        const LightStarts &starts = wave_.starts;
         for (const LightTally::Splat &splat : tally.splats) {
             const std::int32_t light = starts.light[splat.slot];
             const auto vec3 = [&](const auto &planes) {
@@ -140,16 +139,13 @@ public:
     }
 
 private:
-    std::array<int, 4> wholeFrame() const {
-        const auto [width, height] = frame_.scene.options().format.effectiveResolution();
-        return {0, width, 0, height};
-    }
-
     FrameContext &frame_;
     const std::vector<double> &darkness_;
     std::vector<double> power_;
     std::vector<Worth> straight_, squares_; ///< By light.
     std::vector<double> found_;             ///< Of the light that is seen.
+    NoPicture nothing_;
+    LightWave wave_;
 };
 
 } // namespace

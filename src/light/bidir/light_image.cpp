@@ -142,8 +142,13 @@ void splat(LightWave &wave, int count) {
 
 } // namespace
 
+std::array<int, 4> wholeFrame(const Scene &scene) {
+    const auto [width, height] = scene.options().format.effectiveResolution();
+    return {0, width, 0, height};
+}
+
 int LightTally::cellAt(float x, float y) const {
-    const auto [x0, x1, y0, y1] = crop;
+    const auto [x0, x1, y0, y1] = frame;
     const int column = int(std::floor((x - float(x0)) / float(x1 - x0) * cells));
     const int row = int(std::floor((y - float(y0)) / float(y1 - y0) * cells));
     const bool inside = column >= 0 && column < cells && row >= 0 && row < cells;
@@ -152,7 +157,7 @@ int LightTally::cellAt(float x, float y) const {
 
 LightImage::LightImage(int capacity)
     : floats(13, capacity), response(colorSamples, capacity), seen(colorSamples, capacity),
-      integers(6, capacity), rays(capacity), ways(6, capacity),
+      integers(2, capacity), rays(capacity), ways(6, capacity),
       transmittance(colorSamples, capacity) {
     sights.origin = {floats[0], floats[1], floats[2]};
     sights.direction = {floats[3], floats[4], floats[5]};
@@ -161,7 +166,7 @@ LightImage::LightImage(int capacity)
     sights.importance = floats[10], sights.pdf = floats[11];
     towardsLens = {ways[0], ways[1], ways[2]}, end = {ways[3], ways[4], ways[5]};
     pathGain = floats[12];
-    answered = integers[0], light = integers[1], lane = integers[2];
+    answered = integers[0], lane = integers[1];
     std::fill_n(answered, integers.lanes(), finiteRequests);
 }
 
@@ -179,7 +184,6 @@ void showToCamera(PathWave &path) {
     if (count == 0)
         return;
     for (int i = 0; i < chunk.count(); ++i) {
-        image.light[i] = chunk.paths.depth[i] == 0 ? wave.starts.light[chunk.paths.slot[i]] : 0;
         for (int c = 0; c < 3; ++c)
             image.towardsLens[c][i] = -image.sights.direction[c][i];
     }
@@ -189,7 +193,7 @@ void showToCamera(PathWave &path) {
     float *response[colorSamples];
     for (int c = 0; c < colorSamples; ++c)
         response[c] = image.response[c];
-    ends.other.scatter(constant(ends.toPrevious), image.answered, image.light, response);
+    ends.other.scatter(constant(ends.toPrevious), image.answered, wave.arrival.light, response);
     count = weigh(wave, count);
     if (count == 0)
         return;

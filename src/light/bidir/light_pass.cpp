@@ -34,9 +34,6 @@ void bringSplats(LightWave &wave, int paths) {
     batch.values = values;
     batch.lightPaths = paths;
     wave.sink.add(batch);
-    wave.image.x.clear(), wave.image.y.clear();
-    for (std::vector<float> &plane : wave.image.splats)
-        plane.clear();
 }
 
 } // namespace
@@ -63,7 +60,7 @@ void LightPass::run(int first, int last) {
             startLight(wave, from, count);
             follow(wave);
             if (wave.keeps)
-                kept[at] = wave.kept;
+                kept[at] = std::move(wave.kept);
             bringSplats(wave, count);
         }
     });

@@ -30,8 +30,6 @@ constexpr int pathsOfKey = 1 << 16;
 /// Directions that differ by no more (radians) are the same but for rounding.
 constexpr float mostTurn = 1e-2f;
 
-double square(double x) { return x * x; }
-
 } // namespace
 
 LightWave::LightWave(FrameContext &frame, const TechniqueCounts &counts, SampleSink &sink)
@@ -54,6 +52,9 @@ std::span<const Stage> stagesOfLight(const PathWave &, const ShaderCode &code) {
 void startLight(LightWave &wave, std::int64_t first, int count) {
     wave.slots = count;
     wave.kept.clear();
+    wave.image.x.clear(), wave.image.y.clear();
+    for (std::vector<float> &plane : wave.image.splats)
+        plane.clear();
     PathResults &results = wave.results;
     for (int i = 0; i < count; ++i) {
         const std::int64_t number = first + i;
@@ -221,7 +222,7 @@ void keep(PathWave &path) {
         vertex.width = wave.active.rays.width[ray] + wave.active.rays.spread[ray] * hits.t[ray];
         vertex.back = ends.back[i], vertex.last = ends.last[i], vertex.earlier = ends.earlier[i];
         vertex.depth = chunk.paths.depth[i];
-        vertex.light = vertex.depth == 0 ? wave.starts.light[chunk.paths.slot[i]] : 0;
+        vertex.light = wave.arrival.light[i];
         vertex.code = chunk.code;
         wave.kept.push_back(vertex);
     }

@@ -22,7 +22,7 @@ struct LightImage {
     Planes<float> response, seen; ///< The answer; what a splat is worth.
     float *pathGain;              ///< The square of what `path` finds of it over that of a splat.
     Planes<std::int32_t> integers;
-    std::int32_t *answered, *light, *lane;
+    std::int32_t *answered, *lane;
     RayBatch rays;
     Planes<float> ways;
     MutableVec3Planes towardsLens, end;
@@ -45,7 +45,10 @@ struct LightArrival {
     LightSampleStorage given;
 };
 
-/// What a pilot wants to know of splats, by cells of the crop window.
+/// x0, x1, y0, y1 of what pilots look at: crop windows are parts of the same picture.
+std::array<int, 4> wholeFrame(const Scene &);
+
+/// What a pilot wants to know of splats, by cells of the frame.
 struct LightTally {
     static constexpr int cells = 16; ///< Along each side.
     struct Cell {
@@ -58,12 +61,12 @@ struct LightTally {
         int slot, cell;
         double luminance;
     };
-    LightTally(const std::array<int, 4> &crop, double samples)
-        : crop(crop), samples(samples), values(cells * cells) {}
-    /// Of a raster position; -1 = beyond the crop window.
+    LightTally(const std::array<int, 4> &frame, double samples)
+        : frame(frame), samples(samples), values(cells * cells) {}
+    /// Of a raster position; -1 = beyond the frame.
     int cellAt(float x, float y) const;
 
-    std::array<int, 4> crop;
+    std::array<int, 4> frame;
     double samples; ///< Splats over this are shares of a pixel's sample.
     std::vector<Cell> values;
     bool keepsSplats = false;

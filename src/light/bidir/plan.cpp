@@ -54,19 +54,13 @@ struct Trial {
     double cost = 0;
 };
 
-/// Crop windows are parts of the same picture, with the same plan.
-std::array<int, 4> wholeFrame(const Scene &scene) {
-    const auto [width, height] = scene.options().format.effectiveResolution();
-    return {0, width, 0, height};
-}
-
 class Pilot {
 public:
     explicit Pilot(FrameContext &frame)
-        : frame_(frame), settings_(frame.settings), crop_(wholeFrame(frame.scene)),
+        : frame_(frame), settings_(frame.settings), window_(wholeFrame(frame.scene)),
           middle_({"box", tinyWidth, tinyWidth}, silence_) {
         settings_.seed = frame.settings.seed * 0x9e3779b9u + 0x7f4a7c15u; // Other samples.
-        const double pixels = double(crop_[1] - crop_[0]) * (crop_[3] - crop_[2]);
+        const double pixels = double(window_[1] - window_[0]) * (window_[3] - window_[2]);
         const int wanted = int(pixels / pilotShare);
         choosePixels(std::clamp(wanted, leastPixels, mostPixels), pixels);
     }
@@ -138,8 +132,8 @@ private:
         for (int k = 0; k < count; ++k) {
             const double u = std::fmod(0.5 + (k + 1) * 0.7548776662466927, 1.0);
             const double v = std::fmod(0.5 + (k + 1) * 0.5698402909980532, 1.0);
-            x_.push_back(crop_[0] + int(u * (crop_[1] - crop_[0])));
-            y_.push_back(crop_[2] + int(v * (crop_[3] - crop_[2])));
+            x_.push_back(window_[0] + int(u * (window_[1] - window_[0])));
+            y_.push_back(window_[2] + int(v * (window_[3] - window_[2])));
         }
     }
 
@@ -148,7 +142,7 @@ private:
         FrameContext frame = pilotFrame(statistics, frame_.filter);
         NoPicture nothing;
         const auto [width, height] = frame.scene.options().format.effectiveResolution();
-        LightTally tally(crop_, plan.lightPaths * width * height);
+        LightTally tally(window_, plan.lightPaths * width * height);
         for (int cell = 0; cell < cells; ++cell)
             tally.values[cell].seldom = findsLight_ ? rareLight * meanOfPath_[cell] : 0;
         LightWave wave(frame, plan.counts(), nothing);
@@ -157,7 +151,7 @@ private:
         follow(wave);
         vertices.rows = std::move(wave.kept);
         vertices.paths = lightPathsOfPilot;
-        const double inCell = double(crop_[1] - crop_[0]) * (crop_[3] - crop_[2]) / cells;
+        const double inCell = double(window_[1] - window_[0]) * (window_[3] - window_[2]) / cells;
         const double ofMean = lightPathsOfPilot * inCell;
         const double ofSquares = ofMean * tally.samples;
         varianceOfPath_.assign(cells, 0);
@@ -180,7 +174,7 @@ private:
     }
 
     void followCamera(PathWave &wave, Trial &trial) {
-        const LightTally places(crop_, 1);
+        const LightTally places(window_, 1);
         std::vector<int> pixels(cells);
         std::vector<double> sums(cells), variances(cells);
         const int together = PathWave::capacity / (2 * samplesOfPixel);
@@ -213,7 +207,7 @@ private:
 
     FrameContext &frame_;
     IntegratorSettings settings_;
-    std::array<int, 4> crop_;
+    std::array<int, 4> window_;
     const std::vector<ChannelInfo> light_{{"Ci", colorSamples}, {"Oi", colorSamples}};
     NoMessages silence_;
     /// All samples of a pixel see one place of it: edges are noise whatever the plan.

@@ -74,14 +74,6 @@ private:
     Planes<float> planes_;
 };
 
-/// The light of the vertices' first scattering, 0 of others.
-const std::int32_t *lightsOf(LightWave &wave) {
-    std::int32_t *light = wave.image.light;
-    for (int i = 0; i < wave.chunk.count(); ++i)
-        light[i] = wave.chunk.paths.depth[i] == 0 ? wave.starts.light[wave.chunk.paths.slot[i]] : 0;
-    return light;
-}
-
 /// `scale` is what roulette measures the largest channel by.
 void setThroughput(LightWave &wave, int i, const std::array<float, colorSamples> &before,
                    const std::array<float, colorSamples> &factor, float scale) {
@@ -131,8 +123,8 @@ void passOneDirection(LightWave &wave, const ConstVec3Planes &direction) {
     });
     const bool affine = chunk.vertices.code().facts().affine;
     std::optional<RefractionRatio> ratio;
-    if (!straight) {
-        ends.other.scatter(constant(ends.toPrevious), ends.reverseRequest, lightsOf(wave),
+    if (!straight && affine) {
+        ends.other.scatter(constant(ends.toPrevious), ends.reverseRequest, wave.arrival.light,
                            response);
         ratio.emplace(wave, direction);
     }
@@ -160,7 +152,8 @@ void passFinite(LightWave &wave, const ConstVec3Planes &direction) {
     float *response[colorSamples];
     for (int c = 0; c < colorSamples; ++c)
         response[c] = chunk.way.response[c];
-    ends.other.scatter(constant(ends.toPrevious), chunk.events.event(), lightsOf(wave), response);
+    ends.other.scatter(constant(ends.toPrevious), chunk.events.event(), wave.arrival.light,
+                       response);
     const ConstVec3Planes Ng = chunk.vertices.input(ShaderInput::Ng);
     for (int i = 0; i < chunk.count(); ++i) {
         std::array<float, colorSamples> factor{};

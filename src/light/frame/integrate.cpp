@@ -102,7 +102,8 @@ void integrate(const Scene &scene, const IntegratorSettings &settings,
     const auto makeWave = [&]() -> std::unique_ptr<PathWave> {
         if (!lightPaths)
             return std::make_unique<PathWave>(frame);
-        return std::make_unique<EyeWave>(frame, plan.counts(), lightPaths->vertices(), plan.connections);
+        return std::make_unique<EyeWave>(frame, plan.counts(), lightPaths->vertices(),
+                                         plan.connections);
     };
     std::vector<std::unique_ptr<Worker>> workers(std::max(1, threadCount()));
     const double samples = settings.lastSample - settings.firstSample;

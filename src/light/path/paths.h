@@ -54,12 +54,12 @@ struct SubpathHistory {
     }
     Planes<double> doubles;
     Planes<float> floats;
-    double *earlier;     ///< SubpathVertices::earlier of the next vertex, times its density squared.
+    double *earlier; ///< SubpathVertices::earlier of the next vertex, times its density squared.
     double *earlierOfPath; ///< Likewise, of Subpaths::earlierOfPath.
-    double *connections; ///< The square of how often this edge is a connection; 0 = never.
-    float *pdf;          ///< Of the direction, per steradian; 1 = it had no choice.
-    float *cosine;       ///< With the geometric normal, >= 0.
-    float *parallel;     ///< 1: pdf is that of the ray's place across it, per m^2.
+    double *connections;   ///< The square of how often this edge is a connection; 0 = never.
+    float *pdf;            ///< Of the direction, per steradian; 1 = it had no choice.
+    float *cosine;         ///< With the geometric normal, >= 0.
+    float *parallel;       ///< 1: pdf is that of the ray's place across it, per m^2.
 };
 
 /// What rays carry in scenes that have volumes: what they are in, and what the opacity that they

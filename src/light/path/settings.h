@@ -23,8 +23,9 @@ enum class IntegratorKind { Classic, Path, Bidirectional };
 
 /// How often each kind of technique is tried, a camera sample of a pixel being once.
 struct TechniqueCounts {
-    double lightImage = 0;  ///< Light paths, each connected with the lens wherever it is.
-    double connections = 0; ///< Whole light paths that each vertex of a camera path is connected to.
+    double lightImage = 0; ///< Light paths, each connected with the lens wherever it is.
+    double connections =
+        0; ///< Whole light paths that each vertex of a camera path is connected to.
 };
 
 /// How much of each technique a frame takes.
@@ -32,7 +33,7 @@ struct BidirectionalPlan {
     double lightPaths = 0;      ///< Started for each sample of a pixel; 0 = the frame is `path`'s.
     int connections = 0;        ///< Of each vertex of a camera path.
     double verticesPerPath = 1; ///< Of light paths, as a pilot found: what a connection counts.
-    double trust = 1; ///< In weights, what light paths count beside their number.
+    double trust = 1;           ///< In weights, what light paths count beside their number.
 
     TechniqueCounts counts() const {
         return {trust * lightPaths, connections > 0 ? trust * connections / verticesPerPath : 0};
@@ -54,8 +55,8 @@ struct IntegratorSettings {
     int maxDepth = 64;           ///< Reflections and refractions along a path.
     bool hemisphereOnly = false; ///< --sampling hemisphere: ignore the shaders' cones.
     BidirectionalWishes bidirectional;
-    std::array<int, 4> crop{};   ///< x0, x1, y0, y1: the pixels to render.
-    bool atPoints = false; ///< Paths begin at numbered points (PathResults::x), not in pixels.
+    std::array<int, 4> crop{}; ///< x0, x1, y0, y1: the pixels to render.
+    bool atPoints = false;     ///< Paths begin at numbered points (PathResults::x), not in pixels.
     /// Called after each tile, from any thread, with the share done in [0,1].
     std::function<void(double)> progress;
 };

@@ -13,12 +13,6 @@
 
 namespace candela {
 
-namespace {
-
-double square(double x) { return x * x; }
-
-} // namespace
-
 double techniquesBefore(const Subpaths &ends, int i, double reached, double reversePdf) {
     return square(reached) * (ends.last[i] + square(reversePdf * ends.back[i]) * ends.earlier[i]);
 }

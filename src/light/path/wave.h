@@ -40,7 +40,7 @@ struct FrameContext {
     TransportStatistics &statistics;
     NonFiniteReporter nonFinite;
     DiagnosticSink &diagnostics;
-    const EmissionGuide *guide; ///< For paths from lights; null = nothing is known.
+    const EmissionGuide *guide;  ///< For paths from lights; null = nothing is known.
     std::once_flag refusedLight; ///< Volumes have asked for light at too many points: said.
 };
 

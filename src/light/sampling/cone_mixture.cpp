@@ -4,9 +4,9 @@
 #include "foundation/base/hot.h"
 #include "foundation/base/lanes.h"
 #include "foundation/base/vec3.h"
-#include "world/lights/cone_lobe.h"
 #include "light/sampling/power.h"
 #include "light/sampling/sincos.h"
+#include "world/lights/cone_lobe.h"
 
 #include <algorithm>
 #include <cmath>

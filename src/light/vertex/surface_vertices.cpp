@@ -89,7 +89,6 @@ SurfaceVertices::SurfaceVertices(int capacity)
     storage_.facing = Planes<float>(3, capacity);
     storage_.litPoints = Planes<float>(3, capacity);
     storage_.around = Planes<std::uint32_t>(2, capacity);
-    storage_.viewer = Planes<float>(3, capacity);
 }
 
 ConstVec3Planes SurfaceVertices::input(ShaderInput first) {
@@ -188,26 +187,19 @@ void SurfaceVertices::scatter(PreparedView &view, const ConstVec3Planes &directi
     question.ask(args);
 }
 
-/// As long as it lives, the vertices are seen along another I, and stay silent.
+/// As long as it lives, the vertices are seen along another I, and stay silent. E is the camera's,
+/// whoever looks.
 class SurfaceVertices::SeenFrom {
 public:
     SeenFrom(SurfaceVertices &vertices, const ConstVec3Planes &I)
         : vertices_(vertices), wasAloud_(vertices.aloud_) {
-        ConstVec3Planes P = vertices.P();
-        for (int c = 0; c < 3; ++c) {
-            float *E = vertices.storage_.viewer[c];
-            for (int i = 0; i < vertices.count(); ++i)
-                E[i] = P[c][i] - I[c][i];
+        for (int c = 0; c < 3; ++c)
             replace(int(ShaderInput::I) + c, const_cast<float *>(I[c]), kept_[c]);
-            replace(int(ShaderInput::E) + c, E, kept_[3 + c]);
-        }
         vertices.aloud_ = false;
     }
     ~SeenFrom() {
-        for (int c = 0; c < 3; ++c) {
+        for (int c = 0; c < 3; ++c)
             put(int(ShaderInput::I) + c, kept_[c]);
-            put(int(ShaderInput::E) + c, kept_[3 + c]);
-        }
         vertices_.aloud_ = wasAloud_;
     }
     SeenFrom(const SeenFrom &) = delete;
@@ -230,7 +222,7 @@ private:
 
     SurfaceVertices &vertices_;
     bool wasAloud_;
-    Planes kept_[6];
+    Planes kept_[3];
 };
 
 void SurfaceVertices::prepareFrom(const ConstVec3Planes &I, PreparedView &view) {

@@ -102,7 +102,6 @@ private:
         Planes<float> facing, litPoints, shadeOutputs;
         std::vector<float *> parameterTable;
         Planes<std::uint32_t> around;
-        Planes<float> viewer; ///< E of those who look from elsewhere.
     };
     class SeenFrom;
     void prepare(const float *const *ambient, PreparedView &);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vectors that lie in planes.
+// Vectors that lie in planes, and what densities are weighed by.
 #pragma once
 
 #include "foundation/base/vec3.h"
 #include "light/sampling/cone_mixture.h"
 
 namespace candela {
+
+inline double square(double x) { return x * x; }
 
 inline Vec3 at(const ConstVec3Planes &planes, int i) {
     return {planes[0][i], planes[1][i], planes[2][i]};

@@ -292,10 +292,8 @@ private:
         const int light = out_.light[i] - 1;
         const Vec3 direction =
             sampleCosine(emitter.sides, Ng, numbers_.direction[0][i], numbers_.direction[1][i]);
-        for (int c = 0; c < 3; ++c) {
+        for (int c = 0; c < 3; ++c)
             points.input(ShaderInput::I, c)[k] = -direction[c];
-            points.input(ShaderInput::E, c)[k] = P[c] + direction[c];
-        }
         put(out_.origin, i, Scene::offsetOrigin(P, Ng, direction, points.offset[k]));
         put(out_.direction, i, direction);
         put(out_.normal, i, Ng);
