@@ -100,8 +100,8 @@ Lowering::Lowering(const sl::TypedShader &shader, const LoweringOptions &options
                    const std::vector<StringValue> &strings, Function &function,
                    DiagnosticSink &sink)
     : shader(shader), strings(strings), options(options), b(function, Budget(mostInstructions)),
-      messages(sink), variables(b, computedArrays(shader), fixedTexts(shader)), spaces(b, messages),
-      turn(variables.newCells({number(b, 0)})) {
+      messages(sink), variables(b, computedArrays(shader), fixedTexts(shader)),
+      spaces(b, messages, shader.kind), turn(variables.newCells({number(b, 0)})) {
     for (const sl::PredefinedVariable &variable : sl::predefinedVariables())
         variables.declarePredefined(variable.id, variable.type.base,
                                     startOf(b, shader.kind, variable));

@@ -21,6 +21,11 @@ std::optional<SpaceMatrices> Spaces::find(const std::string &name, const sl::Pla
         refuse(name, where);
         return std::nullopt;
     }
+    if (onPicture_) {
+        messages_.warning(where, "pictures have no coordinate systems: the space \"" + name +
+                                     "\" is taken for \"current\" in filters and imagers");
+        return std::nullopt;
+    }
     if (name == "object")
         return SpaceMatrices{currentFromObject(b_), objectFromCurrent(b_)};
     if (name != "shader")
@@ -96,10 +101,10 @@ Components mtransformBuiltin(BuiltinCall &call) {
     return componentsOf(m);
 }
 
-/// The space "depth" is camera space with z from 0 at the near to 1 at the far clipping plane.
 Components depthBuiltin(BuiltinCall &call) {
-    const Matrix depthFromCurrent = spaceFromCurrent(call.b, "depth");
-    return {transformPoint(call.b, depthFromCurrent, call.triple(0))[2]};
+    const Triple point = call.triple(0);
+    const auto depth = call.lowering.spaces.find("depth", call.expr.where);
+    return {(depth ? transformPoint(call.b, depth->fromCurrent, point) : point)[2]};
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 
 #include "language/ir/core/builder.h"
 #include "language/ir/lower/messages.h"
+#include "language/syntax/base_type.h"
 
 #include <optional>
 #include <string>
@@ -16,7 +17,10 @@ struct SpaceMatrices {
 
 class Spaces {
 public:
-    Spaces(Builder &b, Messages &messages) : b_(b), messages_(messages) {}
+    /// Filters and imagers run on pictures, where all spaces are taken for "current".
+    Spaces(Builder &b, Messages &messages, sl::ShaderKind kind)
+        : b_(b), messages_(messages),
+          onPicture_(kind == sl::ShaderKind::Filter || kind == sl::ShaderKind::Imager) {}
 
     /// For default values, which are evaluated where "current" is unknown: from now on "shader" is
     /// the identity and other spaces are refused.
@@ -24,12 +28,14 @@ public:
     bool isShaderOnly() const { return onlyShader_; }
     void refuse(const std::string &name, const sl::Place &);
 
-    /// Nothing for the identity.
+    /// Nothing for the identity. The space "depth" is camera space with z from 0 at the near to 1
+    /// at the far clipping plane.
     std::optional<SpaceMatrices> find(const std::string &name, const sl::Place &);
 
 private:
     Builder &b_;
     Messages &messages_;
+    bool onPicture_;
     bool onlyShader_ = false;
     int shaderSlot_ = -1; ///< Of the hidden parameter; -1 as long as none asks.
 };

@@ -113,5 +113,21 @@ TEST(LowerSpaces, DepthReadsItsSpace) {
     EXPECT_FLOAT_EQ(run.run().at("result")[0][0], 0.25f);
 }
 
+TEST(LowerSpaces, PicturesHaveNone) {
+    for (const char *shader :
+         {"filter f() { setimage(\"Ci\", 0, 0, depth(transform(\"world\", point \"object\" 1))); }",
+          "imager f() { Ci = depth(transform(\"world\", point \"object\" 1)) "
+          "+ comp(mtransform(\"shader\", matrix \"camera\" 1), 0, 0); }"}) {
+        const ShaderRun run(shader);
+        ASSERT_TRUE(run.lowered) << run.diagnostics.text();
+        EXPECT_TRUE(run.lowered->whole.spaces.empty());
+        EXPECT_TRUE(run.lowered->whole.parameters.empty());
+        for (const char *space : {"\"depth\"", "\"world\"", "\"object\""})
+            EXPECT_NE(run.diagnostics.text().find(std::string("the space ") + space),
+                      std::string::npos)
+                << run.diagnostics.text();
+    }
+}
+
 } // namespace
 } // namespace candela::ir
