@@ -55,8 +55,11 @@ public:
                    }};
         inputs_.fill(zeros_.data());
         variables_.assign(filter.variables.size(), zeros_.data());
+        parameters_.assign(filter.parameters.size(), 0);
         args_.count = 1;
         args_.inputs = inputs_.data();
+        args_.parameters = parameters_.data();
+        args_.parameterOffset = &parameterOffset_;
         args_.variables = variables_.data();
         args_.maps = maps_.views();
         args_.captured = size_.data();
@@ -111,6 +114,8 @@ private:
     const std::array<float, laneBlock> zeros_{};
     std::array<const float *, std::size_t(ShaderInput::Count)> inputs_;
     std::vector<const float *> variables_; ///< The trial has parameters that they override.
+    std::vector<float> parameters_;        ///< Those that are not folded: computed defaults.
+    const std::int32_t parameterOffset_ = 0;
     ShaderCallbacks callbacks_;
     PixelLoopRunner runner_;
     ShaderArgs args_;

@@ -5,6 +5,8 @@
 
 #include "language/ir/core/dataflow.h"
 
+#include <cmath>
+
 namespace candela::ir {
 
 namespace {
@@ -22,6 +24,11 @@ struct Degree {
 constexpr Degree unknown{Degree::Unknown, 0};
 constexpr Degree steady{Degree::Power, 0};
 
+/// A power that is not a number would never equal itself, and the solution never stand still.
+Degree ofPower(float power) {
+    return std::isfinite(power) ? Degree{Degree::Power, power} : unknown;
+}
+
 Degree merged(Degree a, Degree b) {
     if (a.kind == Degree::Undefined || (a.kind == Degree::Zero && b.kind != Degree::Undefined))
         return b;
@@ -35,7 +42,7 @@ Degree product(Degree a, Degree b, float sign) {
     if (a.kind == Degree::Zero || (b.kind == Degree::Zero && sign > 0))
         return {Degree::Zero, 0};
     if (a.kind == Degree::Power && b.kind == Degree::Power)
-        return {Degree::Power, a.power + sign * b.power};
+        return ofPower(a.power + sign * b.power);
     return unknown;
 }
 
@@ -124,7 +131,7 @@ struct DegreeAnalysis : ForwardAnalysis<Degree> {
     Degree raised(const Instruction &i) const {
         const Instruction *exponent = definition[i.operands[1]];
         if (at(i, 0).kind == Degree::Power && exponent && exponent->op == Op::ConstFloat)
-            return {Degree::Power, at(i, 0).power * exponent->number};
+            return ofPower(at(i, 0).power * exponent->number);
         return steadyIfOperandsAre(i);
     }
 

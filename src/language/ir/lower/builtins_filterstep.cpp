@@ -89,8 +89,11 @@ Components filterstep(BuiltinCall &call) {
         const std::string name = call.text(i, "the name of an argument");
         if (name == "filter")
             integral = filterNamed(call, i + 1);
-        else if (name == "width")
+        else if (name == "width" && call.expr.operands[i + 1]->type.base == sl::BaseType::Float)
             extent = mul(b, extent, call.number(i + 1));
+        else if (name == "width")
+            call.lowering.messages.error(call.expr.operands[i + 1]->where,
+                                         "\"width\" takes a float");
     }
     const ValueId zero = number(b, 0), half = number(b, 0.5f), one = number(b, 1);
     const ValueId beyond = sub(b, x, call.number(0));

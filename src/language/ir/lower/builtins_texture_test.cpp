@@ -140,7 +140,7 @@ TEST(LowerTextures, FootprintsAreLeftOutWhereTheyMakeATextTooLarge) {
     EXPECT_EQ(asked.result.at(0), 0);
 }
 
-TEST(LowerTextures, SayWhatIsWrong) {
+TEST(LowerLookups, SayWhatIsWrong) {
     const std::pair<const char *, const char *> faults[] = {
         {"result = texture(\"a\", s);", "texture() takes a name, then s and t or four pairs"},
         {"result = texture(\"a\", P);", "texture() takes a name, then s and t or four pairs"},
@@ -148,6 +148,7 @@ TEST(LowerTextures, SayWhatIsWrong) {
         {"result = shadow(\"a\");", "shadow() takes a name, then a point or four of them"},
         {"result = texture(\"a\", s, t, \"blur\");", "each with its value"},
         {"result = texture(\"a\", s, t, \"blur\", \"much\");", "\"blur\" takes a float"},
+        {"result = filterstep(1, s, \"width\", \"wide\");", "\"width\" takes a float"},
     };
     for (const auto &[body, words] : faults) {
         ShaderRun run(surfaceWith("float", body));

@@ -262,6 +262,7 @@ TEST(LowerLight, FallOffThatIsNotInverseSquare) {
     EXPECT_TRUE(isInverseSquare("abs(xcomp(normalize(L))) / (L . L)"));
     EXPECT_FALSE(isInverseSquare("1"));
     EXPECT_FALSE(isInverseSquare("1 / length(L)"));
+    EXPECT_FALSE(isInverseSquare("pow(max(1e38, xcomp(normalize(L))), 1e400)"));
     EXPECT_FALSE(isInverseSquare("1 / (1 + L . L)"));
     EXPECT_FALSE(isInverseSquare("(length(L) < 2 ? 1 : 0) / (L . L)"));
     EXPECT_FALSE(isInverseSquare("noise(Ps) / (L . L)"));
