@@ -31,12 +31,36 @@ BidirectionalWishes wishesOf(const NamedParameters &named) {
     return wishes;
 }
 
+bool isSolved(const Options &options) {
+    return options.named.string("render:integrator", "") == "radiosity";
+}
+
+FinalPass finalPassOf(const NamedParameters &named) {
+    const std::string name = named.string("radiosity:finalpass", "fe+direct");
+    return name == "fe"       ? FinalPass::Elements
+           : name == "gather" ? FinalPass::Gather
+                              : FinalPass::Direct;
+}
+
+radiosity::SolverSettings solverSettings(const NamedParameters &named, std::uint32_t seed) {
+    radiosity::SolverSettings solver;
+    solver.seed = seed;
+    solver.order = int(named.number("radiosity:order", solver.order));
+    solver.epsilon = named.number("radiosity:epsilon", solver.epsilon);
+    solver.leastElement = named.number("radiosity:leastelement", solver.leastElement);
+    solver.directSamples = int(named.number("radiosity:samples", solver.directSamples));
+    return solver;
+}
+
 IntegratorSettings integratorSettings(const Scene &scene, const RenderSettings &settings) {
     const Options &options = scene.options();
     IntegratorSettings result;
     result.kind = scene.isClassic()         ? IntegratorKind::Classic
                   : scene.isBidirectional() ? IntegratorKind::Bidirectional
+                  : isSolved(options)       ? IntegratorKind::Radiosity
                                             : IntegratorKind::Path;
+    result.finalPass = finalPassOf(options.named);
+    result.solver = solverSettings(options.named, settings.seed);
     const double samples =
         std::round(double(std::max(1.0f, options.xSamples)) * std::max(1.0f, options.ySamples));
     result.lastSample = int(std::min<double>(samples, maximumSamplesPerPixel));
@@ -52,6 +76,7 @@ const char *nameOf(IntegratorKind kind) {
     switch (kind) {
     case IntegratorKind::Classic: return "classic";
     case IntegratorKind::Path: return "path";
+    case IntegratorKind::Radiosity: return "radiosity";
     case IntegratorKind::Bidirectional: break;
     }
     return "bidir";

@@ -22,13 +22,10 @@ struct GivenOption {
 
 bool integrator(const GivenOption &given) {
     const std::string name = given.text();
-    if (name == "radiosity")
-        given.diagnostics.warnOnce(given.where, "integrator:" + name,
-                                   "Option \"render\" \"integrator\": this version has no \"" +
-                                       name + "\" and takes \"path\"");
-    else if (name != "path" && name != "classic" && name != "bidir")
+    if (name != "path" && name != "classic" && name != "bidir" && name != "radiosity")
         given.wrong("there is no integrator \"" + name +
-                    "\": the known ones are \"path\", \"bidir\" and \"classic\"; taking \"path\"");
+                    "\": the known ones are \"path\", \"bidir\", \"radiosity\" and \"classic\"; "
+                    "taking \"path\"");
     return true;
 }
 
@@ -78,6 +75,37 @@ bool trust(const GivenOption &given) {
                        "their number, a number from 0.000001 to 1000000");
 }
 
+bool finalPass(const GivenOption &given) {
+    const std::string name = given.text();
+    return name == "fe" || name == "fe+direct" || name == "gather" ||
+           given.wrong("there is no final pass \"" + name +
+                       "\": the known ones are \"fe\", \"fe+direct\" and \"gather\"");
+}
+
+bool epsilon(const GivenOption &given) {
+    return isWithin(given, 1e-9f, 1) ||
+           given.wrong("\"radiosity\" \"epsilon\" is what an exchange of light between two "
+                       "elements may get wrong, in shares of all light, a number from 1e-9 to 1");
+}
+
+bool leastElement(const GivenOption &given) {
+    return isWithin(given, 1e-9f, 1) ||
+           given.wrong("\"radiosity\" \"leastelement\" is the smallest element, in shares of all "
+                       "surfaces, a number from 1e-9 to 1");
+}
+
+bool order(const GivenOption &given) {
+    return isWithin(given, 1, 3) ||
+           given.wrong("\"radiosity\" \"order\" is 1 (constant elements), 2 (bilinear ones) or 3 "
+                       "(biquadratic ones)");
+}
+
+bool directSamples(const GivenOption &given) {
+    return isWithin(given, 1, 4096) ||
+           given.wrong("\"radiosity\" \"samples\" is how many samples of light sources each node "
+                       "of an element takes, a number from 1 to 4096");
+}
+
 bool textureMemory(const GivenOption &given) {
     return isWithin(given, 0, float(1 << 30)) ||
            given.wrong("\"limits\" \"texturememory\" is how many kibibytes of textures are kept, "
@@ -93,6 +121,11 @@ bool checkOption(RequestDiagnostics &diagnostics, const SourceLocation &where,
         {"bidir:lightpaths", lightPaths},
         {"bidir:trust", trust},
         {"limits:texturememory", textureMemory},
+        {"radiosity:epsilon", epsilon},
+        {"radiosity:finalpass", finalPass},
+        {"radiosity:leastelement", leastElement},
+        {"radiosity:order", order},
+        {"radiosity:samples", directSamples},
         {"render:integrator", integrator},
         {"shading:highlights", highlights},
         {"shading:loopturns", loopTurns},

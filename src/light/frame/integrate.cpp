@@ -8,6 +8,7 @@
 #include "light/bidir/plan.h"
 #include "light/path/split.h"
 #include "light/path/stages.h"
+#include "light/radiosity/solution.h"
 
 #include <algorithm>
 #include <atomic>
@@ -96,6 +97,12 @@ void integrate(const Scene &scene, const IntegratorSettings &settings,
     frame.guide = &guide;
     if (settings.kind == IntegratorKind::Bidirectional && !(plan.lightPaths > 0))
         taken.kind = IntegratorKind::Path;
+    std::unique_ptr<radiosity::Solution> solution;
+    if (settings.kind == IntegratorKind::Radiosity) {
+        solution = std::make_unique<radiosity::Solution>(scene, settings.solver, settings.solving);
+        statistics.solver = solution->statistics();
+        frame.solution = solution.get();
+    }
     std::unique_ptr<LightPass> lightPaths;
     if (plan.lightPaths > 0)
         lightPaths = std::make_unique<LightPass>(frame, plan, sink);

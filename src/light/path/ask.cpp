@@ -101,7 +101,7 @@ void ask(PathWave &wave) {
                                ambient.data());
         chunk.ambient = chunk.ambientTable.data();
     }
-    chunk.vertices.prepare(chunk.ambient);
+    chunk.vertices.prepare(chunk.ambient, chunk.irradiance);
 }
 
 void see(PathWave &wave) {

@@ -76,6 +76,7 @@ struct VertexChunk {
     VertexNumbers numbers;
     const float *const *ambient = nullptr; ///< The answer to ambient(); null = black.
     std::array<const float *, colorSamples> ambientTable{};
+    const float *const *irradiance = nullptr; ///< The answer to irradiance(); null = black.
     Planes<float> ambientLight;
     ScatteringEvents events;
     ConeMixture mixture; ///< Of the finite lobes; not stated where all their light is given.

@@ -21,6 +21,23 @@ constexpr Stage gatheringStages[] = {
 constexpr Stage classicStages[] = {
     meet, cross, emit, ask, see, lightClassic, seeOutputParameters, branch, deliver};
 
+/// Of scenes that have been solved. Shaders that are not affine gather light by paths, which end on
+/// the solution, whatever the final pass.
+constexpr Stage elementStages[] = {meet,
+                                   cross,
+                                   emit,
+                                   lookUpSolution,
+                                   ask,
+                                   see,
+                                   seeOutputParameters,
+                                   stateLobes,
+                                   takeSolution,
+                                   scatterBesidesFiniteLobes,
+                                   deliver};
+constexpr Stage solvedStages[] = {
+    meet,       cross, emit,         lookUpSolution, ask,    see, seeOutputParameters,
+    stateLobes, light, takeSolution, scatter,        deliver};
+
 void shadeBin(PathWave &wave, int bin) {
     std::span<const int> rays = wave.bins.rays(bin);
     if (rays.empty())
@@ -56,6 +73,11 @@ void advance(PathWave &wave) {
 std::span<const Stage> stagesOfIntegrator(const PathWave &wave, const ShaderCode &code) {
     if (wave.frame.settings.kind == IntegratorKind::Classic)
         return classicStages;
+    if (wave.solution && code.facts().affine)
+        return wave.frame.settings.finalPass == FinalPass::Elements &&
+                       wave.purpose == Purpose::Camera
+                   ? std::span<const Stage>(elementStages)
+                   : solvedStages;
     return code.facts().affine ? std::span<const Stage>(pathStages) : gatheringStages;
 }
 

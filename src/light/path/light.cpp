@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "foundation/base/hot.h"
 #include "foundation/base/lanes.h"
+#include "light/path/solution_light.h"
 #include "light/path/split.h"
 #include "light/path/stages.h"
 #include "light/sampling/mis.h"
@@ -29,7 +30,7 @@ CANDELA_HOT void markShallow(int count, const int *__restrict depth, int maxDept
     }
 }
 
-/// Of all `directions` together; none where the mixture is empty.
+/// Of all `directions` together; none where none is followed.
 CANDELA_HOT void densityOfAll(int count, float directions, const float *__restrict finiteTotal,
                               float *__restrict pdf) {
     for (int i = 0; i < count; ++i)
@@ -52,7 +53,7 @@ void sampleLights(PathWave &wave, LightGroup group) {
     unitDirections(count, samples.L[0], samples.L[1], samples.L[2], direct.unit[0], direct.unit[1],
                    direct.unit[2]);
     chunk.mixture.pdf({direct.unit[0], direct.unit[1], direct.unit[2]}, direct.directionPdf);
-    densityOfAll(count, float(directionsAt(wave)), chunk.mixture.total(), direct.directionPdf);
+    densityOfAll(count, float(directionsAt(wave)), followedTotal(wave), direct.directionPdf);
     leaveToLightSampling(chunk.vertices.code(), count, samples.light, direct.directionPdf);
     lightSampleFactors(count, samples.pdfSolidAngle, direct.directionPdf, direct.wanted,
                        direct.factor);
@@ -106,8 +107,10 @@ void light(PathWave &wave) {
     if (vertices.prepared().Ca[0])
         chunk.gather(
             {vertices.prepared().Ca[0], vertices.prepared().Ca[1], vertices.prepared().Ca[2]});
-    markShallow(chunk.count(), chunk.paths.depth, wave.frame.settings.maxDepth,
-                chunk.mixture.total(), chunk.direct.wanted, chunk.direct.scattered);
+    markShallow(chunk.count(), chunk.paths.depth, wave.frame.settings.maxDepth, followedTotal(wave),
+                chunk.direct.wanted, chunk.direct.scattered);
+    if (wave.solution)
+        leaveToSolution(wave, chunk.direct.wanted);
     for (LightGroup group : wave.frame.scene.lights().groupsInUse())
         lightFrom(wave, group);
 }

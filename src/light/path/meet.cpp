@@ -36,6 +36,7 @@ void meet(PathWave &wave) {
     const int count = int(chunk.rays.size());
     chunk.vertices.meet(wave.frame.scene, chunk.code, wave.active.rays, wave.hits,
                         chunk.rays.data(), count);
+    chunk.irradiance = nullptr;
     takePaths(wave, chunk.paths);
     if (chunk.vertices.code().reads(ShaderInput::seed)) {
         float *seed = chunk.vertices.points.input(int(ShaderInput::seed));

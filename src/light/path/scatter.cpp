@@ -2,6 +2,7 @@
 #include "foundation/base/hot.h"
 #include "foundation/base/lanes.h"
 #include "light/path/roulette.h"
+#include "light/path/solution_light.h"
 #include "light/path/split.h"
 #include "light/path/stages.h"
 #include "light/path/steps.h"
@@ -133,7 +134,7 @@ CANDELA_HOT void numberDirections(int count, const std::uint32_t *__restrict sam
 /// The paths go on along directions of the finite lobes.
 void followDirections(PathWave &wave, RouletteThresholds thresholds) {
     VertexChunk &chunk = wave.chunk;
-    if (!chunk.events.takeFinite(chunk.count(), chunk.mixture.total()))
+    if (!chunk.events.takeFinite(chunk.count(), followedTotal(wave)))
         return;
     const int directions = directionsAt(wave);
     for (int k = 0; k < directions; ++k) {
@@ -206,7 +207,7 @@ void followEvents(PathWave &wave, RouletteThresholds thresholds) {
 }
 
 void scatter(PathWave &wave) {
-    beginEvents(wave, wave.chunk.mixture.total());
+    beginEvents(wave, followedTotal(wave));
     const RouletteThresholds thresholds = thresholdsOf(wave);
     followDirections(wave, thresholds);
     followEvents(wave, thresholds);

@@ -2,6 +2,8 @@
 // What estimators are told, and what they tell besides the picture.
 #pragma once
 
+#include "light/radiosity/settings.h"
+
 #include <array>
 #include <atomic>
 #include <cstdint>
@@ -19,7 +21,12 @@ inline int passEnd(int first) {
     return first < looked ? looked : (first / whole + 1) * whole;
 }
 
-enum class IntegratorKind { Classic, Path, Bidirectional };
+enum class IntegratorKind { Classic, Path, Bidirectional, Radiosity };
+
+/// What a solved scene is rendered by (DESIGN 6). Elements: the solution's light alone. Direct: its
+/// indirect light, light sources are sampled. Gather: one more bounce by paths, which end on the
+/// solution.
+enum class FinalPass { Elements, Direct, Gather };
 
 /// How often each kind of technique is tried, a camera sample of a pixel being once.
 struct TechniqueCounts {
@@ -55,16 +62,20 @@ struct IntegratorSettings {
     int maxDepth = 64;           ///< Reflections and refractions along a path.
     bool hemisphereOnly = false; ///< --sampling hemisphere: ignore the shaders' cones.
     BidirectionalWishes bidirectional;
+    FinalPass finalPass = FinalPass::Direct;
+    radiosity::SolverSettings solver;
     std::array<int, 4> crop{}; ///< x0, x1, y0, y1: the pixels to render.
     bool atPoints = false;     ///< Paths begin at numbered points (PathResults::x), not in pixels.
     /// Called after each tile, from any thread, with the share done in [0,1].
     std::function<void(double)> progress;
+    std::function<void(double)> solving; ///< Likewise of the solution that comes before the tiles.
 };
 
 /// What happened besides the picture, for --stats and messages. Counters of all threads.
 struct TransportStatistics {
     std::atomic<std::uint64_t> paths{0}, lightPaths{0}, cameraRays{0}, bounceRays{0}, shadowRays{0};
     std::atomic<std::uint64_t> nonFiniteSamples{0};
+    radiosity::SolverStatistics solver; ///< Zero unless the scene has been solved.
 };
 
 } // namespace candela

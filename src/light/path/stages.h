@@ -43,6 +43,11 @@ void stateLobes(PathWave &);
 void light(PathWave &);
 /// Every light at once, as RI 3.1 has it.
 void lightClassic(PathWave &);
+/// What the solution says of the vertices: irradiance, as irradiance() answers it.
+void lookUpSolution(PathWave &);
+/// The solution's light, reflected as a uniform field is, but for shaders that have called
+/// irradiance(), which have it.
+void takeSolution(PathWave &);
 /// Many samples at once, for shaders that no single one can be asked about.
 void lightGathered(PathWave &);
 /// The paths go on along finite lobes, trace() and what shines through.

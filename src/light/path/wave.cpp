@@ -3,6 +3,7 @@
 
 #include "foundation/base/lanes.h"
 #include "light/path/numbers.h"
+#include "light/path/solution_light.h"
 #include "light/path/stages.h"
 
 namespace candela {
@@ -30,7 +31,12 @@ PathWave::PathWave(FrameContext &frame, Purpose purpose, StageList stages, bool 
       results(capacity, purpose == Purpose::Camera ? int(frame.firstHit.size()) : 0),
       active(capacity, frame.scene.hasVolumes(), hasTwoEnds),
       next(capacity, frame.scene.hasVolumes(), hasTwoEnds), hits(capacity),
-      bins(frame.scene, capacity), cameraNumbers(2 * cameraPairs, capacity), shares(capacity) {}
+      bins(frame.scene, capacity), cameraNumbers(2 * cameraPairs, capacity), shares(capacity) {
+    if (frame.solution)
+        solution = std::make_unique<SolutionLight>(VertexChunk::capacity);
+}
+
+PathWave::~PathWave() = default;
 
 VertexChunk::VertexChunk()
     : vertices(capacity), paths(capacity), numbers(capacity), ambientLight(colorSamples, capacity),

@@ -26,6 +26,10 @@
 namespace candela {
 
 struct EmissionGuide;
+struct SolutionLight;
+namespace radiosity {
+class Solution;
+}
 
 /// What all waves of a frame share.
 struct FrameContext {
@@ -40,7 +44,8 @@ struct FrameContext {
     TransportStatistics &statistics;
     NonFiniteReporter nonFinite;
     DiagnosticSink &diagnostics;
-    const EmissionGuide *guide;  ///< For paths from lights; null = nothing is known.
+    const EmissionGuide *guide; ///< For paths from lights; null = nothing is known.
+    const radiosity::Solution *solution = nullptr; ///< Of scenes that have been solved.
     std::once_flag refusedLight; ///< Volumes have asked for light at too many points: said.
 };
 
@@ -65,6 +70,7 @@ struct PathWave {
     static constexpr int capacity = 8192;
 
     explicit PathWave(FrameContext &, Purpose = Purpose::Camera);
+    ~PathWave();
     /// Of paths that have another end, too.
     PathWave(FrameContext &, Purpose, StageList, const TechniqueCounts &);
 
@@ -88,6 +94,7 @@ struct PathWave {
     std::unique_ptr<AlbedoPlanes> albedo;    ///< this,
     std::unique_ptr<Crossing> crossing;      ///< and this.
     std::unique_ptr<Subpaths> subpaths;      ///< Null unless paths have two ends.
+    std::unique_ptr<SolutionLight> solution; ///< Null unless the scene has been solved.
 
 private:
     PathWave(FrameContext &, Purpose, StageList, bool hasTwoEnds);

@@ -101,8 +101,20 @@ void SurfaceVertices::meet(const Scene &scene, int code, const RayBatch &rays, c
     scene_ = &scene;
     codeIndex_ = code;
     scene.shadingPoints(rays, hits, order, count, points);
+    findSides();
+}
+
+void SurfaceVertices::place(const Scene &scene, int code, const SurfacePlaces &places,
+                            const Vec3Planes &I, float time) {
+    scene_ = &scene;
+    codeIndex_ = code;
+    scene.domains().shadingPoints(places, I, time, points);
+    findSides();
+}
+
+void SurfaceVertices::findSides() {
     const Planes<float> &facing = storage_.facing;
-    facingNormals(count, input(ShaderInput::Ng), input(ShaderInput::I),
+    facingNormals(count(), input(ShaderInput::Ng), input(ShaderInput::I),
                   {facing[0], facing[1], facing[2]});
     const Planes<float> &lit = storage_.litPoints;
     rayOrigins(facingPlanes(), {lit[0], lit[1], lit[2]});
@@ -140,9 +152,12 @@ void SurfaceVertices::bindFrames(PreparedView &view, ShaderArgs &args) {
     args.viewFrame = view.viewFrame[0];
 }
 
-void SurfaceVertices::prepare(const float *const *ambient) { prepare(ambient, view_); }
+void SurfaceVertices::prepare(const float *const *ambient, const float *const *irradiance) {
+    prepare(ambient, irradiance, view_);
+}
 
-void SurfaceVertices::prepare(const float *const *ambient, PreparedView &view) {
+void SurfaceVertices::prepare(const float *const *ambient, const float *const *irradiance,
+                              PreparedView &view) {
     const QuestionCode &question = code().question(ir::Question::Prepare);
     reserve(view.outputs, int(question.function.outputs.size()), capacity_);
     reserve(view.surfaceFrame, question.function.surfaceSlots, capacity_);
@@ -157,6 +172,7 @@ void SurfaceVertices::prepare(const float *const *ambient, PreparedView &view) {
     args.outputs = outputs;
     bindFrames(view, args);
     args.ambient = ambient;
+    args.irradiance = irradiance;
     question.ask(args);
     const int completed = question.output(ir::OutputKind::Completed);
     view.answers.completed = completed >= 0 ? outputs[completed] : nullptr;
@@ -227,7 +243,7 @@ private:
 
 void SurfaceVertices::prepareFrom(const ConstVec3Planes &I, PreparedView &view) {
     const SeenFrom elsewhere(*this, I);
-    prepare(nullptr, view);
+    prepare(nullptr, nullptr, view);
 }
 
 void SurfaceVertices::scatterFrom(const ConstVec3Planes &I, PreparedView &view,

@@ -37,8 +37,11 @@ public:
     /// Fills the points of hits[order[0..count)] and their facing geometric normals.
     void meet(const Scene &, int code, const RayBatch &, const HitBatch &, const int *order,
               int count);
-    /// Asks for importance, opacity and the answer to ambient light (Prepare).
-    void prepare(const float *const *ambient);
+    /// The same of points that are named by their surfaces, seen along I.
+    void place(const Scene &, int code, const SurfacePlaces &, const Vec3Planes &I, float time);
+    /// Asks for importance, opacity and the answer to ambient light (Prepare), and with
+    /// `irradiance`, W m^-2, to that, too.
+    void prepare(const float *const *ambient, const float *const *irradiance = nullptr);
     /// Linear response g (see ir::Question::Scatter) to light along `direction` (any length);
     /// `answered` is finiteRequests or the number of a delta request, lane by lane; `light` says
     /// whose light it is (index + 1, 0 = indirect).
@@ -104,7 +107,8 @@ private:
         Planes<std::uint32_t> around;
     };
     class SeenFrom;
-    void prepare(const float *const *ambient, PreparedView &);
+    void findSides();
+    void prepare(const float *const *ambient, const float *const *irradiance, PreparedView &);
     void scatter(PreparedView &, const ConstVec3Planes &direction, const std::int32_t *answered,
                  const std::int32_t *light, float *const *g);
     ShaderArgs arguments() const;

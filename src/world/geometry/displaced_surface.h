@@ -38,6 +38,7 @@ public:
     /// If the displacement is by the surface's own shader.
     bool evaluateUnmoved(const SurfaceQuery &, const SurfaceAnswer &) const override;
 
+    SurfaceDomain domain() const override { return {std::uint32_t(mesh_.triangles.size()), true}; }
     Box3 bound() const override { return bound_; }
     DicedMesh dice(const DiceRate &) const override;
     double triangleCount(const DiceRate &) const override { return double(mesh_.triangles.size()); }

@@ -21,6 +21,7 @@ public:
     PolygonSurface(PolygonMesh, const PrimitiveRecord &, DiagnosticSink &);
 
     Box3 bound() const override { return bound_; }
+    SurfaceDomain domain() const override { return {std::uint32_t(mesh_.triangles.size()), true}; }
     DicedMesh dice(const DiceRate &) const override;
     double triangleCount(const DiceRate &) const override { return double(pieces_.size()); }
     float area() const override { return area_; }

@@ -42,6 +42,13 @@ struct VariableInfo {
     Declaration declaration;
 };
 
+/// What (piece, u, v) range over: u and v in [0,1]; of triangles u + v <= 1, as barycentric
+/// coordinates are.
+struct SurfaceDomain {
+    std::uint32_t pieces = 1;
+    bool triangles = false;
+};
+
 /// Where to evaluate: `count` points as (piece, u, v), structure of arrays.
 struct SurfaceQuery {
     int count = 0;
@@ -91,6 +98,7 @@ class Surface {
 public:
     virtual ~Surface() = default;
 
+    virtual SurfaceDomain domain() const { return {}; }
     /// Contains the whole surface.
     virtual Box3 bound() const = 0;
     virtual DicedMesh dice(const DiceRate &) const = 0;

@@ -14,6 +14,7 @@ public:
 
     const Surface &behind() const { return *behind_; }
 
+    SurfaceDomain domain() const override { return behind_->domain(); }
     Box3 bound() const override { return behind_->bound(); }
     DicedMesh dice(const DiceRate &rate) const override { return behind_->dice(rate); }
     double triangleCount(const DiceRate &rate) const override {

@@ -248,23 +248,45 @@ private:
 
 } // namespace
 
-void evaluateRuns(const PointTables &tables, const SurfaceCode &code, const float *normalSign,
-                  ShadingPoints &points) {
-    struct Own {
-        SortScratch sorting;
-        RunScratch runs;
-    };
-    thread_local ScratchLevels<Own> levels; // Displaced surfaces evaluate what is below them.
-    const ScratchLevels<Own>::Level own(levels);
+namespace {
+
+struct RunsScratch {
+    SortScratch sorting;
+    RunScratch runs;
+};
+
+/// Calls `serve` with the runs of the points that lie on one shape.
+template <class Serve>
+void forEachRun(const PointTables &tables, const float *normalSign, ShadingPoints &points,
+                const Serve &serve) {
+    thread_local ScratchLevels<RunsScratch> levels; // Displaced surfaces evaluate what is below.
+    const ScratchLevels<RunsScratch>::Level own(levels);
     const std::int32_t *order = sortByShape(points, tables.shapes.size(), own->sorting);
     for (int first = 0, last; first < points.count; first = last) {
         const std::uint32_t shape = points.shape[order[first]];
         for (last = first + 1; last < points.count && points.shape[order[last]] == shape;)
             ++last;
-        const ShapeRun run =
-            makeRun(tables, points, order + first, last - first, normalSign, own->runs);
-        SurfaceQuestions(run, code, points, own->runs).ask();
+        serve(makeRun(tables, points, order + first, last - first, normalSign, own->runs),
+              own->runs);
     }
+}
+
+} // namespace
+
+void evaluateRuns(const PointTables &tables, const SurfaceCode &code, const float *normalSign,
+                  ShadingPoints &points) {
+    forEachRun(tables, normalSign, points, [&](const ShapeRun &run, RunScratch &own) {
+        SurfaceQuestions(run, code, points, own).ask();
+    });
+}
+
+void nameRuns(const PointTables &tables, ShadingPoints &points, std::uint32_t *piece, float *u,
+              float *v) {
+    forEachRun(tables, nullptr, points, [&](const ShapeRun &run, RunScratch &) {
+        for (int k = 0; k < run.count; ++k)
+            piece[run.order[k]] = run.piece[k];
+        deliver(run, run.u, u), deliver(run, run.v, v);
+    });
 }
 
 } // namespace candela

@@ -11,5 +11,7 @@ namespace candela {
 /// normals of their own, derivatives, parameters, variables. `normalSign` a point.
 void evaluateRuns(const PointTables &, const SurfaceCode &, const float *normalSign,
                   ShadingPoints &);
+/// What the surfaces call the points: (piece, u, v), see SurfaceQuery.
+void nameRuns(const PointTables &, ShadingPoints &, std::uint32_t *piece, float *u, float *v);
 
 } // namespace candela

@@ -43,7 +43,7 @@ struct AppearanceDetail {
 
 /// A placed object. Its shapes are consecutive, and so are their appearances.
 struct Instance {
-    std::uint32_t firstShape = 0;
+    std::uint32_t firstShape = 0, shapes = 0;
     std::int32_t firstAppearance = 0;
     std::int32_t firstId = 0;
     float stretch = 1;    ///< The largest factor by which it stretches lengths.

@@ -35,6 +35,9 @@ struct ShadingPoints {
     /// surface it leaves (dicing error plus rounding): see Scene::offsetOrigin.
     float *offset;
     float *u, *v; ///< On the element; see HitBatch.
+    /// The caller has named the points itself: element, u and v are the surface's own (piece, u,
+    /// v).
+    bool named = false;
     Planes<float> floats;
     Planes<float> variables; ///< Planes that override parameters.
     std::vector<float *> variableTable;

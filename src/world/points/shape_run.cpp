@@ -29,7 +29,7 @@ void nameOnSphere(const ShapeRun &run, ShadingPoints &points, RunScratch &own) {
 /// (piece, u, v) of the surface from what the rays have met.
 void name(const ShapeRun &run, ShadingPoints &points, RunScratch &own) {
     const Shape &shape = run.shape;
-    switch (shape.naming) {
+    switch (points.named ? Naming::Direct : shape.naming) {
     case Naming::Direct: std::copy_n(run.element, run.count, run.piece); break;
     case Naming::Corners:
         for (int k = 0; k < run.count; ++k)
@@ -62,7 +62,7 @@ ShapeRun makeRun(const PointTables &tables, ShadingPoints &points, const std::in
                        integers + 2 * stride};
     for (int k = 0; k < count; ++k) {
         const int i = order[k];
-        run.sign[k] = normalSign[i];
+        run.sign[k] = normalSign ? normalSign[i] : 1;
         run.instance[k] = points.instance[i], run.element[k] = points.element[i];
         run.u[k] = points.u[i], run.v[k] = points.v[i];
     }

@@ -28,7 +28,8 @@ struct RunScratch {
     Scratch<float *> variablePlanes;
 };
 
-/// The points order[0..count) of the batch, all of one shape, `normalSign` by place in the batch.
+/// The points order[0..count) of the batch, all of one shape, `normalSign` by place in the batch;
+/// null: natural normals.
 ShapeRun makeRun(const PointTables &, ShadingPoints &, const std::int32_t *order, int count,
                  const float *normalSign, RunScratch &);
 

@@ -41,6 +41,7 @@ CANDELA_HOT void lookUpBins(int count, const std::uint32_t *__restrict shape,
 void meetElements(const PointTables &tables, const RayBatch &rays, const HitBatch &hits,
                   const int *order, ShadingPoints &points) {
     const int count = points.count;
+    points.named = false;
     thread_local AlignedScratch own;
     float *t = own.get(count);
     auto input = [&](ShaderInput which, int c = 0) { return points.input(which, c); };
@@ -88,6 +89,7 @@ const Camera &Scene::camera() const { return state_->camera; }
 bool Scene::isClassic() const { return state_->classic; }
 bool Scene::isBidirectional() const { return state_->bidirectional; }
 Lights Scene::lights() const { return Lights(*state_); }
+SurfaceDomains Scene::domains() const { return SurfaceDomains(*state_); }
 Scene::Statistics Scene::statistics() const {
     Statistics statistics = state_->statistics;
     statistics.secondsTracing = state_->rays->secondsTracing();

@@ -9,6 +9,7 @@
 #include "world/rays/ray_batch.h"
 #include "world/scene/lights.h"
 #include "world/scene/media.h"
+#include "world/scene/surface_domains.h"
 #include "world/shading/shader_library.h"
 
 #include <functional>
@@ -102,6 +103,8 @@ public:
     std::int32_t mediumOfLight(std::int32_t light) const;
 
     Lights lights() const;
+    /// Surfaces by their parameters.
+    SurfaceDomains domains() const;
 
     struct Statistics {
         std::size_t primitives = 0, instances = 0, triangles = 0, lights = 0, codes = 0;

@@ -220,7 +220,7 @@ private:
             if (place->second == noAppearance)
                 continue;
             Instance instance;
-            instance.firstShape = shapes.first;
+            instance.firstShape = shapes.first, instance.shapes = shapes.count;
             instance.firstAppearance = place->second;
             instance.firstId = nextId;
             instance.stretch = largestStretch(placement.currentFromObject);

@@ -40,9 +40,11 @@ void readFacts(Plan &plan) {
             plan.emits[emission.outputs[i.immediate].component] = !zero[i.operands[0]];
     Function ambient = specializeUnder(plan, {Assumption::Light::None, true, nullptr},
                                        OutputKind::Ci, OutputKind::Ca);
-    plan.readsAmbient = anyInstruction(ambient.body, [](const Instruction &i) {
-        return i.op == Op::Ambient || i.op == Op::Irradiance;
-    });
+    const auto reads = [&](Op op) {
+        return anyInstruction(ambient.body, [op](const Instruction &i) { return i.op == op; });
+    };
+    plan.readsIrradiance = reads(Op::Irradiance);
+    plan.readsAmbient = plan.readsIrradiance || reads(Op::Ambient);
 }
 
 } // namespace

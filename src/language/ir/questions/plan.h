@@ -30,6 +30,7 @@ struct Plan {
     std::vector<Cone> cones;
     std::vector<bool> emits;   ///< By channel: Ce is not provably zero.
     bool readsAmbient = false; ///< Ci does.
+    bool readsIrradiance = false; ///< Likewise, by irradiance().
     bool framed = false;       ///< Requests are static; the binding times are told apart.
     FramePlan frame;           ///< Empty if not framed.
 };

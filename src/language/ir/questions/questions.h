@@ -65,7 +65,8 @@ struct ConeSlot {
 struct SurfaceFacts {
     std::vector<ConeSlot> cones;
     bool hasLoops = false;      ///< Any light loop, diffuse(), specular() and phong() included.
-    bool readsAmbient = false;  ///< ambient() or irradiance() reaches Ci.
+    bool readsAmbient = false;  ///< ambient() or irradiance() reaches Ci,
+    bool readsIrradiance = false; ///< irradiance() does.
     bool emits = false;         ///< Ce is not provably zero.
     bool opaqueIfOsIs1 = false; ///< Oi is provably Os (or 1).
     bool affine = true;         ///< Ci is affine in the light, channel by channel.

@@ -202,6 +202,7 @@ SurfaceFacts surfaceFacts(const Plan &plan) {
     facts.cones = coneSlots(plan);
     facts.hasLoops = hasLoops(plan);
     facts.readsAmbient = plan.readsAmbient;
+    facts.readsIrradiance = plan.readsIrradiance;
     for (bool emits : plan.emits)
         facts.emits |= emits;
     facts.opaqueIfOsIs1 = opaqueIfOsIs1(slice(plan, Question::Opacity));

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "light/radiosity/links.h"
+
+#include "foundation/base/parallel.h"
+#include "light/radiosity/transfer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace candela::radiosity {
+
+namespace {
+
+using Pair = VisibilityRays::Pair;
+
+/// Where normals turn by more than this over an element, the rule knows too little of it.
+constexpr float bent = 0.94f;
+/// What a pair in partial view gets wrong, in shares of what it exchanges.
+constexpr double partialError = 0.25;
+/// Rays find no way between pairs that exchange so many tolerances at most: there is none.
+constexpr double closed = 64;
+
+bool isBent(const Mesh &mesh, int e) {
+    for (const Node &node : mesh.nodes(e))
+        if (dot(node.N, mesh.element(e).normal) < bent)
+            return true;
+    return false;
+}
+
+/// What becomes of a pair.
+struct Verdict {
+    enum Kind { Nothing, Linked, Divided } kind = Nothing;
+    Transfer transfer;
+    Visibility visibility{};
+};
+
+class Refinement {
+public:
+    Refinement(Mesh &mesh, const LinkSettings &settings, Fields &fields)
+        : mesh_(mesh), settings_(settings), fields_(fields) {}
+
+    Links run() {
+        std::vector<Pair> pairs;
+        for (const Face &receiver : mesh_.faces())
+            for (const Face &sender : mesh_.faces())
+                if (receiver.root >= 0 && sender.root >= 0)
+                    pairs.push_back({receiver.root, sender.root});
+        while (!pairs.empty())
+            pairs = round(pairs);
+        std::ranges::stable_sort(links_.links, {}, &Link::receiver);
+        return std::move(links_);
+    }
+
+private:
+    bool isDivisible(int e) const {
+        return mesh_.element(e).firstChild >= 0 ||
+               (mesh_.element(e).area > 4 * settings_.leastArea && !isFull_);
+    }
+
+    /// Judges all pairs at once and returns those that come in the place of divided ones.
+    std::vector<Pair> round(const std::vector<Pair> &pairs) {
+        isFull_ = std::size_t(mesh_.size()) > settings_.mostElements ||
+                  links_.links.size() > settings_.mostLinks;
+        std::vector<Verdict> verdicts(std::min<std::size_t>(pairs.size(), roundSize));
+        std::vector<Pair> next;
+        for (std::size_t first = 0; first < pairs.size(); first += roundSize) {
+            const std::span<const Pair> some =
+                std::span(pairs).subspan(first, std::min(roundSize, pairs.size() - first));
+            judge(some, verdicts);
+            for (std::size_t k = 0; k < some.size(); ++k)
+                if (verdicts[k].kind == Verdict::Linked)
+                    link(some[k], verdicts[k]);
+            divide(some, verdicts, next);
+        }
+        return next;
+    }
+
+    void judge(std::span<const Pair> pairs, std::vector<Verdict> &verdicts) {
+        constexpr std::size_t batch = VisibilityRays::pairs;
+        parallelFor((pairs.size() + batch - 1) / batch, [&](std::size_t b) {
+            thread_local std::unique_ptr<VisibilityRays> rays;
+            if (!rays)
+                rays = std::make_unique<VisibilityRays>();
+            const std::size_t first = b * batch, last = std::min(first + batch, pairs.size());
+            std::vector<Pair> asked;
+            std::vector<std::size_t> place;
+            for (std::size_t k = first; k < last; ++k) {
+                verdicts[k] = judgeUnoccluded(pairs[k]);
+                if (verdicts[k].kind == Verdict::Linked)
+                    asked.push_back(pairs[k]), place.push_back(k);
+            }
+            std::vector<Visibility> visibility(asked.size());
+            rays->ask(mesh_, asked, visibility.data());
+            for (std::size_t k = 0; k < asked.size(); ++k)
+                judgeOccluded(asked[k], visibility[k], verdicts[place[k]]);
+        });
+    }
+
+    Verdict judgeUnoccluded(const Pair &pair) const {
+        Verdict verdict;
+        const auto [a, b] = pair;
+        const Color *exitance = exitanceOf(b);
+        const std::size_t count = mesh_.nodes(b).size();
+        float most = 0, least = INFINITY;
+        for (std::size_t j = 0; j < count; ++j) {
+            most = std::max(most, brightest(exitance[j]));
+            least = std::min(least, brightest(exitance[j]));
+        }
+        if (!(most > 0) || (a == b && mesh_.element(a).isFlat))
+            return verdict;
+        if (a == b) {
+            verdict.kind = isDivisible(a) ? Verdict::Divided : Verdict::Nothing;
+            return verdict;
+        }
+        if (areTurnedAway(mesh_, a, b))
+            return verdict;
+        verdict.transfer = transferBetween(mesh_, a, b);
+        const double area = mesh_.element(a).area;
+        const double exchanged = double(verdict.transfer.largest) * most * area;
+        const double missed = (double(verdict.transfer.receiverError) * most +
+                               double(verdict.transfer.senderError) * (most - least)) *
+                              area;
+        const bool isTooBent = (isBent(mesh_, a) || isBent(mesh_, b)) && mayExchange(pair, most);
+        verdict.kind =
+            (missed > settings_.tolerance || isTooBent) && (isDivisible(a) || isDivisible(b))
+                ? Verdict::Divided
+            : exchanged > 0 ? Verdict::Linked
+                            : Verdict::Nothing;
+        return verdict;
+    }
+
+    /// Even if they faced each other all over.
+    bool mayExchange(const Pair &pair, double exitance) const {
+        const Element &a = mesh_.element(pair.receiver), &b = mesh_.element(pair.sender);
+        const double distance = std::max(0.0f, length(b.centre - a.centre) - a.radius - b.radius);
+        const double factor = b.area / (M_PI * distance * distance + b.area);
+        return factor * exitance * a.area > settings_.tolerance;
+    }
+
+    void judgeOccluded(const Pair &pair, const Visibility &visibility, Verdict &verdict) const {
+        verdict.visibility = visibility;
+        const auto [a, b] = pair;
+        float exitance = 0;
+        for (std::size_t j = 0; j < mesh_.nodes(b).size(); ++j)
+            exitance = std::max(exitance, brightest(exitanceOf(b)[j]));
+        const double exchanged =
+            double(verdict.transfer.largest) * exitance * mesh_.element(a).area;
+        const bool mayDivide = isDivisible(a) || isDivisible(b);
+        const float seen = brightest(visibility);
+        if (seen == 0) {
+            verdict.kind = mayDivide && exchanged > closed * settings_.tolerance ? Verdict::Divided
+                                                                                 : Verdict::Nothing;
+            return;
+        }
+        const double missed = exchanged * 2 * std::min(seen, 1 - seen) * partialError;
+        if (mayDivide && missed > settings_.tolerance)
+            verdict.kind = Verdict::Divided;
+    }
+
+    void link(const Pair &pair, const Verdict &verdict) {
+        links_.links.push_back(
+            {pair.receiver, pair.sender, verdict.visibility, links_.kernels.size()});
+        const std::size_t count =
+            mesh_.nodes(pair.receiver).size() * mesh_.nodes(pair.sender).size();
+        links_.kernels.insert(links_.kernels.end(), verdict.transfer.kernel.begin(),
+                              verdict.transfer.kernel.begin() + std::ptrdiff_t(count));
+    }
+
+    /// The larger of the two, if it can be.
+    int dividedOf(const Pair &pair) const {
+        const bool isLarger = mesh_.element(pair.receiver).area >= mesh_.element(pair.sender).area;
+        const int larger = isLarger ? pair.receiver : pair.sender;
+        const int other = isLarger ? pair.sender : pair.receiver;
+        return isDivisible(larger) ? larger : other;
+    }
+
+    void divide(std::span<const Pair> pairs, const std::vector<Verdict> &verdicts,
+                std::vector<Pair> &next) {
+        std::vector<int> leaves;
+        for (std::size_t k = 0; k < pairs.size(); ++k)
+            if (verdicts[k].kind == Verdict::Divided)
+                if (const int e = dividedOf(pairs[k]); mesh_.element(e).firstChild < 0)
+                    leaves.push_back(e);
+        std::ranges::sort(leaves);
+        const auto [end, last] = std::ranges::unique(leaves);
+        leaves.erase(end, last);
+        const int first = mesh_.size();
+        mesh_.subdivide(leaves);
+        askSources(mesh_, first, settings_.sources, fields_);
+        for (int e : leaves)
+            for (int c = 0; c < Basis::children; ++c)
+                push(mesh_, e, c, fields_.indirect, fields_.indirect);
+        for (int e = first; e < mesh_.size(); ++e)
+            reflect(mesh_, e, fields_);
+        for (std::size_t k = 0; k < pairs.size(); ++k)
+            if (verdicts[k].kind == Verdict::Divided)
+                addChildren(pairs[k], next);
+    }
+
+    void addChildren(const Pair &pair, std::vector<Pair> &next) const {
+        const auto [a, b] = pair;
+        const int divided = dividedOf(pair), child = mesh_.element(divided).firstChild;
+        for (int c = 0; c < Basis::children; ++c) {
+            if (a == b)
+                for (int d = 0; d < Basis::children; ++d)
+                    next.push_back({child + c, child + d});
+            else if (divided == a)
+                next.push_back({child + c, b});
+            else
+                next.push_back({a, child + c});
+        }
+    }
+
+    const Color *exitanceOf(int e) const {
+        return fields_.exitance.data() + std::size_t(e) * std::size_t(mesh_.stride());
+    }
+
+    static constexpr std::size_t roundSize = 1 << 16;
+    Mesh &mesh_;
+    const LinkSettings &settings_;
+    Fields &fields_;
+    Links links_;
+    bool isFull_ = false;
+};
+
+} // namespace
+
+Links refine(Mesh &mesh, const LinkSettings &settings, Fields &fields) {
+    return Refinement(mesh, settings, fields).run();
+}
+
+void reflect(const Mesh &mesh, int element, Fields &fields) {
+    const std::size_t first = std::size_t(element) * std::size_t(mesh.stride());
+    for (std::size_t i = first; i < first + mesh.nodes(element).size(); ++i)
+        for (std::size_t k = 0; k < colorSamples; ++k)
+            fields.exitance[i][k] =
+                fields.reflectance[i][k] * (fields.direct[i][k] + fields.indirect[i][k]) +
+                fields.ambient[i][k];
+}
+
+} // namespace candela::radiosity

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Links: which elements exchange light at which level (Hanrahan, Salzman and Aupperle 1991; the
+// oracle is that of Gortler and others 1993: what the bases miss of the kernel).
+#pragma once
+
+#include "light/radiosity/sources.h"
+#include "light/radiosity/visibility.h"
+
+namespace candela::radiosity {
+
+struct Link {
+    std::int32_t receiver, sender;
+    Visibility visibility;
+    std::size_t kernel; ///< Of the first coefficient: receiver's nodes by sender's.
+};
+
+struct Links {
+    std::vector<Link> links; ///< By receiver.
+    std::vector<float> kernels;
+};
+
+struct LinkSettings {
+    double tolerance = 0; ///< Of the irradiance that a link gets wrong, times area: W.
+    float leastArea = 0;  ///< No element is divided below it.
+    std::size_t mostElements = 0, mostLinks = 0;
+    SourceSettings sources; ///< For elements that refinement makes.
+};
+
+/// Links for all light that Fields::exitance has, dividing elements where it has to.
+Links refine(Mesh &, const LinkSettings &, Fields &);
+
+/// Exitance of an element's nodes from the irradiance there.
+void reflect(const Mesh &, int element, Fields &);
+
+} // namespace candela::radiosity

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the solver is told, and what it tells besides the solution.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace candela::radiosity {
+
+struct SolverSettings {
+    int order = 2; ///< Basis.
+    /// The error of a link's irradiance times area, in shares of the flux that is exchanged.
+    double epsilon = 1e-5;
+    double leastElement = 1e-6; ///< The smallest element, in shares of all area.
+    int directSamples = 16;     ///< Of light sources, at each node.
+    std::uint32_t seed = 0;
+    int mostIterations = 100;
+    std::size_t mostElements = 2'000'000, mostLinks = 20'000'000;
+};
+
+struct SolverStatistics {
+    std::size_t elements = 0, links = 0;
+    int iterations = 0;
+    double residual = 0; ///< Of exitance, in shares of it.
+    double seconds = 0;
+    double directFlux = 0, indirectFlux = 0; ///< That surfaces receive, W.
+};
+
+} // namespace candela::radiosity

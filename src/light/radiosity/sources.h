@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// What elements know before light is exchanged: irradiance of light sources, and what their shaders
+// make of light.
+#pragma once
+
+#include "light/radiosity/fields.h"
+
+namespace candela::radiosity {
+
+struct SourceSettings {
+    int samples = 16; ///< Of lights, at each node.
+    std::uint32_t seed = 0;
+    /// How finely direct light is told: the error of an element, times its area, in shares of the
+    /// scene's direct flux.
+    double epsilon = 1e-4;
+    float leastArea = 0; ///< No element is divided below it.
+};
+
+/// Fills Fields::direct and the response at nodes of elements from `first` on; of leaves the
+/// response is that of the nodes' surroundings.
+void askSources(const Mesh &, int first, const SourceSettings &, Fields &);
+
+/// Divides elements where direct light varies, and fills in what is known of them all.
+void divideByDirectLight(Mesh &, const SourceSettings &, Fields &);
+
+/// Mean irradiance of light sources, times area: W.
+double directFlux(const Mesh &, const Fields &);
+
+} // namespace candela::radiosity

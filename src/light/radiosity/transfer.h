@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// The kernel between two elements: K = cos cos' / (pi r^2), without what stands between them.
+#pragma once
+
+#include "light/radiosity/mesh.h"
+
+namespace candela::radiosity {
+
+/// The form factor of a point with unit normal N to what a closed line spans (Lambert), clipped at
+/// the point's horizon. `turned` as Element has it: the side that sends.
+double contourFactor(Vec3 P, Vec3 N, std::span<const Vec3> corners, float turned);
+
+struct Transfer {
+    /// What exitance at node j of the sender gives as irradiance at node i of the receiver.
+    std::array<float, mostNodes * mostNodes> kernel{};
+    int senders = 0;   ///< Columns.
+    float largest = 0; ///< Form factor of any of the receiver's nodes.
+    /// By how much the receiver's basis misses irradiance by a unit of exitance,
+    float receiverError = 0;
+    /// and by how much the rule misses a unit of variation over the sender.
+    float senderError = 0;
+
+    float operator()(int i, int j) const { return kernel[std::size_t(i * senders + j)]; }
+};
+
+Transfer transferBetween(const Mesh &, int receiver, int sender);
+
+/// No point of the one sees the front of the other, as far as nodes and corners tell.
+bool areTurnedAway(const Mesh &, int a, int b);
+
+} // namespace candela::radiosity
