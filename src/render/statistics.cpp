@@ -52,6 +52,15 @@ void Statistics::add(const Scene &scene, const TransportStatistics &transport) {
     numbers_["transport.bounceRays"] += double(transport.bounceRays);
     numbers_["transport.shadowRays"] += double(transport.shadowRays);
     numbers_["transport.nonFiniteSamples"] += double(transport.nonFiniteSamples);
+    const radiosity::SolverStatistics &solver = transport.solver;
+    if (solver.elements == 0)
+        return;
+    numbers_["radiosity.elements"] += double(solver.elements);
+    numbers_["radiosity.links"] += double(solver.links);
+    numbers_["radiosity.iterations"] += solver.iterations;
+    numbers_["radiosity.seconds"] += solver.seconds;
+    numbers_["radiosity.directFlux"] += solver.directFlux;
+    numbers_["radiosity.indirectFlux"] += solver.indirectFlux;
 }
 
 void Statistics::add(const Jit::Statistics &jit) {

@@ -19,7 +19,7 @@ constexpr float bent = 0.94f;
 /// What a pair in partial view gets wrong, in shares of what it exchanges.
 constexpr double partialError = 0.25;
 /// Rays find no way between pairs that exchange so many tolerances at most: there is none.
-constexpr double closed = 64;
+constexpr double closed = 1;
 
 bool isBent(const Mesh &mesh, int e) {
     for (const Node &node : mesh.nodes(e))
@@ -32,7 +32,7 @@ bool isBent(const Mesh &mesh, int e) {
 struct Verdict {
     enum Kind { Nothing, Linked, Divided } kind = Nothing;
     Transfer transfer;
-    Visibility visibility{};
+    Color visibility{};
 };
 
 class Refinement {
@@ -41,6 +41,7 @@ public:
         : mesh_(mesh), settings_(settings), fields_(fields) {}
 
     Links run() {
+        measureRoughness();
         std::vector<Pair> pairs;
         for (const Face &receiver : mesh_.faces())
             for (const Face &sender : mesh_.faces())
@@ -53,6 +54,25 @@ public:
     }
 
 private:
+    /// By how much exitance differs below an element from what its basis makes of it.
+    void measureRoughness() {
+        roughness_.assign(std::size_t(mesh_.size()), 0);
+        const std::size_t stride = std::size_t(mesh_.stride());
+        std::vector<Color> pushed(fields_.exitance.size());
+        for (int e = mesh_.size() - 1; e >= 0; --e) { // Children stand behind their parents.
+            const int child = mesh_.element(e).firstChild;
+            for (int c = 0; child >= 0 && c < Basis::children; ++c) {
+                push(mesh_, e, c, fields_.exitance, pushed);
+                float missed = roughness_[std::size_t(child + c)];
+                const std::size_t first = stride * std::size_t(child + c);
+                for (std::size_t i = first; i < first + mesh_.nodes(child + c).size(); ++i)
+                    for (std::size_t k = 0; k < colorSamples; ++k)
+                        missed = std::max(missed, std::fabs(pushed[i][k] - fields_.exitance[i][k]));
+                roughness_[std::size_t(e)] = std::max(roughness_[std::size_t(e)], missed);
+            }
+        }
+    }
+
     bool isDivisible(int e) const {
         return mesh_.element(e).firstChild >= 0 ||
                (mesh_.element(e).area > 4 * settings_.leastArea && !isFull_);
@@ -119,7 +139,8 @@ private:
         const double area = mesh_.element(a).area;
         const double exchanged = double(verdict.transfer.largest) * most * area;
         const double missed = (double(verdict.transfer.receiverError) * most +
-                               double(verdict.transfer.senderError) * (most - least)) *
+                               double(verdict.transfer.senderError) * (most - least) +
+                               double(verdict.transfer.curvature) * roughness_[std::size_t(b)]) *
                               area;
         const bool isTooBent = (isBent(mesh_, a) || isBent(mesh_, b)) && mayExchange(pair, most);
         verdict.kind =
@@ -139,7 +160,7 @@ private:
     }
 
     void judgeOccluded(const Pair &pair, const Visibility &visibility, Verdict &verdict) const {
-        verdict.visibility = visibility;
+        verdict.visibility = visibility.mean;
         const auto [a, b] = pair;
         float exitance = 0;
         for (std::size_t j = 0; j < mesh_.nodes(b).size(); ++j)
@@ -147,15 +168,21 @@ private:
         const double exchanged =
             double(verdict.transfer.largest) * exitance * mesh_.element(a).area;
         const bool mayDivide = isDivisible(a) || isDivisible(b);
-        const float seen = brightest(visibility);
+        const float seen = brightest(visibility.mean);
         if (seen == 0) {
             verdict.kind = mayDivide && exchanged > closed * settings_.tolerance ? Verdict::Divided
                                                                                  : Verdict::Nothing;
             return;
         }
         const double missed = exchanged * 2 * std::min(seen, 1 - seen) * partialError;
-        if (mayDivide && missed > settings_.tolerance)
+        if (mayDivide && missed > settings_.tolerance) {
             verdict.kind = Verdict::Divided;
+            return;
+        }
+        refineKernel(mesh_, a, b, verdict.transfer);
+        if (seen < 1)
+            for (std::size_t k = 0; k < visibility.share.size(); ++k)
+                verdict.transfer.kernel[k] *= visibility.share[k];
     }
 
     void link(const Pair &pair, const Verdict &verdict) {
@@ -193,6 +220,7 @@ private:
                 push(mesh_, e, c, fields_.indirect, fields_.indirect);
         for (int e = first; e < mesh_.size(); ++e)
             reflect(mesh_, e, fields_);
+        roughness_.resize(std::size_t(mesh_.size()), 0);
         for (std::size_t k = 0; k < pairs.size(); ++k)
             if (verdicts[k].kind == Verdict::Divided)
                 addChildren(pairs[k], next);
@@ -221,6 +249,7 @@ private:
     const LinkSettings &settings_;
     Fields &fields_;
     Links links_;
+    std::vector<float> roughness_; ///< By element.
     bool isFull_ = false;
 };
 

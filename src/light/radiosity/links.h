@@ -10,7 +10,7 @@ namespace candela::radiosity {
 
 struct Link {
     std::int32_t receiver, sender;
-    Visibility visibility;
+    Color visibility;   ///< A factor of all coefficients.
     std::size_t kernel; ///< Of the first coefficient: receiver's nodes by sender's.
 };
 

@@ -55,7 +55,9 @@ void Solution::solve(const SolverSettings &settings, const Progress &progress) {
     divideByDirectLight(mesh_, sources, fields_);
     for (const Face &face : mesh_.faces())
         if (face.root >= 0)
-            pullSources(face.root);
+            for (std::vector<Color> *field :
+                 {&fields_.direct, &fields_.reflectance, &fields_.transmittance, &fields_.ambient})
+                pull(face.root, *field);
     tell(0.3);
     guessIndirect(mesh_, fields_);
     LinkSettings links{0, leastArea, settings.mostElements, settings.mostLinks, sources};
@@ -65,8 +67,8 @@ void Solution::solve(const SolverSettings &settings, const Progress &progress) {
             reflect(mesh_, e, fields_);
         for (const Face &face : mesh_.faces())
             if (face.root >= 0) {
-                pullUp(face.root);
-                exchanged += exitingFlux(face.root);
+                pull(face.root, fields_.exitance);
+                exchanged += flux(face.root, fields_.exitance);
             }
         links.tolerance = settings.epsilon * exchanged * (pass == 0 ? 4 : 1);
         links_ = refine(mesh_, links, fields_);
@@ -78,17 +80,95 @@ void Solution::solve(const SolverSettings &settings, const Progress &progress) {
                 break;
         }
     }
+    if (getenv("LOSS")) {
+        const std::vector<Color> actual = fields_.exitance;
+        for (int f = 0; f < 4; ++f) {
+            double out = 0, in = 0, in2 = 0;
+            for (int e = 0; e < mesh_.size(); ++e)
+                if (mesh_.element(e).firstChild < 0)
+                    for (size_t i = 0; i < mesh_.nodes(e).size(); ++i) {
+                        size_t at = size_t(e) * mesh_.stride() + i;
+                        const Node &n = mesh_.nodes(e)[i];
+                        bool lit = fields_.direct[at][0] > 0;
+                        float b = !lit     ? 0
+                                  : f == 0 ? 1
+                                  : f == 1 ? n.P.x + 3
+                                  : f == 2 ? fields_.direct[at][0]
+                                           : actual[at][0];
+                        fields_.exitance[at].fill(b);
+                        out += double(b) * n.area;
+                    }
+            for (const Face &face : mesh_.faces())
+                if (face.root >= 0)
+                    pull(face.root, fields_.exitance);
+            double root = 0;
+            for (const Face &face : mesh_.faces())
+                if (face.root >= 0)
+                    root += flux(face.root, fields_.exitance);
+            gather();
+            for (int e = 0; e < mesh_.size(); ++e)
+                for (size_t i = 0; i < mesh_.nodes(e).size(); ++i)
+                    in += double(fields_.gathered[size_t(e) * mesh_.stride() + i][0]) *
+                          mesh_.nodes(e)[i].area;
+            fprintf(stderr, "f %d out %.3f root %.3f in %.3f ratio %.5f\n", f, out, root, in,
+                    in / out);
+        }
+    }
+    if (getenv("ROWSUM")) {
+        for (Color &c : fields_.exitance)
+            c.fill(1);
+        for (Color &c : fields_.reflectance)
+            c.fill(0);
+        iterate();
+        double sum = 0, area = 0;
+        float lo = 9, hi = 0;
+        for (int e = 0; e < mesh_.size(); ++e)
+            if (mesh_.element(e).firstChild < 0 &&
+                brightest(fields_.direct[size_t(e) * mesh_.stride()]) > 0)
+                for (size_t i = 0; i < mesh_.nodes(e).size(); ++i) {
+                    float v = fields_.indirect[size_t(e) * mesh_.stride() + i][0];
+                    sum += double(v) * mesh_.nodes(e)[i].area;
+                    area += mesh_.nodes(e)[i].area;
+                    lo = std::min(lo, v);
+                    hi = std::max(hi, v);
+                }
+        std::vector<double> fs(mesh_.faces().size()), fa(fs.size());
+        for (int e = 0; e < mesh_.size(); ++e)
+            if (mesh_.element(e).firstChild < 0 &&
+                brightest(fields_.direct[size_t(e) * mesh_.stride()]) > 0)
+                for (size_t i = 0; i < mesh_.nodes(e).size(); ++i)
+                    fs[mesh_.element(e).face] +=
+                        double(fields_.indirect[size_t(e) * mesh_.stride() + i][0]) *
+                        mesh_.nodes(e)[i].area,
+                        fa[mesh_.element(e).face] += mesh_.nodes(e)[i].area;
+        for (size_t f = 0; f < fs.size(); ++f)
+            if (fa[f] > 0)
+                fprintf(stderr, "face %zu domain %u back %d: %.5f\n", f, mesh_.faces()[f].domain,
+                        mesh_.faces()[f].isBack, fs[f] / fa[f]);
+        fprintf(stderr, "row sums mean %.5f min %.4f max %.4f\n", sum / area, lo, hi);
+        double vis[3] = {0, 0, 0};
+        for (auto &l : links_.links) {
+            vis[l.visibility[0] >= .9999 ? 2 : l.visibility[0] > 0 ? 1 : 0]++;
+        }
+        fprintf(stderr, "links: occluded %g partial %g clear %g\n", vis[0], vis[1], vis[2]);
+    }
     statistics_.elements = std::size_t(mesh_.size());
     statistics_.links = links_.links.size();
+    for (const Face &face : mesh_.faces())
+        if (face.root >= 0) {
+            pull(face.root, fields_.indirect);
+            statistics_.directFlux += flux(face.root, fields_.direct);
+            statistics_.indirectFlux += flux(face.root, fields_.indirect);
+        }
     tell(1);
 }
 
-double Solution::exitingFlux(int root) const {
+double Solution::flux(int root, const std::vector<Color> &field) const {
     double flux = 0;
     const std::size_t first = std::size_t(root) * std::size_t(mesh_.stride());
     const std::span<const Node> nodes = mesh_.nodes(root);
     for (std::size_t i = 0; i < nodes.size(); ++i)
-        flux += double(brightest(fields_.exitance[first + i])) * nodes[i].area;
+        flux += double(brightest(field[first + i])) * nodes[i].area;
     return flux;
 }
 
@@ -108,7 +188,7 @@ double Solution::iterate() {
     shineThrough();
     parallelFor(mesh_.faces().size(), [&](std::size_t f) {
         if (const int root = mesh_.faces()[f].root; root >= 0)
-            pullUp(root);
+            pull(root, fields_.exitance);
     });
     double change = 0, all = 0;
     for (const Face &face : mesh_.faces()) {
@@ -175,24 +255,14 @@ void Solution::pushDown(int element) {
     }
 }
 
-void Solution::pullUp(int element) {
+/// Values of the element and all below it but for leaves.
+void Solution::pull(int element, std::vector<Color> &field) const {
     const int child = mesh_.element(element).firstChild;
     if (child < 0)
         return;
     for (int c = 0; c < Basis::children; ++c)
-        pullUp(child + c);
-    pull(mesh_, element, fields_.exitance);
-}
-
-void Solution::pullSources(int element) {
-    const int child = mesh_.element(element).firstChild;
-    if (child < 0)
-        return;
-    for (int c = 0; c < Basis::children; ++c)
-        pullSources(child + c);
-    for (std::vector<Color> *field :
-         {&fields_.direct, &fields_.reflectance, &fields_.transmittance, &fields_.ambient})
-        pull(mesh_, element, *field);
+        pull(child + c, field);
+    radiosity::pull(mesh_, element, field);
 }
 
 /// What leaves leaves that light shines through from the other side.

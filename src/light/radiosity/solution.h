@@ -35,9 +35,8 @@ private:
     double iterate();
     void gather();
     void pushDown(int element);
-    void pullUp(int element);
-    void pullSources(int element);
-    double exitingFlux(int root) const;
+    void pull(int element, std::vector<Color> &) const;
+    double flux(int root, const std::vector<Color> &) const;
     Color at(std::int32_t face, Place, const std::vector<Color> &) const;
     void shineThrough();
 

@@ -12,6 +12,8 @@ namespace {
 constexpr double pi = std::numbers::pi;
 /// Senders nearer than so many of their radii are integrated in closed form.
 constexpr float nearby = 6;
+/// Receivers whose basis misses more of what they get than this share of it take a finer rule.
+constexpr float roughly = 0.01f;
 
 struct Vec3d {
     double x, y, z;
@@ -66,30 +68,120 @@ double contourFactor(Vec3 P, Vec3 N, std::span<const Vec3> corners, float turned
     return std::max(0.0, -double(turned) * sum / (2 * pi));
 }
 
-Transfer transferBetween(const Mesh &mesh, int receiver, int sender) {
-    const std::span<const Node> to = mesh.nodes(receiver), from = mesh.nodes(sender);
-    const Element &a = mesh.element(receiver), &b = mesh.element(sender);
-    const std::span<const Vec3> corners = cornersOf(mesh, sender);
-    Transfer transfer;
-    transfer.senders = int(from.size());
-    const float distance = length(b.centre - a.centre) - a.radius;
-    const bool isNear = distance < nearby * b.radius;
-    const auto factorAt = [&](Vec3 P, Vec3 N, float *row) {
+namespace {
+
+/// What sends: an element, or a quarter of one.
+struct Sender {
+    std::array<Node, mostNodes> nodes;
+    int count = 0;
+    std::array<Vec3, 4> corners;
+    std::size_t sides = 0;
+    float area = 0, turned = 1;
+
+    Sender(const Mesh &mesh, int e) {
+        const Element &element = mesh.element(e);
+        for (const Node &node : mesh.nodes(e))
+            nodes[std::size_t(count++)] = node;
+        corners = element.corners, sides = cornersOf(mesh, e).size();
+        area = element.area, turned = element.turned;
+    }
+
+    /// The point sees some of it from behind: what it sees of the front has another contour.
+    bool turnsAwayFrom(Vec3 P) const {
+        int away = 0;
+        for (int j = 0; j < count; ++j) {
+            const Node &node = nodes[std::size_t(j)];
+            away += candela::dot(node.N, P - node.P) > 0 ? 0 : 1;
+        }
+        return away > 0 && away < count;
+    }
+
+    /// Fills the row and returns the form factor, and by how much the rule alone has missed it. The
+    /// rule says where on the sender light comes from, the contour how much.
+    float factor(Vec3 P, Vec3 N, bool byContour, float *row, float &missed) const {
         float rule = 0;
-        for (std::size_t j = 0; j < from.size(); ++j)
-            rule += row[j] = pointFactor(P, N, from[j]);
-        if (!isNear)
+        for (int j = 0; j < count; ++j)
+            rule += row[j] = pointFactor(P, N, nodes[std::size_t(j)]);
+        if (!byContour || turnsAwayFrom(P))
             return rule;
-        const float exact = float(contourFactor(P, N, corners, b.turned));
-        transfer.senderError = std::max(transfer.senderError, std::fabs(exact - rule));
-        // The rule says where on the sender light comes from, the contour how much.
-        for (std::size_t j = 0; j < from.size(); ++j)
-            row[j] = rule > 0 ? row[j] * (exact / rule) : exact * (from[j].area / b.area);
+        const float exact = float(contourFactor(P, N, std::span(corners).first(sides), turned));
+        missed = std::max(missed, std::fabs(exact - rule));
+        for (int j = 0; j < count; ++j)
+            row[j] =
+                rule > 0 ? row[j] * (exact / rule) : exact * (nodes[std::size_t(j)].area / area);
         return exact;
-    };
+    }
+};
+
+/// The point of an element that its nodes lead to; `area` is that of a unit of its (u,v).
+Node between(const Basis &shape, const Node *nodes, Place at) {
+    std::array<float, mostNodes> value;
+    shape.values(at, value.data());
+    Node result;
+    for (int i = 0; i < shape.nodes(); ++i) {
+        result.P += nodes[i].P * value[std::size_t(i)];
+        result.N += nodes[i].N * value[std::size_t(i)];
+        result.area += nodes[i].area / shape.weight(i) * value[std::size_t(i)];
+    }
+    result.N = normalize(result.N);
+    return result;
+}
+
+/// How an element's points follow from its nodes; constant elements have a shape, too.
+const Basis &shapeOf(const Mesh &mesh, int e) {
+    return Basis::of(mesh.basis(e).isTriangle(), std::max(2, mesh.order()));
+}
+
+/// A place of a child in its parent.
+Place inParent(const Basis::ChildPlace &child, Place own) {
+    return {child.origin.u + child.scale * own.u, child.origin.v + child.scale * own.v};
+}
+
+/// The quarters of a sender.
+std::array<Sender, 4> quartersOf(const Mesh &mesh, int e) {
+    const Sender whole(mesh, e);
+    std::array<Sender, 4> quarters{whole, whole, whole, whole};
+    const Basis &basis = mesh.basis(e), &shape = shapeOf(mesh, e);
+    constexpr Place square[] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}},
+                    triangle[] = {{0, 0}, {1, 0}, {0, 1}};
+    for (int c = 0; c < Basis::children; ++c) {
+        Sender &quarter = quarters[std::size_t(c)];
+        const Basis::ChildPlace child = Basis::child(basis.isTriangle(), c);
+        quarter.area = 0;
+        for (int k = 0; k < basis.nodes(); ++k) {
+            Node &node = quarter.nodes[std::size_t(k)];
+            node = between(shape, whole.nodes.data(), inParent(child, basis.node(k)));
+            node.area *= basis.weight(k) / 4;
+            quarter.area += node.area;
+        }
+        const Place *corner = basis.isTriangle() ? triangle : square;
+        for (std::size_t k = 0; k < whole.sides; ++k) {
+            const Place at = inParent(child, corner[k]);
+            const std::array<Vec3, 4> &p = whole.corners;
+            quarter.corners[k] = basis.isTriangle()
+                                     ? p[0] * (1 - at.u - at.v) + p[1] * at.u + p[2] * at.v
+                                     : (p[0] * (1 - at.u) + p[1] * at.u) * (1 - at.v) +
+                                           (p[3] * (1 - at.u) + p[2] * at.u) * at.v;
+        }
+    }
+    return quarters;
+}
+
+} // namespace
+
+Transfer transferBetween(const Mesh &mesh, int receiver, int sender) {
+    const std::span<const Node> to = mesh.nodes(receiver);
+    const Element &a = mesh.element(receiver), &b = mesh.element(sender);
+    Transfer transfer;
+    const Sender from(mesh, sender);
+    transfer.senders = from.count;
+    const float distance = length(b.centre - a.centre) - a.radius;
+    transfer.isNear = distance < nearby * b.radius;
+    float missedByRule = 0;
     std::array<float, mostNodes> factor{};
     for (std::size_t i = 0; i < to.size(); ++i) {
-        factor[i] = factorAt(to[i].P, to[i].N, &transfer.kernel[i * from.size()]);
+        factor[i] = from.factor(to[i].P, to[i].N, transfer.isNear,
+                                &transfer.kernel[i * std::size_t(from.count)], missedByRule);
         transfer.largest = std::max(transfer.largest, factor[i]);
     }
     const Basis &basis = mesh.basis(receiver);
@@ -102,18 +194,59 @@ Transfer transferBetween(const Mesh &mesh, int receiver, int sender) {
         transfer.receiverError = std::max(transfer.receiverError, std::fabs(found - sum));
     };
     std::array<float, mostNodes> row;
-    const Place centre = basis.isTriangle() ? Place{1.0f / 3, 1.0f / 3} : Place{0.5f, 0.5f};
-    const float atCentre = factorAt(a.centre, a.normal, row.data());
+    const float atCentre =
+        from.factor(a.centre, a.normal, transfer.isNear, row.data(), missedByRule);
     transfer.largest = std::max(transfer.largest, atCentre);
-    missed(centre, atCentre);
+    missed(basis.isTriangle() ? Place{1.0f / 3, 1.0f / 3} : Place{0.5f, 0.5f}, atCentre);
     if (mesh.order() == 1)
         for (std::size_t i = 0; i < to.size(); ++i)
             missed(basis.node(int(i)), factor[i]);
-    if (!isNear && distance > 0) {
-        const float seen = b.radius / (distance + b.radius);
-        transfer.senderError = 0.5f * transfer.largest * seen * seen;
-    }
+    const float seen = b.radius / (std::max(distance, 0.0f) + b.radius);
+    transfer.curvature = transfer.largest * seen * seen;
+    transfer.senderError = transfer.isNear ? missedByRule : 0.5f * transfer.curvature;
     return transfer;
+}
+
+void refineKernel(const Mesh &mesh, int receiver, int sender, Transfer &transfer) {
+    const float rough = roughly * transfer.largest;
+    const bool finerReceiver = transfer.receiverError > rough;
+    const bool finerSender = transfer.isNear && transfer.senderError > rough;
+    if ((!finerReceiver && !finerSender) || getenv("NOQ"))
+        return;
+    const std::array<Sender, 4> quarters = quartersOf(mesh, sender);
+    const Sender whole(mesh, sender);
+    const Basis &from = mesh.basis(sender), &to = mesh.basis(receiver);
+    const auto rowAt = [&](const Node &at, float *row) {
+        float ignored = 0;
+        if (!finerSender)
+            return void(whole.factor(at.P, at.N, transfer.isNear, row, ignored));
+        std::fill_n(row, whole.count, 0.0f);
+        std::array<float, mostNodes> part;
+        for (int c = 0; c < Basis::children; ++c) {
+            quarters[std::size_t(c)].factor(at.P, at.N, true, part.data(), ignored);
+            for (int k = 0; k < from.nodes(); ++k)
+                for (int j = 0; j < from.nodes(); ++j)
+                    row[j] += from.toChild(c, k, j) * part[std::size_t(k)];
+        }
+    };
+    const std::span<const Node> nodes = mesh.nodes(receiver);
+    std::array<float, mostNodes> row;
+    if (!finerReceiver) {
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+            rowAt(nodes[i], &transfer.kernel[i * std::size_t(transfer.senders)]);
+        return;
+    }
+    transfer.kernel.fill(0);
+    for (int c = 0; c < Basis::children; ++c)
+        for (int k = 0; k < to.nodes(); ++k) {
+            rowAt(between(shapeOf(mesh, receiver), nodes.data(),
+                          inParent(Basis::child(to.isTriangle(), c), to.node(k))),
+                  row.data());
+            for (int i = 0; i < to.nodes(); ++i)
+                for (int j = 0; j < transfer.senders; ++j)
+                    transfer.kernel[std::size_t(i * transfer.senders + j)] +=
+                        to.fromChild(c, i, k) * row[std::size_t(j)];
+        }
 }
 
 namespace {

@@ -19,11 +19,17 @@ struct Transfer {
     float receiverError = 0;
     /// and by how much the rule misses a unit of variation over the sender.
     float senderError = 0;
+    /// By how much the kernel varies over the sender other than its basis does, about.
+    float curvature = 0;
+    bool isNear = false; ///< Integrated in closed form, as to how much.
 
     float operator()(int i, int j) const { return kernel[std::size_t(i * senders + j)]; }
 };
 
 Transfer transferBetween(const Mesh &, int receiver, int sender);
+
+/// Integrates anew what the rules say roughly, by those of quarters of the elements.
+void refineKernel(const Mesh &, int receiver, int sender, Transfer &);
 
 /// No point of the one sees the front of the other, as far as nodes and corners tell.
 bool areTurnedAway(const Mesh &, int a, int b);

@@ -21,7 +21,8 @@ Vec3 clearOf(const Mesh &mesh, int e, const Node &node) {
 } // namespace
 
 VisibilityRays::VisibilityRays()
-    : rays_(pairs * raysOfPair), transmittance_(colorSamples, pairs * raysOfPair) {}
+    : rays_(pairs * raysOfPair), transmittance_(colorSamples, pairs * raysOfPair),
+      place_(std::size_t(pairs * raysOfPair)) {}
 
 void VisibilityRays::ask(const Mesh &mesh, std::span<const Pair> pairs, Visibility *visibility) {
     std::vector<int> counts(pairs.size(), 0);
@@ -44,6 +45,7 @@ void VisibilityRays::ask(const Mesh &mesh, std::span<const Pair> pairs, Visibili
             rays_.tMin[ray] = clearance, rays_.tMax[ray] = 1 - clearance;
             rays_.time[ray] = mesh.scene().options().camera.shutterOpen;
             rays_.width[ray] = 0, rays_.spread[ray] = 0;
+            place_[std::size_t(ray)] = std::uint8_t(at);
             ++counts[p];
         }
     }
@@ -53,10 +55,20 @@ void VisibilityRays::ask(const Mesh &mesh, std::span<const Pair> pairs, Visibili
     const bool isColored = rays_.count > 0 && mesh.scene().transmittance(rays_, planes);
     int ray = 0;
     for (std::size_t p = 0; p < pairs.size(); ++p) {
-        visibility[p] = {};
-        for (int k = 0; k < counts[p]; ++k, ++ray)
+        Visibility &found = visibility[p];
+        found.mean = {}, found.share.fill(1);
+        const int first = ray;
+        for (; ray < first + counts[p]; ++ray)
             for (int c = 0; c < colorSamples; ++c)
-                visibility[p][std::size_t(c)] += planes[isColored ? c : 0][ray] / float(counts[p]);
+                found.mean[std::size_t(c)] += planes[isColored ? c : 0][ray] / float(counts[p]);
+        const float mean = *std::ranges::max_element(found.mean);
+        for (ray = first; mean > 0 && ray < first + counts[p]; ++ray) {
+            float most = 0;
+            for (int c = 0; c < colorSamples; ++c)
+                most = std::max(most, planes[isColored ? c : 0][ray]);
+            found.share[place_[std::size_t(ray)]] = most / mean;
+        }
+        ray = first + counts[p];
     }
 }
 

@@ -6,8 +6,13 @@
 
 namespace candela::radiosity {
 
-/// Of a pair, a colour; 1 = nothing stands between.
-using Visibility = std::array<float, colorSamples>;
+struct Visibility {
+    /// Of the pair, a colour; 1 = nothing stands between.
+    std::array<float, colorSamples> mean{};
+    /// What comes through between the receiver's node i and the sender's node j, at i times the
+    /// sender's nodes + j, in shares of the mean; 1 where no ray was sent.
+    std::array<float, mostNodes * mostNodes> share{};
+};
 
 /// One a thread.
 class VisibilityRays {
@@ -19,12 +24,13 @@ public:
     struct Pair {
         int receiver, sender;
     };
-    /// The mean over rays between nodes that face each other; 0 where none do.
+    /// By rays between nodes that face each other; 0 where none do.
     void ask(const Mesh &, std::span<const Pair>, Visibility *);
 
 private:
     RayBatch rays_;
     Planes<float> transmittance_;
+    std::vector<std::uint8_t> place_; ///< Of each ray: which of its pair's node pairs.
 };
 
 } // namespace candela::radiosity
