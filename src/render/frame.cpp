@@ -36,10 +36,10 @@ bool isSolved(const Options &options) {
 }
 
 FinalPass finalPassOf(const NamedParameters &named) {
-    const std::string name = named.string("radiosity:finalpass", "fe+direct");
-    return name == "fe"       ? FinalPass::Elements
-           : name == "gather" ? FinalPass::Gather
-                              : FinalPass::Direct;
+    const std::string name = named.string("radiosity:finalpass", "fe");
+    return name == "gather"      ? FinalPass::Gather
+           : name == "fe+direct" ? FinalPass::Direct
+                                 : FinalPass::Elements;
 }
 
 radiosity::SolverSettings solverSettings(const NamedParameters &named, std::uint32_t seed) {
@@ -47,6 +47,7 @@ radiosity::SolverSettings solverSettings(const NamedParameters &named, std::uint
     solver.seed = seed;
     solver.order = int(named.number("radiosity:order", solver.order));
     solver.epsilon = named.number("radiosity:epsilon", solver.epsilon);
+    solver.contrast = named.number("radiosity:contrast", solver.contrast);
     solver.leastElement = named.number("radiosity:leastelement", solver.leastElement);
     solver.directSamples = int(named.number("radiosity:samples", solver.directSamples));
     return solver;

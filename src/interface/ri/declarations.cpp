@@ -222,6 +222,7 @@ std::optional<Declaration> Dictionary::standard(const std::string &name) {
             {"bidir:lightpaths", "float"},
             {"bidir:connections", "integer"},
             {"bidir:trust", "float"},
+            {"radiosity:contrast", "float"},
             {"radiosity:epsilon", "float"},
             {"radiosity:finalpass", "string"},
             {"radiosity:leastelement", "float"},

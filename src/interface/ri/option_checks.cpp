@@ -88,6 +88,14 @@ bool epsilon(const GivenOption &given) {
                        "elements may get wrong, in shares of all light, a number from 1e-9 to 1");
 }
 
+bool contrast(const GivenOption &given) {
+    return isWithin(given, 0, 1e9f) ||
+           given.wrong(
+               "\"radiosity\" \"contrast\" is how much irradiance elements may get wrong, in "
+               "shares of what there is on average, before pixels ask for it themselves, a "
+               "number from 0 to 1e9");
+}
+
 bool leastElement(const GivenOption &given) {
     return isWithin(given, 1e-9f, 1) ||
            given.wrong("\"radiosity\" \"leastelement\" is the smallest element, in shares of all "
@@ -121,6 +129,7 @@ bool checkOption(RequestDiagnostics &diagnostics, const SourceLocation &where,
         {"bidir:lightpaths", lightPaths},
         {"bidir:trust", trust},
         {"limits:texturememory", textureMemory},
+        {"radiosity:contrast", contrast},
         {"radiosity:epsilon", epsilon},
         {"radiosity:finalpass", finalPass},
         {"radiosity:leastelement", leastElement},

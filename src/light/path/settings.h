@@ -62,7 +62,7 @@ struct IntegratorSettings {
     int maxDepth = 64;           ///< Reflections and refractions along a path.
     bool hemisphereOnly = false; ///< --sampling hemisphere: ignore the shaders' cones.
     BidirectionalWishes bidirectional;
-    FinalPass finalPass = FinalPass::Direct;
+    FinalPass finalPass = FinalPass::Elements;
     radiosity::SolverSettings solver;
     std::array<int, 4> crop{}; ///< x0, x1, y0, y1: the pixels to render.
     bool atPoints = false;     ///< Paths begin at numbered points (PathResults::x), not in pixels.

@@ -75,6 +75,7 @@ void lookUpSolution(PathWave &wave) {
         answer.directBehind[c] = own.behind[int(c)];
         answer.indirectBehind[c] = own.indirectBehind[int(c)];
     }
+    answer.isExact = wave.frame.settings.finalPass != FinalPass::Gather;
     wave.frame.solution->irradiance(chunk.vertices, answer);
     const bool alone = !takesDirectLight(wave);
     addIndirect(chunk.count(), own.indirect, own.ends[0], alone, own.irradiance);

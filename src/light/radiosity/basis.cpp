@@ -70,13 +70,14 @@ void Basis::placeNodes(int order) {
     addThree(0.091576213509771, 0.109951743655322 / 2);
 }
 
-int Basis::monomials(Place at, double *value) const {
-    const double u = at.u, v = at.v;
+template <class Number> int Basis::monomials(Place at, Number *value) const {
+    const Number u[] = {1, Number(at.u), Number(at.u) * Number(at.u)};
+    const Number v[] = {1, Number(at.v), Number(at.v) * Number(at.v)};
     int count = 0;
     const int degree = nodes_ > 4 ? 2 : 1;
     for (int y = 0; y <= degree; ++y)
         for (int x = 0; x <= (triangle_ ? degree - y : degree); ++x)
-            value[count++] = std::pow(u, x) * std::pow(v, y);
+            value[count++] = u[x] * v[y];
     return count;
 }
 
@@ -104,7 +105,7 @@ void Basis::invertMonomials() {
     }
     for (int k = 0; k < nodes_; ++k)
         for (int i = 0; i < nodes_; ++i)
-            inverse_[k][i] = matrix[k][nodes_ + i];
+            inverse_[k][i] = float(matrix[k][nodes_ + i]);
 }
 
 void Basis::values(Place at, float *value) const {
@@ -113,14 +114,13 @@ void Basis::values(Place at, float *value) const {
             value[i] = weight_[i] / domainArea();
         return;
     }
-    double monomial[mostNodes];
+    float monomial[mostNodes];
     monomials(at, monomial);
-    for (int i = 0; i < nodes_; ++i) {
-        double sum = 0;
-        for (int k = 0; k < nodes_; ++k)
-            sum += monomial[k] * inverse_[k][i];
-        value[i] = float(sum);
-    }
+    for (int i = 0; i < nodes_; ++i)
+        value[i] = 0;
+    for (int k = 0; k < nodes_; ++k)
+        for (int i = 0; i < nodes_; ++i)
+            value[i] += monomial[k] * inverse_[k][i];
 }
 
 Basis::ChildPlace Basis::child(bool triangle, int c) {

@@ -50,14 +50,14 @@ private:
     Basis(bool triangle, int order);
     void placeNodes(int order);
     void invertMonomials();
-    int monomials(Place, double *) const;
+    template <class Number> int monomials(Place, Number *) const;
 
     bool triangle_;
     int order_, nodes_ = 0;
     std::array<Place, mostNodes> place_{};
     std::array<float, mostNodes> weight_{};
     /// Lagrange polynomial i has coefficient inverse_[k][i] at monomial k.
-    double inverse_[mostNodes][mostNodes] = {};
+    float inverse_[mostNodes][mostNodes] = {};
     float toChild_[children][mostNodes][mostNodes] = {};
     float fromChild_[children][mostNodes][mostNodes] = {};
 };

@@ -18,7 +18,7 @@ DirectQuestion::DirectQuestion()
 
 void DirectQuestion::ask(const Scene &scene, int code, const SurfacePlaces &places,
                          const Vec3Planes &Ng, const std::uint32_t *key, int samples,
-                         float *const *E) {
+                         std::span<const std::uint8_t> leftOut, float *const *E) {
     for (int c = 0; c < colorSamples; ++c)
         std::fill_n(E[c], places.count, 0.0f);
     const Vec3Planes I{I_[0], I_[1], I_[2]};
@@ -30,11 +30,12 @@ void DirectQuestion::ask(const Scene &scene, int code, const SurfacePlaces &plac
         sobolPairs(places.count, key, index_[0], 0, numbers_[0], numbers_[1]);
         sobolPairs(places.count, key, index_[0], 1, numbers_[2], numbers_[3]);
         for (LightGroup group : scene.lights().groupsInUse())
-            addSample(group, 1 / float(samples), E);
+            addSample(group, 1 / float(samples), leftOut, E);
     }
 }
 
-void DirectQuestion::addSample(LightGroup group, float share, float *const *E) {
+void DirectQuestion::addSample(LightGroup group, float share, std::span<const std::uint8_t> leftOut,
+                               float *const *E) {
     constexpr float pi = std::numbers::pi_v<float>;
     const int count = vertices_.count();
     LightSamples &samples = sample_.samples;
@@ -49,7 +50,9 @@ void DirectQuestion::addSample(LightGroup group, float share, float *const *E) {
         const float along = N[0][i] * L.x + N[1][i] * L.y + N[2][i] * L.z;
         const float cosine = along > 0 ? along / length(L) : 0;
         const float pdf = samples.pdfSolidAngle[i];
-        const float weight = samples.light[i] == 0 ? 0 : cosine * (pdf > 0 ? 1 / pdf : pi);
+        const int source = samples.light[i];
+        const bool counts = source > 0 && leftOut[std::size_t(source) - 1] == 0;
+        const float weight = counts ? cosine * (pdf > 0 ? 1 / pdf : pi) : 0;
         for (int c = 0; c < colorSamples; ++c)
             light[c][i] = weight > 0 ? weight * samples.value[c][i] * share : 0.0f;
     }

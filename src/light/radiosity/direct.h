@@ -14,12 +14,14 @@ public:
 
     /// E[c], W m^-2, of all lights that shine on the points, without ambient ones; by so many
     /// samples of each group of lights. `Ng` is the unit normal on the side that is asked about,
-    /// `key` addresses the samples: points of one key are sampled alike.
+    /// `key` addresses the samples: points of one key are sampled alike. Lights of which
+    /// leftOut[index] is not 0 do not count.
     void ask(const Scene &, int code, const SurfacePlaces &, const Vec3Planes &Ng,
-             const std::uint32_t *key, int samples, float *const *E);
+             const std::uint32_t *key, int samples, std::span<const std::uint8_t> leftOut,
+             float *const *E);
 
 private:
-    void addSample(LightGroup, float share, float *const *E);
+    void addSample(LightGroup, float share, std::span<const std::uint8_t> leftOut, float *const *E);
 
     SurfaceVertices vertices_;
     LightSampleStorage sample_;

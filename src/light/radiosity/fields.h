@@ -11,7 +11,9 @@ using Color = std::array<float, colorSamples>;
 /// W m^-2 but where it says otherwise; values of element e begin at Mesh::stride() * e. Those of
 /// elements with children follow from the children's.
 struct Fields {
-    std::vector<Color> direct;   ///< Irradiance of light sources.
+    std::vector<Color> direct;   ///< Irradiance of light sources that samples are taken of.
+    std::vector<Color> lamps;    ///< Irradiance of surfaces that shine, which links bring.
+    std::vector<Color> emission; ///< Exitance that these surfaces have of themselves.
     std::vector<Color> gathered; ///< Irradiance that links bring to this very element.
     std::vector<Color> indirect; ///< Irradiance of other surfaces, of links to parents too.
     std::vector<Color> exitance;
@@ -20,8 +22,8 @@ struct Fields {
 
     void resize(const Mesh &mesh) {
         const std::size_t count = std::size_t(mesh.size()) * std::size_t(mesh.stride());
-        for (std::vector<Color> *field :
-             {&direct, &gathered, &indirect, &exitance, &reflectance, &transmittance, &ambient})
+        for (std::vector<Color> *field : {&direct, &lamps, &emission, &gathered, &indirect,
+                                          &exitance, &reflectance, &transmittance, &ambient})
             field->resize(count);
     }
 };

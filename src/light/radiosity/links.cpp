@@ -33,6 +33,7 @@ struct Verdict {
     enum Kind { Nothing, Linked, Divided } kind = Nothing;
     Transfer transfer;
     Color visibility{};
+    bool isRough = false;
 };
 
 class Refinement {
@@ -58,16 +59,17 @@ private:
     void measureRoughness() {
         roughness_.assign(std::size_t(mesh_.size()), 0);
         const std::size_t stride = std::size_t(mesh_.stride());
-        std::vector<Color> pushed(fields_.exitance.size());
+        const std::vector<Color> &sent = fields_.*settings_.sent;
+        std::vector<Color> pushed(sent.size());
         for (int e = mesh_.size() - 1; e >= 0; --e) { // Children stand behind their parents.
             const int child = mesh_.element(e).firstChild;
             for (int c = 0; child >= 0 && c < Basis::children; ++c) {
-                push(mesh_, e, c, fields_.exitance, pushed);
+                push(mesh_, e, c, sent, pushed);
                 float missed = roughness_[std::size_t(child + c)];
                 const std::size_t first = stride * std::size_t(child + c);
                 for (std::size_t i = first; i < first + mesh_.nodes(child + c).size(); ++i)
                     for (std::size_t k = 0; k < colorSamples; ++k)
-                        missed = std::max(missed, std::fabs(pushed[i][k] - fields_.exitance[i][k]));
+                        missed = std::max(missed, std::fabs(pushed[i][k] - sent[i][k]));
                 roughness_[std::size_t(e)] = std::max(roughness_[std::size_t(e)], missed);
             }
         }
@@ -127,7 +129,7 @@ private:
             most = std::max(most, brightest(exitance[j]));
             least = std::min(least, brightest(exitance[j]));
         }
-        if (!(most > 0) || (a == b && mesh_.element(a).isFlat))
+        if (!(most > 0) || (a == b && mesh_.element(a).isFlat) || !isHeard(pair))
             return verdict;
         if (a == b) {
             verdict.kind = isDivisible(a) ? Verdict::Divided : Verdict::Nothing;
@@ -143,12 +145,18 @@ private:
                                double(verdict.transfer.curvature) * roughness_[std::size_t(b)]) *
                               area;
         const bool isTooBent = (isBent(mesh_, a) || isBent(mesh_, b)) && mayExchange(pair, most);
-        verdict.kind =
-            (missed > settings_.tolerance || isTooBent) && (isDivisible(a) || isDivisible(b))
-                ? Verdict::Divided
-            : exchanged > 0 ? Verdict::Linked
-                            : Verdict::Nothing;
+        if ((missed > settings_.tolerance || isTooBent) && (isDivisible(a) || isDivisible(b)))
+            verdict.kind = Verdict::Divided;
+        else if (exchanged > 0)
+            verdict.kind = Verdict::Linked;
         return verdict;
+    }
+
+    /// Of lamps, whether they are on for the receiver.
+    bool isHeard(const Pair &pair) const {
+        return settings_.sent != &Fields::emission ||
+               mesh_.scene().lights().isOn(mesh_.domainOf(pair.receiver).lightSet,
+                                           mesh_.domainOf(pair.sender).light);
     }
 
     /// Even if they faced each other all over.
@@ -179,6 +187,8 @@ private:
             verdict.kind = Verdict::Divided;
             return;
         }
+        verdict.isRough =
+            double(errorAtCorners(mesh_, a, b, verdict.transfer)) * exitance > settings_.contrast;
         refineKernel(mesh_, a, b, verdict.transfer);
         if (seen < 1)
             for (std::size_t k = 0; k < visibility.share.size(); ++k)
@@ -186,8 +196,8 @@ private:
     }
 
     void link(const Pair &pair, const Verdict &verdict) {
-        links_.links.push_back(
-            {pair.receiver, pair.sender, verdict.visibility, links_.kernels.size()});
+        links_.links.push_back({pair.receiver, pair.sender, verdict.visibility,
+                                links_.kernels.size(), verdict.isRough, verdict.transfer.isNear});
         const std::size_t count =
             mesh_.nodes(pair.receiver).size() * mesh_.nodes(pair.sender).size();
         links_.kernels.insert(links_.kernels.end(), verdict.transfer.kernel.begin(),
@@ -216,8 +226,10 @@ private:
         mesh_.subdivide(leaves);
         askSources(mesh_, first, settings_.sources, fields_);
         for (int e : leaves)
-            for (int c = 0; c < Basis::children; ++c)
+            for (int c = 0; c < Basis::children; ++c) {
                 push(mesh_, e, c, fields_.indirect, fields_.indirect);
+                push(mesh_, e, c, fields_.lamps, fields_.lamps);
+            }
         for (int e = first; e < mesh_.size(); ++e)
             reflect(mesh_, e, fields_);
         roughness_.resize(std::size_t(mesh_.size()), 0);
@@ -241,7 +253,7 @@ private:
     }
 
     const Color *exitanceOf(int e) const {
-        return fields_.exitance.data() + std::size_t(e) * std::size_t(mesh_.stride());
+        return (fields_.*settings_.sent).data() + std::size_t(e) * std::size_t(mesh_.stride());
     }
 
     static constexpr std::size_t roundSize = 1 << 16;
@@ -264,7 +276,8 @@ void reflect(const Mesh &mesh, int element, Fields &fields) {
     for (std::size_t i = first; i < first + mesh.nodes(element).size(); ++i)
         for (std::size_t k = 0; k < colorSamples; ++k)
             fields.exitance[i][k] =
-                fields.reflectance[i][k] * (fields.direct[i][k] + fields.indirect[i][k]) +
+                fields.reflectance[i][k] *
+                    (fields.direct[i][k] + fields.lamps[i][k] + fields.indirect[i][k]) +
                 fields.ambient[i][k];
 }
 

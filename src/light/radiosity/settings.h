@@ -11,6 +11,9 @@ struct SolverSettings {
     int order = 2; ///< Basis.
     /// The error of a link's irradiance times area, in shares of the flux that is exchanged.
     double epsilon = 1e-5;
+    /// Irradiance that a link may get wrong at some point, in shares of what there is on average,
+    /// before points ask for it themselves.
+    double contrast = 1.5e-3;
     double leastElement = 1e-6; ///< The smallest element, in shares of all area.
     int directSamples = 16;     ///< Of light sources, at each node.
     std::uint32_t seed = 0;
@@ -20,6 +23,7 @@ struct SolverSettings {
 
 struct SolverStatistics {
     std::size_t elements = 0, links = 0;
+    std::size_t lampLinks = 0; ///< Of surfaces that shine; used once.
     int iterations = 0;
     double residual = 0; ///< Of exitance, in shares of it.
     double seconds = 0;

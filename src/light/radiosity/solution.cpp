@@ -2,6 +2,7 @@
 #include "light/radiosity/solution.h"
 
 #include "foundation/base/parallel.h"
+#include "light/radiosity/lamps.h"
 
 #include <algorithm>
 #include <chrono>
@@ -14,20 +15,26 @@ namespace {
 /// Sweeps end when exitance changes by no more.
 constexpr double smallestResidual = 1e-4;
 
-/// What a first exchange of light would come to, spread evenly: exitance to begin links with.
-void guessIndirect(const Mesh &mesh, Fields &fields) {
-    double reflected = 0, received = 0, ambient = 0;
+/// Calls `serve` with where the values of each node of each root stand, and its area.
+template <class Serve> void forEachRootNode(const Mesh &mesh, const Serve &serve) {
     for (const Face &face : mesh.faces()) {
         if (face.root < 0)
             continue;
         const std::size_t first = std::size_t(face.root) * std::size_t(mesh.stride());
         const std::span<const Node> nodes = mesh.nodes(face.root);
-        for (std::size_t i = 0; i < nodes.size(); ++i) {
-            const double E = brightest(fields.direct[first + i]) * nodes[i].area;
-            received += E, reflected += E * brightest(fields.reflectance[first + i]);
-            ambient += double(brightest(fields.ambient[first + i])) * nodes[i].area;
-        }
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+            serve(first + i, nodes[i].area);
     }
+}
+
+/// What a first exchange of light would come to, spread evenly: exitance to begin links with.
+void guessIndirect(const Mesh &mesh, Fields &fields) {
+    double reflected = 0, received = 0, ambient = 0;
+    forEachRootNode(mesh, [&](std::size_t at, float area) {
+        const double E = (brightest(fields.direct[at]) + brightest(fields.lamps[at])) * area;
+        received += E, reflected += E * brightest(fields.reflectance[at]);
+        ambient += double(brightest(fields.ambient[at])) * area;
+    });
     const double share = received > 0 ? std::min(reflected / received, 0.9) : 0.5;
     const float even = float((reflected + ambient) / (mesh.area() * (1 - share)));
     for (Color &value : fields.indirect)
@@ -50,29 +57,26 @@ void Solution::solve(const SolverSettings &settings, const Progress &progress) {
             progress(done);
     };
     const float leastArea = float(settings.leastElement * mesh_.area());
-    const SourceSettings sources{settings.directSamples, settings.seed, settings.epsilon * 10,
-                                 leastArea};
-    divideByDirectLight(mesh_, sources, fields_);
-    for (const Face &face : mesh_.faces())
-        if (face.root >= 0)
-            for (std::vector<Color> *field :
-                 {&fields_.direct, &fields_.reflectance, &fields_.transmittance, &fields_.ambient})
-                pull(face.root, *field);
-    tell(0.3);
+    LinkSettings links;
+    links.leastArea = leastArea;
+    links.mostElements = settings.mostElements, links.mostLinks = settings.mostLinks;
+    links.sources = {settings.directSamples, settings.seed, settings.epsilon * 10, leastArea,
+                     linkedLamps(mesh_)};
+    divideByDirectLight(mesh_, links.sources, fields_);
+    tell(0.2);
+    linkLamps(links, settings.epsilon, settings.contrast);
+    pullSources();
+    tell(0.4);
     guessIndirect(mesh_, fields_);
-    LinkSettings links{0, leastArea, settings.mostElements, settings.mostLinks, sources};
     for (int pass = 0; pass < 2; ++pass) {
-        double exchanged = 0;
         for (int e = 0; e < mesh_.size(); ++e)
             reflect(mesh_, e, fields_);
-        for (const Face &face : mesh_.faces())
-            if (face.root >= 0) {
-                pull(face.root, fields_.exitance);
-                exchanged += flux(face.root, fields_.exitance);
-            }
-        links.tolerance = settings.epsilon * exchanged * (pass == 0 ? 4 : 1);
+        pullAll(fields_.exitance);
+        const double coarser = pass == 0 ? 4 : 1;
+        links.tolerance = settings.epsilon * flux(fields_.exitance) * coarser;
+        links.contrast = settings.contrast * evenIrradiance(fields_.exitance) * coarser;
         links_ = refine(mesh_, links, fields_);
-        tell(pass == 0 ? 0.4 : 0.7);
+        tell(pass == 0 ? 0.5 : 0.8);
         for (int k = 0; k < settings.mostIterations; ++k) {
             statistics_.residual = iterate();
             ++statistics_.iterations;
@@ -80,135 +84,80 @@ void Solution::solve(const SolverSettings &settings, const Progress &progress) {
                 break;
         }
     }
-    if (getenv("LOSS")) {
-        const std::vector<Color> actual = fields_.exitance;
-        for (int f = 0; f < 4; ++f) {
-            double out = 0, in = 0, in2 = 0;
-            for (int e = 0; e < mesh_.size(); ++e)
-                if (mesh_.element(e).firstChild < 0)
-                    for (size_t i = 0; i < mesh_.nodes(e).size(); ++i) {
-                        size_t at = size_t(e) * mesh_.stride() + i;
-                        const Node &n = mesh_.nodes(e)[i];
-                        bool lit = fields_.direct[at][0] > 0;
-                        float b = !lit     ? 0
-                                  : f == 0 ? 1
-                                  : f == 1 ? n.P.x + 3
-                                  : f == 2 ? fields_.direct[at][0]
-                                           : actual[at][0];
-                        fields_.exitance[at].fill(b);
-                        out += double(b) * n.area;
-                    }
-            for (const Face &face : mesh_.faces())
-                if (face.root >= 0)
-                    pull(face.root, fields_.exitance);
-            double root = 0;
-            for (const Face &face : mesh_.faces())
-                if (face.root >= 0)
-                    root += flux(face.root, fields_.exitance);
-            gather();
-            for (int e = 0; e < mesh_.size(); ++e)
-                for (size_t i = 0; i < mesh_.nodes(e).size(); ++i)
-                    in += double(fields_.gathered[size_t(e) * mesh_.stride() + i][0]) *
-                          mesh_.nodes(e)[i].area;
-            fprintf(stderr, "f %d out %.3f root %.3f in %.3f ratio %.5f\n", f, out, root, in,
-                    in / out);
-        }
-    }
-    if (getenv("ROWSUM")) {
-        for (Color &c : fields_.exitance)
-            c.fill(1);
-        for (Color &c : fields_.reflectance)
-            c.fill(0);
-        iterate();
-        double sum = 0, area = 0;
-        float lo = 9, hi = 0;
-        for (int e = 0; e < mesh_.size(); ++e)
-            if (mesh_.element(e).firstChild < 0 &&
-                brightest(fields_.direct[size_t(e) * mesh_.stride()]) > 0)
-                for (size_t i = 0; i < mesh_.nodes(e).size(); ++i) {
-                    float v = fields_.indirect[size_t(e) * mesh_.stride() + i][0];
-                    sum += double(v) * mesh_.nodes(e)[i].area;
-                    area += mesh_.nodes(e)[i].area;
-                    lo = std::min(lo, v);
-                    hi = std::max(hi, v);
-                }
-        std::vector<double> fs(mesh_.faces().size()), fa(fs.size());
-        for (int e = 0; e < mesh_.size(); ++e)
-            if (mesh_.element(e).firstChild < 0 &&
-                brightest(fields_.direct[size_t(e) * mesh_.stride()]) > 0)
-                for (size_t i = 0; i < mesh_.nodes(e).size(); ++i)
-                    fs[mesh_.element(e).face] +=
-                        double(fields_.indirect[size_t(e) * mesh_.stride() + i][0]) *
-                        mesh_.nodes(e)[i].area,
-                        fa[mesh_.element(e).face] += mesh_.nodes(e)[i].area;
-        for (size_t f = 0; f < fs.size(); ++f)
-            if (fa[f] > 0)
-                fprintf(stderr, "face %zu domain %u back %d: %.5f\n", f, mesh_.faces()[f].domain,
-                        mesh_.faces()[f].isBack, fs[f] / fa[f]);
-        fprintf(stderr, "row sums mean %.5f min %.4f max %.4f\n", sum / area, lo, hi);
-        double vis[3] = {0, 0, 0};
-        for (auto &l : links_.links) {
-            vis[l.visibility[0] >= .9999 ? 2 : l.visibility[0] > 0 ? 1 : 0]++;
-        }
-        fprintf(stderr, "links: occluded %g partial %g clear %g\n", vis[0], vis[1], vis[2]);
-    }
+    pullSources();
+    pullAll(fields_.indirect);
+    indirect_ = answering(links_, fields_.exitance);
+    lamps_ = answering(lampLinks_, fields_.emission);
     statistics_.elements = std::size_t(mesh_.size());
     statistics_.links = links_.links.size();
-    for (const Face &face : mesh_.faces())
-        if (face.root >= 0) {
-            pull(face.root, fields_.indirect);
-            statistics_.directFlux += flux(face.root, fields_.direct);
-            statistics_.indirectFlux += flux(face.root, fields_.indirect);
-        }
+    statistics_.directFlux = flux(fields_.direct) + flux(fields_.lamps);
+    statistics_.indirectFlux = flux(fields_.indirect);
     tell(1);
 }
 
-double Solution::flux(int root, const std::vector<Color> &field) const {
+/// Surfaces that shine, as far as links may serve them.
+void Solution::linkLamps(LinkSettings settings, double epsilon, double contrast) {
+    settings.sent = &Fields::emission;
+    settings.tolerance = epsilon * flux(fields_.emission);
+    settings.contrast = contrast * evenIrradiance(fields_.emission);
+    if (!(settings.tolerance > 0))
+        return;
+    lampLinks_ = refine(mesh_, settings, fields_);
+    gather(lampLinks_, fields_.emission, Which::All);
+    pushAll(fields_.lamps);
+    statistics_.lampLinks = lampLinks_.links.size();
+}
+
+Solution::Answering Solution::answering(const Links &links, const std::vector<Color> &sent) {
+    Answering answer;
+    gather(links, sent, Which::Smooth);
+    answer.smooth.resize(sent.size());
+    pushAll(answer.smooth);
+    answer.near = NearLight(mesh_, links, sent);
+    return answer;
+}
+
+void Solution::pullSources() {
+    for (std::vector<Color> *field : {&fields_.direct, &fields_.lamps, &fields_.reflectance,
+                                      &fields_.transmittance, &fields_.ambient})
+        pullAll(*field);
+}
+
+double Solution::flux(const std::vector<Color> &field) const {
     double flux = 0;
-    const std::size_t first = std::size_t(root) * std::size_t(mesh_.stride());
-    const std::span<const Node> nodes = mesh_.nodes(root);
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-        flux += double(brightest(field[first + i])) * nodes[i].area;
+    forEachRootNode(
+        mesh_, [&](std::size_t at, float area) { flux += double(brightest(field[at])) * area; });
     return flux;
+}
+
+/// As if all that is sent fell on all surfaces alike, on one side each.
+double Solution::evenIrradiance(const std::vector<Color> &sent) const {
+    return 2 * flux(sent) / mesh_.area();
 }
 
 /// A sweep: irradiance from exitance, and back. Returns by how much exitance changed.
 double Solution::iterate() {
     const std::vector<Color> before = fields_.exitance;
-    gather();
-    parallelFor(mesh_.faces().size(), [&](std::size_t f) {
-        const int root = mesh_.faces()[f].root;
-        if (root < 0)
-            return;
-        const std::size_t first = std::size_t(root) * std::size_t(mesh_.stride());
-        std::copy_n(fields_.gathered.begin() + std::ptrdiff_t(first), mesh_.stride(),
-                    fields_.indirect.begin() + std::ptrdiff_t(first));
-        pushDown(root);
-    });
+    gather(links_, fields_.exitance, Which::All);
+    pushAll(fields_.indirect);
+    for (int e = 0; e < mesh_.size(); ++e)
+        if (mesh_.element(e).firstChild < 0)
+            reflect(mesh_, e, fields_);
     shineThrough();
-    parallelFor(mesh_.faces().size(), [&](std::size_t f) {
-        if (const int root = mesh_.faces()[f].root; root >= 0)
-            pull(root, fields_.exitance);
-    });
+    pullAll(fields_.exitance);
     double change = 0, all = 0;
-    for (const Face &face : mesh_.faces()) {
-        if (face.root < 0)
-            continue;
-        const std::size_t first = std::size_t(face.root) * std::size_t(mesh_.stride());
-        const std::span<const Node> nodes = mesh_.nodes(face.root);
-        for (std::size_t i = 0; i < nodes.size(); ++i)
-            for (std::size_t k = 0; k < colorSamples; ++k) {
-                const double now = fields_.exitance[first + i][k];
-                change += std::fabs(now - before[first + i][k]) * nodes[i].area;
-                all += std::fabs(now) * nodes[i].area;
-            }
-    }
+    forEachRootNode(mesh_, [&](std::size_t at, float area) {
+        for (std::size_t k = 0; k < colorSamples; ++k) {
+            change += std::fabs(fields_.exitance[at][k] - before[at][k]) * area;
+            all += std::fabs(fields_.exitance[at][k]) * area;
+        }
+    });
     return all > 0 ? change / all : 0;
 }
 
-void Solution::gather() {
+void Solution::gather(const Links &all, const std::vector<Color> &sent, Which which) {
     std::ranges::fill(fields_.gathered, Color{});
-    const std::vector<Link> &links = links_.links;
+    const std::vector<Link> &links = all.links;
     const std::size_t stride = std::size_t(mesh_.stride());
     // Ranges of links end where a receiver's do.
     constexpr std::size_t range = 2048;
@@ -222,16 +171,18 @@ void Solution::gather() {
         const std::size_t last = beginOf((r + 1) * range);
         for (std::size_t l = beginOf(r * range); l < last; ++l) {
             const Link &link = links[l];
+            if (link.isRough && which == Which::Smooth)
+                continue;
             const std::size_t to = mesh_.nodes(link.receiver).size(),
                               from = mesh_.nodes(link.sender).size();
-            const Color *sent = fields_.exitance.data() + stride * std::size_t(link.sender);
+            const Color *exitance = sent.data() + stride * std::size_t(link.sender);
             Color *received = fields_.gathered.data() + stride * std::size_t(link.receiver);
-            const float *kernel = links_.kernels.data() + link.kernel;
+            const float *kernel = all.kernels.data() + link.kernel;
             for (std::size_t i = 0; i < to; ++i, kernel += from) {
                 Color sum{};
                 for (std::size_t j = 0; j < from; ++j)
                     for (std::size_t k = 0; k < colorSamples; ++k)
-                        sum[k] += kernel[j] * sent[j][k];
+                        sum[k] += kernel[j] * exitance[j][k];
                 for (std::size_t k = 0; k < colorSamples; ++k)
                     received[i][k] += link.visibility[k] * sum[k];
             }
@@ -239,33 +190,49 @@ void Solution::gather() {
     });
 }
 
-/// Of links to parents; `indirect` of the element is complete.
-void Solution::pushDown(int element) {
+/// What links have brought to elements and to all above them.
+void Solution::pushAll(std::vector<Color> &field) const {
+    parallelFor(mesh_.faces().size(), [&](std::size_t f) {
+        const int root = mesh_.faces()[f].root;
+        if (root < 0)
+            return;
+        const std::ptrdiff_t first = std::ptrdiff_t(root) * mesh_.stride();
+        std::copy_n(fields_.gathered.begin() + first, mesh_.stride(), field.begin() + first);
+        pushDown(root, field);
+    });
+}
+
+void Solution::pushDown(int element, std::vector<Color> &field) const {
     const int child = mesh_.element(element).firstChild;
-    if (child < 0)
-        return reflect(mesh_, element, fields_);
     const std::size_t stride = std::size_t(mesh_.stride());
-    for (int c = 0; c < Basis::children; ++c) {
-        push(mesh_, element, c, fields_.indirect, fields_.indirect);
+    for (int c = 0; child >= 0 && c < Basis::children; ++c) {
+        push(mesh_, element, c, field, field);
         const std::size_t first = stride * std::size_t(child + c);
         for (std::size_t i = first; i < first + stride; ++i)
             for (std::size_t k = 0; k < colorSamples; ++k)
-                fields_.indirect[i][k] += fields_.gathered[i][k];
-        pushDown(child + c);
+                field[i][k] += fields_.gathered[i][k];
+        pushDown(child + c, field);
     }
 }
 
-/// Values of the element and all below it but for leaves.
-void Solution::pull(int element, std::vector<Color> &field) const {
+/// Values of elements with children.
+void Solution::pullAll(std::vector<Color> &field) const {
+    parallelFor(mesh_.faces().size(), [&](std::size_t f) {
+        if (const int root = mesh_.faces()[f].root; root >= 0)
+            pullUp(root, field);
+    });
+}
+
+void Solution::pullUp(int element, std::vector<Color> &field) const {
     const int child = mesh_.element(element).firstChild;
     if (child < 0)
         return;
     for (int c = 0; c < Basis::children; ++c)
-        pull(child + c, field);
-    radiosity::pull(mesh_, element, field);
+        pullUp(child + c, field);
+    pull(mesh_, element, field);
 }
 
-/// What leaves leaves that light shines through from the other side.
+/// What leaves send that light shines through from the other side.
 void Solution::shineThrough() {
     for (int e = 0; e < mesh_.size(); ++e) {
         const std::int32_t opposite = mesh_.faceOf(e).opposite;
@@ -277,17 +244,17 @@ void Solution::shineThrough() {
             const Color &passes = fields_.transmittance[first + std::size_t(i)];
             if (brightest(passes) <= 0)
                 continue;
-            const Color there =
-                at(opposite, Mesh::inFace(mesh_.element(e), basis.node(i)), fields_.direct);
-            const Color more =
-                at(opposite, Mesh::inFace(mesh_.element(e), basis.node(i)), fields_.indirect);
+            const Place place = Mesh::inFace(mesh_.element(e), basis.node(i));
+            const Color behind =
+                at(opposite, place, {&fields_.direct, &fields_.lamps, &fields_.indirect});
             for (std::size_t k = 0; k < colorSamples; ++k)
-                fields_.exitance[first + std::size_t(i)][k] += passes[k] * (there[k] + more[k]);
+                fields_.exitance[first + std::size_t(i)][k] += passes[k] * behind[k];
         }
     }
 }
 
-Color Solution::at(std::int32_t face, Place place, const std::vector<Color> &field) const {
+Color Solution::at(std::int32_t face, Place place,
+                   std::initializer_list<const std::vector<Color> *> fields) const {
     Color sum{};
     const int leaf = mesh_.leafAt(face, place);
     if (leaf < 0)
@@ -295,9 +262,22 @@ Color Solution::at(std::int32_t face, Place place, const std::vector<Color> &fie
     float value[mostNodes];
     mesh_.basis(leaf).values(place, value);
     const std::size_t first = std::size_t(leaf) * std::size_t(mesh_.stride());
-    for (std::size_t i = 0; i < mesh_.nodes(leaf).size(); ++i)
-        for (std::size_t k = 0; k < colorSamples; ++k)
-            sum[k] += value[i] * field[first + i][k];
+    for (const std::vector<Color> *field : fields)
+        for (std::size_t i = 0; i < mesh_.nodes(leaf).size(); ++i)
+            for (std::size_t k = 0; k < colorSamples; ++k)
+                sum[k] += value[i] * (*field)[first + i][k];
+    return sum;
+}
+
+Color Solution::at(std::int32_t face, Place place, Vec3 P, Vec3 N,
+                   const Answering &answering) const {
+    Color sum = at(face, place, {&answering.smooth});
+    int e = face >= 0 ? mesh_.faces()[std::size_t(face)].root : -1;
+    while (e >= 0) {
+        answering.near.add(mesh_, e, place, P, N, sum);
+        const int child = mesh_.element(e).firstChild;
+        e = child < 0 ? -1 : child + Basis::childAt(mesh_.basis(e).isTriangle(), place);
+    }
     return sum;
 }
 
@@ -307,23 +287,39 @@ void Solution::irradiance(SurfaceVertices &vertices, const Answer &answer) const
     thread_local std::vector<float> u, v;
     piece.resize(std::size_t(count)), u.resize(std::size_t(count)), v.resize(std::size_t(count));
     mesh_.scene().domains().name(vertices.points, piece.data(), u.data(), v.data());
+    const ConstVec3Planes P = vertices.P(), facing = vertices.facingPlanes();
+    const auto get = [](const ConstVec3Planes &planes, int i) {
+        return Vec3{planes[0][i], planes[1][i], planes[2][i]};
+    };
     for (int i = 0; i < count; ++i) {
-        const bool isBack = vertices.isMetFromInside(i);
-        const auto tell = [&](bool back, const std::vector<Color> &field,
-                              const std::array<float *, colorSamples> &to) {
-            if (!to[0])
-                return;
-            const Color found =
-                at(mesh_.faceAt(vertices.points.instance[i], vertices.points.shape[i],
-                                piece[std::size_t(i)], back),
-                   {u[std::size_t(i)], v[std::size_t(i)]}, field);
-            for (std::size_t k = 0; k < colorSamples; ++k)
-                to[k][i] = std::max(found[k], 0.0f);
+        const Place place{u[std::size_t(i)], v[std::size_t(i)]};
+        const auto tell = [&](bool behind, const std::array<float *, colorSamples> &direct,
+                              const std::array<float *, colorSamples> &indirect) {
+            const bool isBack = vertices.isMetFromInside(i) != behind;
+            const std::int32_t face =
+                mesh_.faceAt(vertices.points.instance[i], vertices.points.shape[i],
+                             piece[std::size_t(i)], isBack);
+            const Vec3 N = behind ? -get(facing, i) : get(facing, i);
+            const auto put = [&](const Color &found, const std::array<float *, colorSamples> &to) {
+                for (std::size_t k = 0; k < colorSamples; ++k)
+                    to[k][i] = std::max(found[k], 0.0f);
+            };
+            const auto ask = [&](const std::vector<Color> &told, const Answering &answering) {
+                return answer.isExact ? at(face, place, get(P, i), N, answering)
+                                      : at(face, place, {&told});
+            };
+            if (direct[0]) {
+                Color sum = at(face, place, {&fields_.direct});
+                const Color lamps = ask(fields_.lamps, lamps_);
+                for (std::size_t k = 0; k < colorSamples; ++k)
+                    sum[k] += lamps[k];
+                put(sum, direct);
+            }
+            if (indirect[0])
+                put(ask(fields_.indirect, indirect_), indirect);
         };
-        tell(isBack, fields_.direct, answer.direct);
-        tell(isBack, fields_.indirect, answer.indirect);
-        tell(!isBack, fields_.direct, answer.directBehind);
-        tell(!isBack, fields_.indirect, answer.indirectBehind);
+        tell(false, answer.direct, answer.indirect);
+        tell(true, answer.directBehind, answer.indirectBehind);
     }
 }
 

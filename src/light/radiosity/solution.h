@@ -4,10 +4,12 @@
 #pragma once
 
 #include "light/radiosity/links.h"
+#include "light/radiosity/near_light.h"
 #include "light/radiosity/settings.h"
 #include "light/vertex/surface_vertices.h"
 
 #include <functional>
+#include <initializer_list>
 
 namespace candela::radiosity {
 
@@ -22,6 +24,7 @@ public:
     struct Answer {
         std::array<float *, colorSamples> direct{}, indirect{};
         std::array<float *, colorSamples> directBehind{}, indirectBehind{};
+        bool isExact = true; ///< Light that varies fast is gathered point by point.
     };
     void irradiance(SurfaceVertices &, const Answer &) const;
 
@@ -32,17 +35,33 @@ public:
 
 private:
     void solve(const SolverSettings &, const Progress &);
+    void linkLamps(LinkSettings, double epsilon, double contrast);
     double iterate();
-    void gather();
-    void pushDown(int element);
-    void pull(int element, std::vector<Color> &) const;
-    double flux(int root, const std::vector<Color> &) const;
-    Color at(std::int32_t face, Place, const std::vector<Color> &) const;
+    enum class Which { All, Smooth };
+    void gather(const Links &, const std::vector<Color> &sent, Which);
+    void pushAll(std::vector<Color> &) const;
+    /// What the element itself has is complete.
+    void pushDown(int element, std::vector<Color> &) const;
+    void pullAll(std::vector<Color> &) const;
+    void pullUp(int element, std::vector<Color> &) const;
+    void pullSources();
     void shineThrough();
+    double flux(const std::vector<Color> &) const;
+    double evenIrradiance(const std::vector<Color> &sent) const;
+    /// The sum of fields at a place of a face.
+    Color at(std::int32_t face, Place, std::initializer_list<const std::vector<Color> *>) const;
+    /// What is asked for at points: smooth light, and what is near.
+    struct Answering {
+        std::vector<Color> smooth;
+        NearLight near;
+    };
+    Answering answering(const Links &, const std::vector<Color> &sent);
+    Color at(std::int32_t face, Place, Vec3 P, Vec3 N, const Answering &) const;
 
     Mesh mesh_;
     Fields fields_;
-    Links links_;
+    Links links_, lampLinks_;
+    Answering indirect_, lamps_;
     SolverStatistics statistics_;
 };
 

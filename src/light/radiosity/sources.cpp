@@ -3,53 +3,18 @@
 
 #include "foundation/base/parallel.h"
 #include "light/radiosity/direct.h"
+#include "light/radiosity/lamps.h"
+#include "light/radiosity/points.h"
 #include "light/radiosity/response.h"
 #include "light/sampling/sobol.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <memory>
-#include <mutex>
 
 namespace candela::radiosity {
 
 namespace {
-
-/// Points on faces of one code.
-struct PointBatch {
-    std::vector<std::uint32_t> instance, shape, piece, key;
-    std::vector<float> u, v, nx, ny, nz;
-
-    int size() const { return int(u.size()); }
-    void add(const Mesh &mesh, int e, Place inFace, Vec3 N, std::uint32_t seed) {
-        const PlacedDomain &domain = mesh.domainOf(e);
-        instance.push_back(domain.instance), shape.push_back(domain.shape);
-        piece.push_back(mesh.faceOf(e).piece);
-        u.push_back(inFace.u), v.push_back(inFace.v);
-        nx.push_back(N.x), ny.push_back(N.y), nz.push_back(N.z);
-        key.push_back(pixelKey(int(mesh.element(e).face), 0, seed));
-    }
-    SurfacePlaces places() const {
-        return {size(), instance.data(), shape.data(), piece.data(), u.data(), v.data()};
-    }
-    Vec3Planes N() { return {nx.data(), ny.data(), nz.data()}; }
-};
-
-/// Elements from `first` on in batches of one code, whose points fill a question.
-std::vector<std::vector<int>> batchesByCode(const Mesh &mesh, int first, int pointsOfElement) {
-    std::map<int, std::vector<int>> byCode;
-    for (int e = first; e < mesh.size(); ++e)
-        byCode[mesh.domainOf(e).code].push_back(e);
-    const std::size_t most = std::size_t(ResponseQuestion::capacity / pointsOfElement);
-    std::vector<std::vector<int>> batches;
-    for (const auto &[code, elements] : byCode)
-        for (std::size_t at = 0; at < elements.size(); at += most)
-            batches.emplace_back(elements.begin() + std::ptrdiff_t(at),
-                                 elements.begin() +
-                                     std::ptrdiff_t(std::min(at + most, elements.size())));
-    return batches;
-}
 
 /// A face is looked at as closely as this share of the scene, whatever its first points see.
 constexpr double coarsest = 1.0 / 512;
@@ -57,8 +22,10 @@ constexpr double coarsest = 1.0 / 512;
 struct Questions {
     DirectQuestion direct;
     ResponseQuestion response;
+    EmissionQuestion emission;
     Response answer{ResponseQuestion::capacity};
     Planes<float> E{colorSamples, DirectQuestion::capacity};
+    Planes<float> sent{colorSamples, EmissionQuestion::capacity};
 };
 
 void askBatch(const Mesh &mesh, const std::vector<int> &elements, const SourceSettings &settings,
@@ -67,29 +34,36 @@ void askBatch(const Mesh &mesh, const std::vector<int> &elements, const SourceSe
     if (!own)
         own = std::make_unique<Questions>();
     PointBatch points;
-    for (int e : elements)
-        for (int i = 0; i < mesh.basis(e).nodes(); ++i)
-            points.add(mesh, e, Mesh::inFace(mesh.element(e), mesh.basis(e).node(i)),
-                       mesh.nodes(e)[std::size_t(i)].N, settings.seed);
+    std::vector<std::uint32_t> key;
+    for (int e : elements) {
+        points.addNodes(mesh, e);
+        key.resize(std::size_t(points.size()),
+                   pixelKey(int(mesh.element(e).face), 0, settings.seed));
+    }
     const int code = mesh.domainOf(elements.front()).code;
-    float *E[colorSamples];
+    float *E[colorSamples], *emission[colorSamples];
     for (int c = 0; c < colorSamples; ++c)
-        E[c] = own->E[c];
-    own->direct.ask(mesh.scene(), code, points.places(), points.N(), points.key.data(),
-                    settings.samples, E);
+        E[c] = own->E[c], emission[c] = own->sent[c];
+    own->direct.ask(mesh.scene(), code, points.places(), points.N(), key.data(), settings.samples,
+                    settings.linked, E);
     own->response.ask(mesh.scene(), code, points.places(), points.N(), own->answer);
+    own->emission.ask(mesh.scene(), code, points.places(), points.N(), emission);
     int at = 0;
-    for (int e : elements)
+    for (int e : elements) {
+        const int light = mesh.domainOf(e).light;
+        const bool isLinked = light > 0 && settings.linked[std::size_t(light) - 1] != 0;
         for (int i = 0; i < mesh.basis(e).nodes(); ++i, ++at) {
             const std::size_t place = std::size_t(e) * std::size_t(mesh.stride()) + std::size_t(i);
             for (int c = 0; c < colorSamples; ++c) {
                 const std::size_t k = std::size_t(c);
                 fields.direct[place][k] = E[c][at];
+                fields.emission[place][k] = isLinked ? emission[c][at] : 0;
                 fields.reflectance[place][k] = own->answer.reflectance[c][at];
                 fields.transmittance[place][k] = own->answer.transmittance[c][at];
                 fields.ambient[place][k] = own->answer.ambient[c][at];
             }
         }
+    }
 }
 
 /// By how much the parent's direct light misses its children's, in W.
@@ -118,7 +92,11 @@ double missedByParent(const Mesh &mesh, int parent, const Fields &fields) {
 
 void askSources(const Mesh &mesh, int first, const SourceSettings &settings, Fields &fields) {
     fields.resize(mesh);
-    const std::vector<std::vector<int>> batches = batchesByCode(mesh, first, mesh.stride());
+    std::vector<int> elements;
+    for (int e = first; e < mesh.size(); ++e)
+        elements.push_back(e);
+    const std::vector<std::vector<int>> batches =
+        batchesByCode(mesh, elements, ResponseQuestion::capacity);
     parallelFor(batches.size(),
                 [&](std::size_t b) { askBatch(mesh, batches[b], settings, fields); });
 }

@@ -13,7 +13,8 @@ struct SourceSettings {
     /// How finely direct light is told: the error of an element, times its area, in shares of the
     /// scene's direct flux.
     double epsilon = 1e-4;
-    float leastArea = 0; ///< No element is divided below it.
+    float leastArea = 0;              ///< No element is divided below it.
+    std::vector<std::uint8_t> linked; ///< linkedLamps(): these are not sampled.
 };
 
 /// Fills Fields::direct and the response at nodes of elements from `first` on; of leaves the

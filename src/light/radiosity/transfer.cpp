@@ -9,19 +9,23 @@ namespace candela::radiosity {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+constexpr float pi = std::numbers::pi_v<float>;
 /// Senders nearer than so many of their radii are integrated in closed form.
 constexpr float nearby = 6;
 /// Receivers whose basis misses more of what they get than this share of it take a finer rule.
 constexpr float roughly = 0.01f;
 
-struct Vec3d {
-    double x, y, z;
-};
-Vec3d cross(Vec3d a, Vec3d b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+/// An angle over its sine, within 1e-6 of it. The polynomial is the Chebyshev interpolant on
+/// cosines of [0,1].
+float angleOverSine(float cosine, float sineSquared) {
+    constexpr float coefficients[] = {-0.0266371514f, 0.135951283f, -0.323932017f, 0.509054596f,
+                                      -0.648626993f,  0.78329788f,  -0.999903565f, 1.57079558f};
+    const float c = std::fabs(cosine);
+    float sum = 0;
+    for (float coefficient : coefficients)
+        sum = sum * c + coefficient;
+    return cosine >= 0 ? sum : pi / std::sqrt(std::max(sineSquared, 1e-14f)) - sum;
 }
-double dot(Vec3d a, Vec3d b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 std::span<const Vec3> cornersOf(const Mesh &mesh, int e) {
     return {mesh.element(e).corners.data(), std::size_t(mesh.domainOf(e).domain.triangles ? 3 : 4)};
@@ -30,88 +34,43 @@ std::span<const Vec3> cornersOf(const Mesh &mesh, int e) {
 /// Of the Gauss rule: what a node of the sender gives to a point.
 float pointFactor(const Vec3 &P, const Vec3 &N, const Node &sender) {
     const Vec3 way = sender.P - P;
-    const float squared = candela::dot(way, way);
-    const float here = candela::dot(N, way), there = -candela::dot(sender.N, way);
+    const float squared = dot(way, way);
+    const float here = dot(N, way), there = -dot(sender.N, way);
     if (!(here > 0) || !(there > 0) || !(squared > 0))
         return 0;
-    return here * there / (float(pi) * squared * squared) * sender.area;
+    return here * there / (pi * squared * squared) * sender.area;
 }
 
 } // namespace
 
-double contourFactor(Vec3 P, Vec3 N, std::span<const Vec3> corners, float turned) {
-    std::array<Vec3d, 9> line;
-    const Vec3d up{N.x, N.y, N.z};
-    int count = 0;
-    for (std::size_t k = 0; k < corners.size(); ++k) {
-        const auto relative = [&](Vec3 p) {
-            return Vec3d{double(p.x) - P.x, double(p.y) - P.y, double(p.z) - P.z};
-        };
-        const Vec3d a = relative(corners[k]), b = relative(corners[(k + 1) % corners.size()]);
-        const double above = dot(a, up), next = dot(b, up);
-        if (above >= 0)
-            line[std::size_t(count++)] = a;
-        if ((above < 0) != (next < 0)) {
-            const double t = above / (above - next);
-            line[std::size_t(count++)] = {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y),
-                                          a.z + t * (b.z - a.z)};
-        }
+float contourFactor(Vec3 P, Vec3 N, std::span<const Vec3> corners, float turned) {
+    std::array<Vec3, 9> line;
+    std::size_t count = 0;
+    Vec3 from = corners.back() - P;
+    float above = dot(from, N);
+    for (Vec3 corner : corners) {
+        const Vec3 to = corner - P;
+        const float next = dot(to, N);
+        if ((above < 0) != (next < 0))
+            line[count++] = normalize(from + (to - from) * (above / (above - next)));
+        if (next >= 0)
+            line[count++] = normalize(to);
+        from = to, above = next;
     }
-    double sum = 0;
-    for (int k = 0; k < count; ++k) {
-        const Vec3d a = line[std::size_t(k)], b = line[std::size_t((k + 1) % count)];
-        const Vec3d normal = cross(a, b);
-        const double sine = std::sqrt(dot(normal, normal));
-        if (sine > 0)
-            sum += dot(normal, up) * (std::atan2(sine, dot(a, b)) / sine);
+    if (count == 0)
+        return 0;
+    float sum = 0;
+    Vec3 a = line[count - 1];
+    for (std::size_t k = 0; k < count; ++k) {
+        const Vec3 b = line[k];
+        const Vec3 normal = cross(a, b);
+        sum += dot(normal, N) * angleOverSine(dot(a, b), dot(normal, normal));
+        a = b;
     }
-    return std::max(0.0, -double(turned) * sum / (2 * pi));
+    return std::max(0.0f, -turned * sum / (2 * pi));
 }
 
 namespace {
-
-/// What sends: an element, or a quarter of one.
-struct Sender {
-    std::array<Node, mostNodes> nodes;
-    int count = 0;
-    std::array<Vec3, 4> corners;
-    std::size_t sides = 0;
-    float area = 0, turned = 1;
-
-    Sender(const Mesh &mesh, int e) {
-        const Element &element = mesh.element(e);
-        for (const Node &node : mesh.nodes(e))
-            nodes[std::size_t(count++)] = node;
-        corners = element.corners, sides = cornersOf(mesh, e).size();
-        area = element.area, turned = element.turned;
-    }
-
-    /// The point sees some of it from behind: what it sees of the front has another contour.
-    bool turnsAwayFrom(Vec3 P) const {
-        int away = 0;
-        for (int j = 0; j < count; ++j) {
-            const Node &node = nodes[std::size_t(j)];
-            away += candela::dot(node.N, P - node.P) > 0 ? 0 : 1;
-        }
-        return away > 0 && away < count;
-    }
-
-    /// Fills the row and returns the form factor, and by how much the rule alone has missed it. The
-    /// rule says where on the sender light comes from, the contour how much.
-    float factor(Vec3 P, Vec3 N, bool byContour, float *row, float &missed) const {
-        float rule = 0;
-        for (int j = 0; j < count; ++j)
-            rule += row[j] = pointFactor(P, N, nodes[std::size_t(j)]);
-        if (!byContour || turnsAwayFrom(P))
-            return rule;
-        const float exact = float(contourFactor(P, N, std::span(corners).first(sides), turned));
-        missed = std::max(missed, std::fabs(exact - rule));
-        for (int j = 0; j < count; ++j)
-            row[j] =
-                rule > 0 ? row[j] * (exact / rule) : exact * (nodes[std::size_t(j)].area / area);
-        return exact;
-    }
-};
 
 /// The point of an element that its nodes lead to; `area` is that of a unit of its (u,v).
 Node between(const Basis &shape, const Node *nodes, Place at) {
@@ -169,6 +128,36 @@ std::array<Sender, 4> quartersOf(const Mesh &mesh, int e) {
 
 } // namespace
 
+Sender::Sender(const Mesh &mesh, int e) {
+    const Element &element = mesh.element(e);
+    for (const Node &node : mesh.nodes(e))
+        nodes[std::size_t(count++)] = node;
+    corners = element.corners, sides = cornersOf(mesh, e).size();
+    area = element.area, turned = element.turned;
+}
+
+bool Sender::turnsAwayFrom(Vec3 P) const {
+    int away = 0;
+    for (int j = 0; j < count; ++j) {
+        const Node &node = nodes[std::size_t(j)];
+        away += dot(node.N, P - node.P) > 0 ? 0 : 1;
+    }
+    return away > 0 && away < count;
+}
+
+float Sender::factor(Vec3 P, Vec3 N, bool byContour, float *row, float &missed) const {
+    float rule = 0;
+    for (int j = 0; j < count; ++j)
+        rule += row[j] = pointFactor(P, N, nodes[std::size_t(j)]);
+    if (!byContour || turnsAwayFrom(P))
+        return rule;
+    const float exact = contourFactor(P, N, std::span(corners).first(sides), turned);
+    missed = std::max(missed, std::fabs(exact - rule));
+    for (int j = 0; j < count; ++j)
+        row[j] = rule > 0 ? row[j] * (exact / rule) : exact * (nodes[std::size_t(j)].area / area);
+    return exact;
+}
+
 Transfer transferBetween(const Mesh &mesh, int receiver, int sender) {
     const std::span<const Node> to = mesh.nodes(receiver);
     const Element &a = mesh.element(receiver), &b = mesh.element(sender);
@@ -207,11 +196,38 @@ Transfer transferBetween(const Mesh &mesh, int receiver, int sender) {
     return transfer;
 }
 
+float errorAtCorners(const Mesh &mesh, int receiver, int sender, const Transfer &transfer) {
+    const Element &a = mesh.element(receiver), &b = mesh.element(sender);
+    if (length(b.centre - a.centre) > nearby * (a.radius + b.radius))
+        return transfer.receiverError;
+    const Sender from(mesh, sender);
+    const Basis &basis = mesh.basis(receiver);
+    constexpr Place square[] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}},
+                    triangle[] = {{0, 0}, {1, 0}, {0, 1}};
+    const std::span<const Vec3> corners = cornersOf(mesh, receiver);
+    float worst = transfer.receiverError, missed = 0;
+    std::array<float, mostNodes> row, value;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        const Place at = basis.isTriangle() ? triangle[k] : square[k];
+        basis.values(at, value.data());
+        float told = 0;
+        for (int i = 0; i < basis.nodes(); ++i)
+            for (int j = 0; j < transfer.senders; ++j)
+                told += value[std::size_t(i)] * transfer(i, j);
+        const Vec3 N = between(shapeOf(mesh, receiver), mesh.nodes(receiver).data(), at).N;
+        // A little inside: on the very edge the factor jumps.
+        const Vec3 P = corners[k] + (a.centre - corners[k]) * 0.1f;
+        worst = std::max(worst,
+                         std::fabs(from.factor(P, N, transfer.isNear, row.data(), missed) - told));
+    }
+    return worst;
+}
+
 void refineKernel(const Mesh &mesh, int receiver, int sender, Transfer &transfer) {
     const float rough = roughly * transfer.largest;
     const bool finerReceiver = transfer.receiverError > rough;
     const bool finerSender = transfer.isNear && transfer.senderError > rough;
-    if ((!finerReceiver && !finerSender) || getenv("NOQ"))
+    if (!finerReceiver && !finerSender)
         return;
     const std::array<Sender, 4> quarters = quartersOf(mesh, sender);
     const Sender whole(mesh, sender);
@@ -254,7 +270,7 @@ namespace {
 bool isBehind(std::span<const Node> nodes, const Mesh &mesh, int other) {
     const Element &element = mesh.element(other);
     for (const Node &node : nodes) {
-        const auto sees = [&](Vec3 P) { return candela::dot(node.N, P - node.P) > 0; };
+        const auto sees = [&](Vec3 P) { return dot(node.N, P - node.P) > 0; };
         for (Vec3 corner : cornersOf(mesh, other))
             if (sees(corner))
                 return false;

@@ -8,7 +8,26 @@ namespace candela::radiosity {
 
 /// The form factor of a point with unit normal N to what a closed line spans (Lambert), clipped at
 /// the point's horizon. `turned` as Element has it: the side that sends.
-double contourFactor(Vec3 P, Vec3 N, std::span<const Vec3> corners, float turned);
+float contourFactor(Vec3 P, Vec3 N, std::span<const Vec3> corners, float turned);
+
+/// What sends: an element, or a quarter of one.
+struct Sender {
+    std::array<Node, mostNodes> nodes;
+    int count = 0;
+    std::array<Vec3, 4> corners;
+    std::size_t sides = 0;
+    float area = 0, turned = 1;
+
+    Sender(const Mesh &, int element);
+
+    /// Fills the row and returns the form factor, and by how much the rule alone has missed it. The
+    /// rule says where on the sender light comes from, the contour how much.
+    float factor(Vec3 P, Vec3 N, bool byContour, float *row, float &missed) const;
+
+private:
+    /// The point sees some of it from behind: what it sees of the front has another contour.
+    bool turnsAwayFrom(Vec3 P) const;
+};
 
 struct Transfer {
     /// What exitance at node j of the sender gives as irradiance at node i of the receiver.
@@ -27,6 +46,9 @@ struct Transfer {
 };
 
 Transfer transferBetween(const Mesh &, int receiver, int sender);
+
+/// By how much the kernel misses irradiance near the receiver's corners, by a unit of exitance.
+float errorAtCorners(const Mesh &, int receiver, int sender, const Transfer &);
 
 /// Integrates anew what the rules say roughly, by those of quarters of the elements.
 void refineKernel(const Mesh &, int receiver, int sender, Transfer &);

@@ -17,11 +17,11 @@ std::vector<PlacedDomain> SurfaceDomains::all() const {
     const auto add = [&](std::uint32_t instance, std::uint32_t shape) {
         const std::int32_t row = tables.appearanceOf(instance, shape);
         const Appearance &appearance = tables.appearances[std::size_t(row)];
-        domains.push_back({instance, shape, tables.shapes[shape].surface->domain(), appearance.code,
-                           appearance.light,
-                           tables.details[std::size_t(row)].attributes->sides == 1,
-                           appearance.offset *
-                               (instance == noHit ? 1 : tables.instances[instance].stretch)});
+        domains.push_back(
+            {instance, shape, tables.shapes[shape].surface->domain(), appearance.code,
+             appearance.light, appearance.lightSet,
+             tables.details[std::size_t(row)].attributes->sides == 1,
+             appearance.offset * (instance == noHit ? 1 : tables.instances[instance].stretch)});
     };
     for (std::uint32_t shape = 0; shape < tables.worldShapes; ++shape)
         add(noHit, shape);

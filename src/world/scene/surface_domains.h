@@ -18,6 +18,7 @@ struct PlacedDomain {
     SurfaceDomain domain;
     int code = 0;            ///< Of the shader there.
     int light = 0;           ///< The light that it is: index + 1, 0 = none.
+    int lightSet = 0;        ///< Which lights shine on it: Lights::isOn.
     bool isOneSided = false; ///< See Scene::isOneSided.
     /// Rays that start no farther off the true surface may meet it (docs/ray-offset.md).
     float offset = 0;

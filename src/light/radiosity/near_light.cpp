@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "light/radiosity/near_light.h"
+
+#include <algorithm>
+
+namespace candela::radiosity {
+
+namespace {
+
+/// How visibility varies over the receiver, by what it has left of the kernel's rows.
+std::array<float, mostNodes> sharesOf(const Mesh &mesh, const Link &link, const float *kernel) {
+    const std::span<const Node> to = mesh.nodes(link.receiver);
+    const std::size_t senders = mesh.nodes(link.sender).size();
+    const Sender sender(mesh, link.sender);
+    std::array<float, mostNodes> shares, row;
+    for (std::size_t i = 0; i < to.size(); ++i) {
+        float missed = 0, left = 0;
+        const float whole = sender.factor(to[i].P, to[i].N, link.isNear, row.data(), missed);
+        for (std::size_t j = 0; j < senders; ++j)
+            left += kernel[i * senders + j];
+        shares[i] = whole > 0 ? std::clamp(left / whole, 0.0f, 2.0f) : 1.0f;
+    }
+    return shares;
+}
+
+} // namespace
+
+NearLight::NearLight(const Mesh &mesh, const Links &links, const std::vector<Color> &sent)
+    : first_(std::size_t(mesh.size()) + 1, 0) {
+    for (const Link &link : links.links) // By receiver.
+        if (link.isRough) {
+            Source source{Sender(mesh, link.sender), link.isNear, link.visibility, {}, {}};
+            const bool isClear = *std::ranges::min_element(link.visibility) >= 1;
+            source.share.fill(1);
+            if (!isClear)
+                source.share = sharesOf(mesh, link, links.kernels.data() + link.kernel);
+            const std::size_t at = std::size_t(link.sender) * std::size_t(mesh.stride());
+            std::copy_n(sent.begin() + std::ptrdiff_t(at), mesh.stride(), source.sent.begin());
+            sources_.push_back(source);
+            ++first_[std::size_t(link.receiver) + 1];
+        }
+    for (std::size_t e = 1; e < first_.size(); ++e)
+        first_[e] += first_[e - 1];
+}
+
+void NearLight::add(const Mesh &mesh, int element, Place at, Vec3 P, Vec3 N,
+                    Color &irradiance) const {
+    if (first_.empty() || first_[std::size_t(element)] == first_[std::size_t(element) + 1])
+        return;
+    std::array<float, mostNodes> value, row;
+    mesh.basis(element).values(at, value.data());
+    for (std::size_t s = first_[std::size_t(element)]; s < first_[std::size_t(element) + 1]; ++s) {
+        const Source &source = sources_[s];
+        float missed = 0, share = 0;
+        source.sender.factor(P, N, source.isNear, row.data(), missed);
+        for (std::size_t i = 0; i < mesh.nodes(element).size(); ++i)
+            share += value[i] * source.share[i];
+        for (int j = 0; j < source.sender.count; ++j)
+            for (std::size_t k = 0; k < colorSamples; ++k)
+                irradiance[k] += share * source.visibility[k] * row[std::size_t(j)] *
+                                 source.sent[std::size_t(j)][k];
+    }
+}
+
+} // namespace candela::radiosity
