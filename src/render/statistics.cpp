@@ -57,6 +57,8 @@ void Statistics::add(const Scene &scene, const TransportStatistics &transport) {
         return;
     numbers_["radiosity.elements"] += double(solver.elements);
     numbers_["radiosity.links"] += double(solver.links);
+    numbers_["radiosity.clusterLinks"] += double(solver.clusterLinks);
+    numbers_["radiosity.lampLinks"] += double(solver.lampLinks);
     numbers_["radiosity.iterations"] += solver.iterations;
     numbers_["radiosity.seconds"] += solver.seconds;
     numbers_["radiosity.directFlux"] += solver.directFlux;

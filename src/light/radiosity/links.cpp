@@ -38,16 +38,15 @@ struct Verdict {
 
 class Refinement {
 public:
-    Refinement(Mesh &mesh, const LinkSettings &settings, Fields &fields)
-        : mesh_(mesh), settings_(settings), fields_(fields) {}
+    Refinement(Mesh &mesh, const ClusterTree &tree, const LinkSettings &settings, Fields &fields)
+        : mesh_(mesh), tree_(tree), settings_(settings), fields_(fields) {}
 
     Links run() {
         measureRoughness();
-        std::vector<Pair> pairs;
-        for (const Face &receiver : mesh_.faces())
-            for (const Face &sender : mesh_.faces())
-                if (receiver.root >= 0 && sender.root >= 0)
-                    pairs.push_back({receiver.root, sender.root});
+        ClusterExchange exchange = exchangeOfClusters(mesh_, tree_, fields_.*settings_.sent,
+                                                      everyOneHears() ? settings_.tolerance : 0);
+        links_.clusters = std::move(exchange.links);
+        std::vector<Pair> pairs = std::move(exchange.faces);
         while (!pairs.empty())
             pairs = round(pairs);
         std::ranges::stable_sort(links_.links, {}, &Link::receiver);
@@ -73,6 +72,19 @@ private:
                 roughness_[std::size_t(e)] = std::max(roughness_[std::size_t(e)], missed);
             }
         }
+    }
+
+    /// Clusters know nothing of lamps that are off for some of their faces.
+    bool everyOneHears() const {
+        if (settings_.sent != &Fields::emission)
+            return true;
+        const Lights lights = mesh_.scene().lights();
+        for (const PlacedDomain &receiver : mesh_.domains())
+            for (std::size_t light = 0; light < settings_.sources.linked.size(); ++light)
+                if (settings_.sources.linked[light] != 0 &&
+                    !lights.isOn(receiver.lightSet, std::int32_t(light) + 1))
+                    return false;
+        return true;
     }
 
     bool isDivisible(int e) const {
@@ -258,6 +270,7 @@ private:
 
     static constexpr std::size_t roundSize = 1 << 16;
     Mesh &mesh_;
+    const ClusterTree &tree_;
     const LinkSettings &settings_;
     Fields &fields_;
     Links links_;
@@ -267,8 +280,8 @@ private:
 
 } // namespace
 
-Links refine(Mesh &mesh, const LinkSettings &settings, Fields &fields) {
-    return Refinement(mesh, settings, fields).run();
+Links refine(Mesh &mesh, const ClusterTree &tree, const LinkSettings &settings, Fields &fields) {
+    return Refinement(mesh, tree, settings, fields).run();
 }
 
 void reflect(const Mesh &mesh, int element, Fields &fields) {

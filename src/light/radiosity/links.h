@@ -3,8 +3,8 @@
 // oracle is that of Gortler and others 1993: what the bases miss of the kernel).
 #pragma once
 
+#include "light/radiosity/cluster_links.h"
 #include "light/radiosity/sources.h"
-#include "light/radiosity/visibility.h"
 
 namespace candela::radiosity {
 
@@ -19,6 +19,7 @@ struct Link {
 };
 
 struct Links {
+    std::vector<ClusterLink> clusters;
     std::vector<Link> links; ///< By receiver.
     std::vector<float> kernels;
 };
@@ -34,7 +35,7 @@ struct LinkSettings {
 };
 
 /// Links for all light that is sent, dividing elements where it has to.
-Links refine(Mesh &, const LinkSettings &, Fields &);
+Links refine(Mesh &, const ClusterTree &, const LinkSettings &, Fields &);
 
 /// Exitance of an element's nodes from the irradiance there.
 void reflect(const Mesh &, int element, Fields &);

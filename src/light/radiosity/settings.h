@@ -23,6 +23,7 @@ struct SolverSettings {
 
 struct SolverStatistics {
     std::size_t elements = 0, links = 0;
+    std::size_t clusterLinks = 0;
     std::size_t lampLinks = 0; ///< Of surfaces that shine; used once.
     int iterations = 0;
     double residual = 0; ///< Of exitance, in shares of it.

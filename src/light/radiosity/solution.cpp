@@ -44,7 +44,7 @@ void guessIndirect(const Mesh &mesh, Fields &fields) {
 } // namespace
 
 Solution::Solution(const Scene &scene, const SolverSettings &settings, const Progress &progress)
-    : mesh_(scene, settings.order) {
+    : mesh_(scene, settings.order), tree_(mesh_) {
     const auto start = std::chrono::steady_clock::now();
     solve(settings, progress);
     statistics_.seconds =
@@ -75,7 +75,7 @@ void Solution::solve(const SolverSettings &settings, const Progress &progress) {
         const double coarser = pass == 0 ? 4 : 1;
         links.tolerance = settings.epsilon * flux(fields_.exitance) * coarser;
         links.contrast = settings.contrast * evenIrradiance(fields_.exitance) * coarser;
-        links_ = refine(mesh_, links, fields_);
+        links_ = refine(mesh_, tree_, links, fields_);
         tell(pass == 0 ? 0.5 : 0.8);
         for (int k = 0; k < settings.mostIterations; ++k) {
             statistics_.residual = iterate();
@@ -90,6 +90,7 @@ void Solution::solve(const SolverSettings &settings, const Progress &progress) {
     lamps_ = answering(lampLinks_, fields_.emission);
     statistics_.elements = std::size_t(mesh_.size());
     statistics_.links = links_.links.size();
+    statistics_.clusterLinks = links_.clusters.size();
     statistics_.directFlux = flux(fields_.direct) + flux(fields_.lamps);
     statistics_.indirectFlux = flux(fields_.indirect);
     tell(1);
@@ -102,7 +103,7 @@ void Solution::linkLamps(LinkSettings settings, double epsilon, double contrast)
     settings.contrast = contrast * evenIrradiance(fields_.emission);
     if (!(settings.tolerance > 0))
         return;
-    lampLinks_ = refine(mesh_, settings, fields_);
+    lampLinks_ = refine(mesh_, tree_, settings, fields_);
     gather(lampLinks_, fields_.emission, Which::All);
     pushAll(fields_.lamps);
     statistics_.lampLinks = lampLinks_.links.size();
@@ -188,6 +189,7 @@ void Solution::gather(const Links &all, const std::vector<Color> &sent, Which wh
             }
         }
     });
+    gatherFromClusters(mesh_, tree_, all.clusters, sent, fields_.gathered);
 }
 
 /// What links have brought to elements and to all above them.

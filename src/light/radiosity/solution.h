@@ -59,6 +59,7 @@ private:
     Color at(std::int32_t face, Place, Vec3 P, Vec3 N, const Answering &) const;
 
     Mesh mesh_;
+    ClusterTree tree_;
     Fields fields_;
     Links links_, lampLinks_;
     Answering indirect_, lamps_;

@@ -56,6 +56,7 @@ void VisibilityRays::ask(const Mesh &mesh, std::span<const Pair> pairs, Visibili
     int ray = 0;
     for (std::size_t p = 0; p < pairs.size(); ++p) {
         Visibility &found = visibility[p];
+        found.rays = counts[p];
         found.mean = {}, found.share.fill(1);
         const int first = ray;
         for (; ray < first + counts[p]; ++ray)

@@ -7,6 +7,7 @@
 namespace candela::radiosity {
 
 struct Visibility {
+    int rays = 0; ///< Sent.
     /// Of the pair, a colour; 1 = nothing stands between.
     std::array<float, colorSamples> mean{};
     /// What comes through between the receiver's node i and the sender's node j, at i times the
