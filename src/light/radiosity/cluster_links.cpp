@@ -1,139 +1,113 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "light/radiosity/cluster_links.h"
 
-#include "foundation/base/parallel.h"
-
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <numbers>
 
 namespace candela::radiosity {
 
 namespace {
 
-using Pair = VisibilityRays::Pair;
-
 constexpr float pi = std::numbers::pi_v<float>;
 /// What of the largest irradiance that a cluster may cause it gets wrong, as a whole.
 constexpr float wrong = 0.3f;
-/// Clusters that are linked are no larger than this share of their distance.
+/// Ends of links are no larger than this share of their distance.
 constexpr float widest = 0.4f;
-/// Pairs of elements whose visibility stands for that of clusters.
-constexpr std::size_t looks = 4;
 
-class Exchange {
-public:
-    Exchange(const Mesh &mesh, const ClusterTree &tree, const std::vector<Color> &exitance,
-             double tolerance)
-        : mesh_(mesh), tree_(tree), tolerance_(tolerance), power_(tree.power(mesh, exitance)) {}
+/// Of one element: exitance times area.
+Color powerOf(const Mesh &mesh, int element, const std::vector<Color> &exitance) {
+    Color sum{};
+    const std::span<const Node> nodes = mesh.nodes(element);
+    const std::size_t first = std::size_t(element) * std::size_t(mesh.stride());
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        for (std::size_t k = 0; k < colorSamples; ++k)
+            sum[k] += std::max(exitance[first + i][k], 0.0f) * nodes[i].area;
+    return sum;
+}
 
-    ClusterExchange run() {
-        open({0, 0});
-        while (!waiting_.empty()) {
-            const Pair pair = waiting_.back();
-            waiting_.pop_back();
-            serve(pair);
-        }
-        findVisibility();
-        std::ranges::stable_sort(exchange_.links, {}, &ClusterLink::receiver);
-        return std::move(exchange_);
+/// Radiant intensity of an element's nodes, W sr^-1.
+Color intensityOf(const Mesh &mesh, int element, Vec3 direction,
+                  const std::vector<Color> &exitance) {
+    Color sum{};
+    const std::span<const Node> nodes = mesh.nodes(element);
+    const std::size_t first = std::size_t(element) * std::size_t(mesh.stride());
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const float seen = std::max(dot(nodes[i].N, direction), 0.0f) * nodes[i].area / pi;
+        for (std::size_t k = 0; k < colorSamples; ++k)
+            sum[k] += exitance[first + i][k] * seen;
     }
-
-private:
-    void serve(const Pair &pair) {
-        const Cluster &a = tree_.clusters()[std::size_t(pair.receiver)];
-        const Cluster &b = tree_.clusters()[std::size_t(pair.sender)];
-        const float power = brightest(power_[std::size_t(pair.sender)]);
-        if (!(power > 0))
-            return;
-        const float between = length(b.centre - a.centre);
-        const float distance = between - a.radius - b.radius;
-        if (distance > 0 && std::max(a.radius, b.radius) < widest * between) {
-            const double largest = power / (pi * distance * distance);
-            if (largest * wrong * a.area < tolerance_) {
-                exchange_.links.push_back({pair.receiver, pair.sender, {}});
-                return;
-            }
-        }
-        open(pair);
-    }
-
-    /// The larger of the two, if it has children.
-    void open(const Pair &pair) {
-        const Cluster &a = tree_.clusters()[std::size_t(pair.receiver)];
-        const Cluster &b = tree_.clusters()[std::size_t(pair.sender)];
-        if (a.firstChild < 0 && b.firstChild < 0) {
-            for (int receiver : tree_.rootsOf(pair.receiver))
-                for (int sender : tree_.rootsOf(pair.sender))
-                    exchange_.faces.push_back({receiver, sender});
-            return;
-        }
-        const bool opensReceiver = a.firstChild >= 0 && (b.firstChild < 0 || a.radius > b.radius);
-        const bool opensBoth = pair.receiver == pair.sender;
-        for (int child : {0, 1}) {
-            if (opensBoth)
-                for (int other : {0, 1})
-                    waiting_.push_back({a.firstChild + child, a.firstChild + other});
-            else if (opensReceiver)
-                waiting_.push_back({a.firstChild + child, pair.sender});
-            else
-                waiting_.push_back({pair.receiver, b.firstChild + child});
-        }
-    }
-
-    void findVisibility() {
-        constexpr std::size_t batch = VisibilityRays::pairs / looks;
-        parallelFor((exchange_.links.size() + batch - 1) / batch, [&](std::size_t k) {
-            thread_local std::unique_ptr<VisibilityRays> rays;
-            if (!rays)
-                rays = std::make_unique<VisibilityRays>();
-            const std::size_t first = k * batch;
-            const std::size_t last = std::min(first + batch, exchange_.links.size());
-            std::vector<Pair> pairs;
-            for (std::size_t l = first; l < last; ++l)
-                for (std::size_t look = 0; look < looks; ++look)
-                    pairs.push_back({someRoot(exchange_.links[l].receiver, look),
-                                     someRoot(exchange_.links[l].sender, looks - 1 - look)});
-            std::vector<Visibility> visibility(pairs.size());
-            rays->ask(mesh_, pairs, visibility.data());
-            for (std::size_t l = first; l < last; ++l)
-                exchange_.links[l].visibility = mean(visibility.data() + (l - first) * looks);
-        });
-    }
-
-    int someRoot(int cluster, std::size_t look) const {
-        const std::span<const int> roots = tree_.rootsOf(cluster);
-        return roots[(2 * look + 1) * roots.size() / (2 * looks)];
-    }
-
-    /// Of those that face each other.
-    static Color mean(const Visibility *visibility) {
-        Color sum{};
-        int rays = 0;
-        for (std::size_t look = 0; look < looks; ++look) {
-            rays += visibility[look].rays;
-            for (std::size_t k = 0; k < colorSamples; ++k)
-                sum[k] += visibility[look].mean[k] * float(visibility[look].rays);
-        }
-        for (float &value : sum)
-            value = rays > 0 ? value / float(rays) : 1;
-        return sum;
-    }
-
-    const Mesh &mesh_;
-    const ClusterTree &tree_;
-    const double tolerance_;
-    const std::vector<Color> power_;
-    std::vector<Pair> waiting_; ///< Of clusters.
-    ClusterExchange exchange_;
-};
+    return sum;
+}
 
 } // namespace
 
-ClusterExchange exchangeOfClusters(const Mesh &mesh, const ClusterTree &tree,
-                                   const std::vector<Color> &exitance, double tolerance) {
-    return Exchange(mesh, tree, exitance, tolerance).run();
+ClusterOracle::ClusterOracle(const Mesh &mesh, const ClusterTree &tree,
+                             const std::vector<Color> &exitance, double tolerance)
+    : mesh_(mesh), tree_(tree), exitance_(exitance), tolerance_(tolerance),
+      power_(tree.power(mesh, exitance)) {}
+
+Vec3 ClusterOracle::centre(int end) const {
+    return isCluster(end) ? tree_.clusters()[std::size_t(~end)].centre : mesh_.element(end).centre;
+}
+
+float ClusterOracle::radius(int end) const {
+    return isCluster(end) ? tree_.clusters()[std::size_t(~end)].radius : mesh_.element(end).radius;
+}
+
+float ClusterOracle::area(int end) const {
+    return isCluster(end) ? tree_.clusters()[std::size_t(~end)].area : mesh_.element(end).area;
+}
+
+Color ClusterOracle::power(int end) const {
+    return isCluster(end) ? power_[std::size_t(~end)] : powerOf(mesh_, end, exitance_);
+}
+
+bool ClusterOracle::sends(int end) const { return brightest(power(end)) > 0; }
+
+bool ClusterOracle::mayLink(const Pair &pair, bool all) const {
+    const float between = length(centre(pair.sender) - centre(pair.receiver));
+    const float a = radius(pair.receiver), b = radius(pair.sender);
+    const float distance = between - a - b;
+    if (!(distance > 0) || std::max(a, b) > widest * between || !(tolerance_ > 0))
+        return false;
+    const double largest = brightest(power(pair.sender)) / (pi * distance * distance);
+    return all || largest * wrong * area(pair.receiver) < tolerance_;
+}
+
+void ClusterOracle::open(int cluster, std::vector<int> &ends) const {
+    ends.clear();
+    const int child = tree_.clusters()[std::size_t(~cluster)].firstChild;
+    if (child >= 0)
+        ends = {~child, ~(child + 1)};
+    else
+        for (int root : tree_.rootsOf(~cluster))
+            ends.push_back(root);
+}
+
+int ClusterOracle::someRoot(int end, std::size_t look) const {
+    if (!isCluster(end))
+        return end;
+    const std::span<const int> roots = tree_.rootsOf(~end);
+    return roots[(2 * look + 1) * roots.size() / (2 * looks)];
+}
+
+void ClusterOracle::look(const Pair &pair, std::vector<Pair> &pairs) const {
+    for (std::size_t k = 0; k < looks; ++k)
+        pairs.push_back({someRoot(pair.receiver, k), someRoot(pair.sender, looks - 1 - k)});
+}
+
+Color meanVisibility(std::span<const Visibility> looks) {
+    Color sum{};
+    int rays = 0;
+    for (const Visibility &look : looks) {
+        rays += look.rays;
+        for (std::size_t k = 0; k < colorSamples; ++k)
+            sum[k] += look.mean[k] * float(look.rays);
+    }
+    for (float &value : sum)
+        value = rays > 0 ? value / float(rays) : 0;
+    return sum;
 }
 
 void gatherFromClusters(const Mesh &mesh, const ClusterTree &tree,
@@ -143,15 +117,38 @@ void gatherFromClusters(const Mesh &mesh, const ClusterTree &tree,
         return;
     const std::vector<Directional> sent = tree.sent(mesh, exitance);
     std::vector<Directional> received(tree.clusters().size());
+    const auto cluster = [&](int end) -> const Cluster & {
+        return tree.clusters()[std::size_t(~end)];
+    };
     for (const ClusterLink &link : links) {
-        const Vec3 way = tree.clusters()[std::size_t(link.sender)].centre -
-                         tree.clusters()[std::size_t(link.receiver)].centre;
-        const float squared = dot(way, way);
-        const Vec3 direction = way / std::sqrt(squared);
-        Color value = sent[std::size_t(link.sender)].cosineAt(-direction);
-        for (std::size_t k = 0; k < colorSamples; ++k)
-            value[k] *= link.visibility[k] / squared;
-        received[std::size_t(link.receiver)].add(direction, value);
+        const bool toCluster = isCluster(link.receiver), fromCluster = isCluster(link.sender);
+        const Vec3 from =
+            fromCluster ? cluster(link.sender).centre : mesh.element(link.sender).centre;
+        /// Irradiance across the way from the sender to a point.
+        const auto arriving = [&](Vec3 P, Vec3 &direction) {
+            const Vec3 way = from - P;
+            const float squared = dot(way, way);
+            direction = way / std::sqrt(squared);
+            Color value = fromCluster ? sent[std::size_t(~link.sender)].cosineAt(-direction)
+                                      : intensityOf(mesh, link.sender, -direction, exitance);
+            for (std::size_t k = 0; k < colorSamples; ++k)
+                value[k] *= link.visibility[k] / squared;
+            return value;
+        };
+        Vec3 direction;
+        if (toCluster) {
+            const Color value = arriving(cluster(link.receiver).centre, direction);
+            received[std::size_t(~link.receiver)].add(direction, value);
+            continue;
+        }
+        const std::span<const Node> nodes = mesh.nodes(link.receiver);
+        const std::size_t first = std::size_t(link.receiver) * std::size_t(mesh.stride());
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            const Color value = arriving(nodes[i].P, direction);
+            const float cosine = std::max(dot(nodes[i].N, direction), 0.0f);
+            for (std::size_t k = 0; k < colorSamples; ++k)
+                irradiance[first + i][k] += cosine * value[k];
+        }
     }
     tree.distribute(mesh, std::move(received), irradiance);
 }

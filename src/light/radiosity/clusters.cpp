@@ -59,15 +59,34 @@ Color Directional::cosineAt(Vec3 normal) const {
 }
 
 ClusterTree::ClusterTree(const Mesh &mesh) {
-    for (const Face &face : mesh.faces())
-        if (face.root >= 0)
-            order_.push_back(face.root);
+    // Sides apart: the inside of a body has nothing to do with what shines on it.
+    std::size_t fronts = 0;
+    for (bool isBack : {false, true}) {
+        for (const Face &face : mesh.faces())
+            if (face.root >= 0 && face.isBack == isBack)
+                order_.push_back(face.root);
+        if (!isBack)
+            fronts = order_.size();
+    }
     clusters_.emplace_back();
     if (!order_.empty())
-        build(mesh, 0, order_.size(), 0);
+        build(mesh, 0, order_.size(), fronts, 0);
 }
 
-int ClusterTree::build(const Mesh &mesh, std::size_t first, std::size_t last, int at) {
+/// Across the longest axis. Ties by number: the order is the same everywhere.
+void ClusterTree::split(const Mesh &mesh, std::size_t first, std::size_t middle, std::size_t last,
+                        Vec3 size) {
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    std::nth_element(
+        order_.begin() + std::ptrdiff_t(first), order_.begin() + std::ptrdiff_t(middle),
+        order_.begin() + std::ptrdiff_t(last), [&](int a, int b) {
+            const float x = mesh.element(a).centre[axis], y = mesh.element(b).centre[axis];
+            return x != y ? x < y : a < b;
+        });
+}
+
+int ClusterTree::build(const Mesh &mesh, std::size_t first, std::size_t last, std::size_t fronts,
+                       int at) {
     Vec3 low{INFINITY, INFINITY, INFINITY}, high = -low;
     float area = 0;
     for (std::size_t k = first; k < last; ++k) {
@@ -83,22 +102,16 @@ int ClusterTree::build(const Mesh &mesh, std::size_t first, std::size_t last, in
     cluster.centre = (low + high) * 0.5f;
     cluster.radius = length(high - low) / 2;
     cluster.area = area;
-    if (last - first > fewFaces) {
-        const Vec3 size = high - low;
-        const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-        const std::size_t middle = (first + last) / 2;
-        // Ties by number: the order is the same everywhere.
-        std::nth_element(
-            order_.begin() + std::ptrdiff_t(first), order_.begin() + std::ptrdiff_t(middle),
-            order_.begin() + std::ptrdiff_t(last), [&](int a, int b) {
-                const float x = mesh.element(a).centre[axis], y = mesh.element(b).centre[axis];
-                return x != y ? x < y : a < b;
-            });
+    const bool isMixed = first < fronts && fronts < last;
+    if (isMixed || last - first > fewFaces) {
+        const std::size_t middle = isMixed ? fronts : (first + last) / 2;
+        if (!isMixed)
+            split(mesh, first, middle, last, high - low);
         cluster.firstChild = std::int32_t(clusters_.size());
         clusters_.resize(clusters_.size() + 2);
         clusters_[std::size_t(at)] = cluster;
-        build(mesh, first, middle, cluster.firstChild);
-        build(mesh, middle, last, cluster.firstChild + 1);
+        build(mesh, first, middle, fronts, cluster.firstChild);
+        build(mesh, middle, last, fronts, cluster.firstChild + 1);
         return at;
     }
     // In a fixed order, whatever the partition has left.

@@ -54,7 +54,8 @@ public:
                     std::vector<Color> &irradiance) const;
 
 private:
-    int build(const Mesh &, std::size_t first, std::size_t last, int at);
+    int build(const Mesh &, std::size_t first, std::size_t last, std::size_t fronts, int at);
+    void split(const Mesh &, std::size_t first, std::size_t middle, std::size_t last, Vec3 size);
 
     std::vector<Cluster> clusters_;
     std::vector<int> order_;

@@ -21,6 +21,8 @@ void DirectQuestion::ask(const Scene &scene, int code, const SurfacePlaces &plac
                          std::span<const std::uint8_t> leftOut, float *const *E) {
     for (int c = 0; c < colorSamples; ++c)
         std::fill_n(E[c], places.count, 0.0f);
+    if (std::ranges::find(leftOut, 0) == leftOut.end())
+        return;
     const Vec3Planes I{I_[0], I_[1], I_[2]};
     for (int i = 0; i < places.count; ++i)
         I.set(i, -Ng.get(i));

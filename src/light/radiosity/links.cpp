@@ -12,8 +12,6 @@ namespace candela::radiosity {
 
 namespace {
 
-using Pair = VisibilityRays::Pair;
-
 /// Where normals turn by more than this over an element, the rule knows too little of it.
 constexpr float bent = 0.94f;
 /// What a pair in partial view gets wrong, in shares of what it exchanges.
@@ -30,7 +28,7 @@ bool isBent(const Mesh &mesh, int e) {
 
 /// What becomes of a pair.
 struct Verdict {
-    enum Kind { Nothing, Linked, Divided } kind = Nothing;
+    enum Kind { Nothing, Linked, Divided } kind = Nothing; ///< Or its larger end is opened.
     Transfer transfer;
     Color visibility{};
     bool isRough = false;
@@ -39,14 +37,12 @@ struct Verdict {
 class Refinement {
 public:
     Refinement(Mesh &mesh, const ClusterTree &tree, const LinkSettings &settings, Fields &fields)
-        : mesh_(mesh), tree_(tree), settings_(settings), fields_(fields) {}
+        : mesh_(mesh), settings_(settings), fields_(fields),
+          clusters_(mesh, tree, fields.*settings.sent, everyOneHears() ? settings.tolerance : 0) {}
 
     Links run() {
         measureRoughness();
-        ClusterExchange exchange = exchangeOfClusters(mesh_, tree_, fields_.*settings_.sent,
-                                                      everyOneHears() ? settings_.tolerance : 0);
-        links_.clusters = std::move(exchange.links);
-        std::vector<Pair> pairs = std::move(exchange.faces);
+        std::vector<Pair> pairs{{~0, ~0}};
         while (!pairs.empty())
             pairs = round(pairs);
         std::ranges::stable_sort(links_.links, {}, &Link::receiver);
@@ -111,24 +107,48 @@ private:
     }
 
     void judge(std::span<const Pair> pairs, std::vector<Verdict> &verdicts) {
-        constexpr std::size_t batch = VisibilityRays::pairs;
+        constexpr std::size_t batch = VisibilityRays::pairs / ClusterOracle::looks;
         parallelFor((pairs.size() + batch - 1) / batch, [&](std::size_t b) {
             thread_local std::unique_ptr<VisibilityRays> rays;
             if (!rays)
                 rays = std::make_unique<VisibilityRays>();
             const std::size_t first = b * batch, last = std::min(first + batch, pairs.size());
             std::vector<Pair> asked;
-            std::vector<std::size_t> place;
+            std::vector<std::size_t> place, begin;
             for (std::size_t k = first; k < last; ++k) {
-                verdicts[k] = judgeUnoccluded(pairs[k]);
-                if (verdicts[k].kind == Verdict::Linked)
-                    asked.push_back(pairs[k]), place.push_back(k);
+                verdicts[k] =
+                    hasCluster(pairs[k]) ? judgeClusters(pairs[k]) : judgeUnoccluded(pairs[k]);
+                if (verdicts[k].kind != Verdict::Linked)
+                    continue;
+                place.push_back(k), begin.push_back(asked.size());
+                if (hasCluster(pairs[k]))
+                    clusters_.look(pairs[k], asked);
+                else
+                    asked.push_back(pairs[k]);
             }
+            begin.push_back(asked.size());
             std::vector<Visibility> visibility(asked.size());
             rays->ask(mesh_, asked, visibility.data());
-            for (std::size_t k = 0; k < asked.size(); ++k)
-                judgeOccluded(asked[k], visibility[k], verdicts[place[k]]);
+            for (std::size_t k = 0; k < place.size(); ++k) {
+                const std::span<const Visibility> seen =
+                    std::span(visibility).subspan(begin[k], begin[k + 1] - begin[k]);
+                Verdict &verdict = verdicts[place[k]];
+                if (!hasCluster(pairs[place[k]])) {
+                    judgeOccluded(pairs[place[k]], seen.front(), verdict);
+                    continue;
+                }
+                verdict.visibility = meanVisibility(seen);
+                if (brightest(verdict.visibility) == 0)
+                    verdict.kind = Verdict::Nothing;
+            }
         });
+    }
+
+    Verdict judgeClusters(const Pair &pair) const {
+        Verdict verdict;
+        if (clusters_.sends(pair.sender))
+            verdict.kind = clusters_.mayLink(pair, isFull_) ? Verdict::Linked : Verdict::Divided;
+        return verdict;
     }
 
     Verdict judgeUnoccluded(const Pair &pair) const {
@@ -208,6 +228,10 @@ private:
     }
 
     void link(const Pair &pair, const Verdict &verdict) {
+        if (hasCluster(pair)) {
+            links_.clusters.push_back({pair.receiver, pair.sender, verdict.visibility});
+            return;
+        }
         links_.links.push_back({pair.receiver, pair.sender, verdict.visibility,
                                 links_.kernels.size(), verdict.isRough, verdict.transfer.isNear});
         const std::size_t count =
@@ -218,10 +242,12 @@ private:
 
     /// The larger of the two, if it can be.
     int dividedOf(const Pair &pair) const {
-        const bool isLarger = mesh_.element(pair.receiver).area >= mesh_.element(pair.sender).area;
+        const bool isLarger =
+            hasCluster(pair) ? clusters_.radius(pair.receiver) >= clusters_.radius(pair.sender)
+                             : mesh_.element(pair.receiver).area >= mesh_.element(pair.sender).area;
         const int larger = isLarger ? pair.receiver : pair.sender;
         const int other = isLarger ? pair.sender : pair.receiver;
-        return isDivisible(larger) ? larger : other;
+        return isCluster(larger) || isDivisible(larger) ? larger : other;
     }
 
     void divide(std::span<const Pair> pairs, const std::vector<Verdict> &verdicts,
@@ -229,7 +255,8 @@ private:
         std::vector<int> leaves;
         for (std::size_t k = 0; k < pairs.size(); ++k)
             if (verdicts[k].kind == Verdict::Divided)
-                if (const int e = dividedOf(pairs[k]); mesh_.element(e).firstChild < 0)
+                if (const int e = dividedOf(pairs[k]);
+                    !isCluster(e) && mesh_.element(e).firstChild < 0)
                     leaves.push_back(e);
         std::ranges::sort(leaves);
         const auto [end, last] = std::ranges::unique(leaves);
@@ -252,15 +279,21 @@ private:
 
     void addChildren(const Pair &pair, std::vector<Pair> &next) const {
         const auto [a, b] = pair;
-        const int divided = dividedOf(pair), child = mesh_.element(divided).firstChild;
-        for (int c = 0; c < Basis::children; ++c) {
+        const int divided = dividedOf(pair);
+        std::vector<int> parts;
+        if (isCluster(divided))
+            clusters_.open(divided, parts);
+        else
+            for (int c = 0; c < Basis::children; ++c)
+                parts.push_back(mesh_.element(divided).firstChild + c);
+        for (int part : parts) {
             if (a == b)
-                for (int d = 0; d < Basis::children; ++d)
-                    next.push_back({child + c, child + d});
+                for (int other : parts)
+                    next.push_back({part, other});
             else if (divided == a)
-                next.push_back({child + c, b});
+                next.push_back({part, b});
             else
-                next.push_back({a, child + c});
+                next.push_back({a, part});
         }
     }
 
@@ -270,9 +303,9 @@ private:
 
     static constexpr std::size_t roundSize = 1 << 16;
     Mesh &mesh_;
-    const ClusterTree &tree_;
     const LinkSettings &settings_;
     Fields &fields_;
+    const ClusterOracle clusters_;
     Links links_;
     std::vector<float> roughness_; ///< By element.
     bool isFull_ = false;

@@ -27,20 +27,6 @@ template <class Serve> void forEachRootNode(const Mesh &mesh, const Serve &serve
     }
 }
 
-/// What a first exchange of light would come to, spread evenly: exitance to begin links with.
-void guessIndirect(const Mesh &mesh, Fields &fields) {
-    double reflected = 0, received = 0, ambient = 0;
-    forEachRootNode(mesh, [&](std::size_t at, float area) {
-        const double E = (brightest(fields.direct[at]) + brightest(fields.lamps[at])) * area;
-        received += E, reflected += E * brightest(fields.reflectance[at]);
-        ambient += double(brightest(fields.ambient[at])) * area;
-    });
-    const double share = received > 0 ? std::min(reflected / received, 0.9) : 0.5;
-    const float even = float((reflected + ambient) / (mesh.area() * (1 - share)));
-    for (Color &value : fields.indirect)
-        value.fill(even);
-}
-
 } // namespace
 
 Solution::Solution(const Scene &scene, const SolverSettings &settings, const Progress &progress)
@@ -67,7 +53,6 @@ void Solution::solve(const SolverSettings &settings, const Progress &progress) {
     linkLamps(links, settings.epsilon, settings.contrast);
     pullSources();
     tell(0.4);
-    guessIndirect(mesh_, fields_);
     for (int pass = 0; pass < 2; ++pass) {
         for (int e = 0; e < mesh_.size(); ++e)
             reflect(mesh_, e, fields_);

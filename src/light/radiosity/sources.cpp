@@ -88,6 +88,14 @@ double missedByParent(const Mesh &mesh, int parent, const Fields &fields) {
     return missed;
 }
 
+double brightestDirect(const Mesh &mesh, int e, const Fields &fields) {
+    float most = 0;
+    const std::size_t first = std::size_t(e) * std::size_t(mesh.stride());
+    for (std::size_t i = first; i < first + mesh.nodes(e).size(); ++i)
+        most = std::max(most, brightest(fields.direct[i]));
+    return most;
+}
+
 } // namespace
 
 void askSources(const Mesh &mesh, int first, const SourceSettings &settings, Fields &fields) {
@@ -123,7 +131,12 @@ void divideByDirectLight(Mesh &mesh, const SourceSettings &settings, Fields &fie
         if (face.root >= 0)
             tried.push_back(face.root);
     while (!tried.empty()) {
-        std::erase_if(tried, [&](int e) { return mesh.element(e).area <= 4 * settings.leastArea; });
+        std::erase_if(tried, [&](int e) {
+            const float area = mesh.element(e).area;
+            return area <= 4 * settings.leastArea ||
+                   (area <= coarsest * mesh.area() &&
+                    brightestDirect(mesh, e, fields) * area <= settings.epsilon * flux);
+        });
         const int first = mesh.size();
         mesh.subdivide(tried);
         askSources(mesh, first, settings, fields);
