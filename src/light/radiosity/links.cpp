@@ -14,6 +14,8 @@ namespace {
 
 /// Where normals turn by more than this over an element, the rule knows too little of it.
 constexpr float bent = 0.94f;
+/// And where the corners tell so little of its size, contours do.
+constexpr float fullest = 1.2f;
 /// What a pair in partial view gets wrong, in shares of what it exchanges.
 constexpr double partialError = 0.25;
 /// Rays find no way between pairs that exchange so many tolerances at most: there is none.
@@ -176,8 +178,10 @@ private:
                                double(verdict.transfer.senderError) * (most - least) +
                                double(verdict.transfer.curvature) * roughness_[std::size_t(b)]) *
                               area;
-        const bool isTooBent = (isBent(mesh_, a) || isBent(mesh_, b)) && mayExchange(pair, most);
-        if ((missed > settings_.tolerance || isTooBent) && (isDivisible(a) || isDivisible(b)))
+        const bool isTooBent = isBent(mesh_, a) || isBent(mesh_, b) ||
+                               (verdict.transfer.isNear && mesh_.element(b).fullness >= fullest);
+        if ((missed > settings_.tolerance || (isTooBent && mayExchange(pair, most))) &&
+            (isDivisible(a) || isDivisible(b)))
             verdict.kind = Verdict::Divided;
         else if (exchanged > 0)
             verdict.kind = Verdict::Linked;

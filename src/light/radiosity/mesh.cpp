@@ -155,7 +155,12 @@ void Mesh::measure(int first) {
             own.centre = places.P().get(at), own.normal = places.Ng().get(at) * side;
             ++at;
             const std::span<const Vec3> line(own.corners.data(), corners);
-            own.turned = dot(vectorArea(line), own.normal) < 0 ? -1.0f : 1.0f;
+            const Vec3 chords = vectorArea(line);
+            own.turned = dot(chords, own.normal) < 0 ? -1.0f : 1.0f;
+            Vec3 all;
+            for (int i = 0; i < basis.nodes(); ++i)
+                all += node[i].N * node[i].area;
+            own.fullness = 2 * length(all) / std::max(length(chords), 1e-30f);
             own.radius = 0;
             for (Vec3 corner : line)
                 own.radius = std::max(own.radius, length(corner - own.centre));

@@ -32,7 +32,9 @@ struct Element {
     std::array<Vec3, 4> corners; ///< In order around it; of triangles three.
     float radius = 0;            ///< Of a sphere about the centre.
     float turned = 1;            ///< -1: seen from the face's side the corners go the other way.
-    bool isFlat = true;          ///< No part of it sees another.
+    /// Its vector area, over that of the polygon of its corners: what curved edges add.
+    float fullness = 1;
+    bool isFlat = true; ///< No part of it sees another.
 };
 
 struct Node {

@@ -133,7 +133,7 @@ Sender::Sender(const Mesh &mesh, int e) {
     for (const Node &node : mesh.nodes(e))
         nodes[std::size_t(count++)] = node;
     corners = element.corners, sides = cornersOf(mesh, e).size();
-    area = element.area, turned = element.turned;
+    area = element.area, turned = element.turned, fullness = element.fullness;
 }
 
 bool Sender::turnsAwayFrom(Vec3 P) const {
@@ -151,7 +151,7 @@ float Sender::factor(Vec3 P, Vec3 N, bool byContour, float *row, float &missed) 
         rule += row[j] = pointFactor(P, N, nodes[std::size_t(j)]);
     if (!byContour || turnsAwayFrom(P))
         return rule;
-    const float exact = contourFactor(P, N, std::span(corners).first(sides), turned);
+    const float exact = fullness * contourFactor(P, N, std::span(corners).first(sides), turned);
     missed = std::max(missed, std::fabs(exact - rule));
     for (int j = 0; j < count; ++j)
         row[j] = rule > 0 ? row[j] * (exact / rule) : exact * (nodes[std::size_t(j)].area / area);

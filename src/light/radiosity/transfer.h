@@ -16,7 +16,7 @@ struct Sender {
     int count = 0;
     std::array<Vec3, 4> corners;
     std::size_t sides = 0;
-    float area = 0, turned = 1;
+    float area = 0, turned = 1, fullness = 1;
 
     Sender(const Mesh &, int element);
 
