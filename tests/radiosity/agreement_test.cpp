@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+// Radiosity and `path` give the same light, region by region, whatever the final pass: one scene,
+// four answers.
+#include "tests/light_paths/worlds.h"
+#include "tests/support/frames.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <gtest/gtest.h>
+#include <map>
+
+namespace candela::test {
+
+/// How GoogleTest names a world that failed.
+static void PrintTo(const World &world, std::ostream *stream) { *stream << world.name; }
+
+namespace {
+
+constexpr int seeds = 8, regions = 5, pixels = 20;
+constexpr double familyWiseLevel = 1e-3;
+const char *const passes[] = {"fe", "fe+direct", "gather"};
+
+/// What elements may get wrong of a region, in shares of the picture's mean.
+double toleranceOf(const World &world) {
+    // Mirrors and glass scatter as if they were matt in the solution (docs/radiosity.md).
+    static const std::map<std::string, double> coarser = {
+        {"Mirror", 0.06}, {"Glass", 0.2}, {"BallInGlass", 0.2}};
+    const auto found = coarser.find(world.name);
+    return found == coarser.end() ? 0.015 : found->second;
+}
+
+std::string optionsOf(const World &world, const std::string &integrator) {
+    const bool tiny = world.name == "Tiny", huge = world.name == "Huge";
+    return "Format 20 20 1\nOption \"render\" \"string integrator\" [\"" + integrator + "\"]\n" +
+           "Projection \"perspective\" \"fov\" [60]\n" + world.camera + "Translate 0 0 " +
+           (tiny   ? ".0026"
+            : huge ? "2600"
+                   : "2.6") +
+           "\n";
+}
+
+/// values[region][seed], of red and green.
+using Regions = std::vector<std::vector<double>>;
+
+Regions renderRegions(const World &world, const std::string &options, int samples) {
+    Regions result(2 * regions * regions, std::vector<double>(seeds));
+    for (int seed = 0; seed < seeds; ++seed) {
+        const std::vector<FramePixels> frames =
+            render(std::vector<Frame>{{world.name, options, world.text}},
+                   {samples, seed + 1, "light_paths/shaders", true});
+        if (frames.empty())
+            return {};
+        constexpr int side = pixels / regions;
+        for (int k = 0; k < pixels * pixels; ++k) {
+            const int region = k / pixels / side * regions + k % pixels / side;
+            result[region][seed] += frames[0].red[k] / (side * side);
+            result[regions * regions + region][seed] += frames[0].green[k] / (side * side);
+        }
+    }
+    return result;
+}
+
+class RadiosityAgreement : public testing::TestWithParam<World> {};
+
+TEST_P(RadiosityAgreement, WithPathRegionByRegion) {
+    const World &world = GetParam();
+    const Regions path = renderRegions(world, optionsOf(world, "path"), 64);
+    ASSERT_FALSE(path.empty());
+    double mean = 0;
+    for (const std::vector<double> &region : path)
+        mean += meanAndError(region).mean / double(path.size());
+    ASSERT_GT(mean, 0);
+    const double level = familyWiseLevel / double(2 * regions * regions * std::size(passes)) /
+                         double(worlds().size());
+    for (const char *pass : passes) {
+        SCOPED_TRACE(pass);
+        const std::string option =
+            std::string("Option \"radiosity\" \"string finalpass\" [\"") + pass + "\"]\n";
+        const Regions found = renderRegions(world, option + optionsOf(world, "radiosity"), 64);
+        ASSERT_FALSE(found.empty());
+        double worst = 0, sum = 0;
+        for (std::size_t region = 0; region < path.size(); ++region) {
+            // The same seeds see the same edges.
+            std::vector<double> differences;
+            for (int seed = 0; seed < seeds; ++seed)
+                differences.push_back(found[region][std::size_t(seed)] -
+                                      path[region][std::size_t(seed)]);
+            const MeanAndError difference = meanAndError(differences);
+            EXPECT_LE(std::fabs(difference.mean),
+                      studentQuantile(level, seeds - 1) * difference.standardError +
+                          toleranceOf(world) * mean)
+                << "region " << region << ": " << meanAndError(path[region]).mean << " by path, "
+                << meanAndError(found[region]).mean << " by radiosity";
+            worst = std::max(worst, std::fabs(difference.mean) / mean);
+            sum += difference.mean / mean / double(path.size());
+        }
+        std::printf("    %-9s differs by %+.2f %%, of a region by %.2f %%\n", pass, 100 * sum,
+                    100 * worst);
+    }
+}
+
+std::string nameOf(const testing::TestParamInfo<World> &info) { return info.param.name; }
+
+INSTANTIATE_TEST_SUITE_P(All, RadiosityAgreement, testing::ValuesIn(worlds()), nameOf);
+
+} // namespace
+} // namespace candela::test
