@@ -222,6 +222,8 @@ std::optional<Declaration> Dictionary::standard(const std::string &name) {
             {"bidir:lightpaths", "float"},
             {"bidir:connections", "integer"},
             {"bidir:trust", "float"},
+            {"vcm:radius", "float"},
+            {"vcm:trust", "float"},
             {"light:units", "string"},
             {"light:shadows", "string"},
             {"identifier:name", "string"},

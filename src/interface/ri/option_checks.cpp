@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "interface/ri/option_checks.h"
 
+#include <limits>
 #include <map>
 
 namespace candela {
@@ -26,9 +27,10 @@ bool integrator(const GivenOption &given) {
         given.diagnostics.warnOnce(given.where, "integrator:" + name,
                                    "Option \"render\" \"integrator\": this version has no \"" +
                                        name + "\" and takes \"path\"");
-    else if (name != "path" && name != "classic" && name != "bidir")
+    else if (name != "path" && name != "classic" && name != "bidir" && name != "vcm")
         given.wrong("there is no integrator \"" + name +
-                    "\": the known ones are \"path\", \"bidir\" and \"classic\"; taking \"path\"");
+                    "\": the known ones are \"path\", \"bidir\", \"vcm\" and \"classic\"; taking "
+                    "\"path\"");
     return true;
 }
 
@@ -78,6 +80,18 @@ bool trust(const GivenOption &given) {
                        "their number, a number from 0.000001 to 1000000");
 }
 
+bool mergingRadius(const GivenOption &given) {
+    return isWithin(given, std::numeric_limits<float>::min(), std::numeric_limits<float>::max()) ||
+           given.wrong("\"vcm\" \"radius\" is how far points that are merged lie apart at first, "
+                       "in metres, a number above 0");
+}
+
+bool mergingTrust(const GivenOption &given) {
+    return isWithin(given, 1e-6f, 1e6f) ||
+           given.wrong("\"vcm\" \"trust\" is what merging counts in weights besides its number, a "
+                       "number from 0.000001 to 1000000");
+}
+
 bool textureMemory(const GivenOption &given) {
     return isWithin(given, 0, float(1 << 30)) ||
            given.wrong("\"limits\" \"texturememory\" is how many kibibytes of textures are kept, "
@@ -97,6 +111,8 @@ bool checkOption(RequestDiagnostics &diagnostics, const SourceLocation &where,
         {"shading:highlights", highlights},
         {"shading:loopturns", loopTurns},
         {"trace:maxdepth", maxDepth},
+        {"vcm:radius", mergingRadius},
+        {"vcm:trust", mergingTrust},
     };
     const auto check = checks.find(category + ":" + parameter.name);
     return check == checks.end() || check->second({diagnostics, where, parameter});

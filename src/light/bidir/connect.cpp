@@ -16,8 +16,8 @@ namespace candela {
 namespace {
 
 constexpr Stage eyeStages[] = {
-    meet,       arrive, cross,   emit,    ask,    see, seeOutputParameters,
-    stateLobes, light,  connect, scatter, deliver};
+    meet,       arrive, cross,   emit,  ask,     see,    seeOutputParameters,
+    stateLobes, light,  connect, merge, scatter, deliver};
 constexpr Stage gatheringStages[] = {meet,
                                      arrive,
                                      cross,
@@ -169,7 +169,7 @@ void weigh(EyeWave &wave, const std::int32_t *lane, int count) {
 
     const ConstVec3Planes Ng = chunk.vertices.input(ShaderInput::Ng);
     const ConstVec3Planes farNg = own.far.input(ShaderInput::Ng);
-    const double tries = square(ends.counts.connections);
+    const double tries = square(ends.counts.connections), merged = square(ends.counts.merging);
     const double scale = double(wave.lightVertices.rows.size()) /
                          (double(wave.lightVertices.paths) * wave.connections);
     for (int k = 0; k < count; ++k) {
@@ -181,7 +181,7 @@ void weigh(EyeWave &wave, const std::int32_t *lane, int count) {
         const double in = std::fabs(double(dot(vertex.toPrevious, at(farNg, k))));
         const double fromEye =
             square(own.eyePdf[i] * out * perArea) *
-            (vertex.last + square(double(reversePdf[k]) * vertex.back) * vertex.earlier);
+            (vertex.last + merged + square(double(reversePdf[k]) * vertex.back) * vertex.earlier);
         const double reached = pdf[k] * std::fabs(double(dot(direction, at(Ng, i)))) * perArea;
         const double fromLight = techniquesBefore(ends, i, reached, own.eyeReversePdf[i]);
         const double weight = misWeightAmong(1, (fromEye + fromLight) / tries);
@@ -282,7 +282,7 @@ Connections::Connections(int capacity)
 EyeWave::EyeWave(FrameContext &frame, const TechniqueCounts &counts, const LightVertices &vertices,
                  int connections)
     : PathWave(frame, Purpose::Camera, stagesOfEye, counts), lightVertices(vertices),
-      connections(connections), own(VertexChunk::capacity) {}
+      connections(connections), own(VertexChunk::capacity), merging(VertexChunk::capacity) {}
 
 std::span<const Stage> stagesOfEye(const PathWave &, const ShaderCode &code) {
     return code.facts().affine ? std::span<const Stage>(eyeStages) : gatheringStages;
@@ -290,7 +290,7 @@ std::span<const Stage> stagesOfEye(const PathWave &, const ShaderCode &code) {
 
 void connect(PathWave &path) {
     EyeWave &wave = static_cast<EyeWave &>(path); // Stages of the eye serve eye waves alone.
-    if (wave.lightVertices.rows.empty() || wave.connections == 0)
+    if (wave.lightVertices.rows.empty())
         return;
     for (int turn = 0; turn < wave.connections; ++turn)
         connectOnce(wave, turn);

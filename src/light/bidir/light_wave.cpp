@@ -195,11 +195,14 @@ void receive(PathWave &path) {
 void keep(PathWave &path) {
     LightWave &wave = static_cast<LightWave &>(path);
     VertexChunk &chunk = wave.chunk;
-    if (!wave.keeps || !(wave.subpaths->counts.connections > 0) ||
+    const Subpaths &ends = *wave.subpaths;
+    const bool merges = ends.counts.merging > 0;
+    if (!wave.keeps || !(merges || ends.counts.connections > 0) ||
         !chunk.vertices.code().facts().hasLoops)
         return;
-    const Subpaths &ends = *wave.subpaths;
-    const ConstVec3Planes P = chunk.vertices.P();
+    /// Where a camera path takes over, it scatters at the vertex itself, or at its own before.
+    const int scatterings = merges ? 1 : 2;
+    const ConstVec3Planes P = chunk.vertices.P(), Ng = chunk.vertices.input(ShaderInput::Ng);
     const float *time = chunk.vertices.points.input(int(ShaderInput::time));
     for (int i = 0; i < chunk.count(); ++i) {
         LightVertex vertex;
@@ -208,15 +211,15 @@ void keep(PathWave &path) {
             vertex.flux[c] = chunk.paths.throughput[c][i];
             bright |= vertex.flux[c] != 0, sound &= bool(std::isfinite(vertex.flux[c]));
         }
-        if (!bright || !sound || chunk.paths.depth[i] + 1 >= wave.frame.settings.maxDepth)
+        if (!bright || !sound || chunk.paths.depth[i] + scatterings > wave.frame.settings.maxDepth)
             continue;
         const int ray = chunk.rays[i];
         const HitBatch &hits = wave.hits;
         vertex.shape = hits.shape[ray], vertex.element = hits.element[ray];
         vertex.instance = hits.instance[ray], vertex.u = hits.u[ray], vertex.v = hits.v[ray];
         vertex.elementNormal = {hits.Ng[0][ray], hits.Ng[1][ray], hits.Ng[2][ray]};
-        vertex.P = {P[0][i], P[1][i], P[2][i]};
-        vertex.toPrevious = {ends.toPrevious[0][i], ends.toPrevious[1][i], ends.toPrevious[2][i]};
+        vertex.P = at(P, i), vertex.Ng = at(Ng, i);
+        vertex.toPrevious = at(constant(ends.toPrevious), i);
         vertex.distance = hits.t[ray];
         vertex.time = time[i];
         vertex.width = wave.active.rays.width[ray] + wave.active.rays.spread[ray] * hits.t[ray];

@@ -13,8 +13,12 @@
 
 namespace candela {
 
+double techniquesUpTo(const Subpaths &ends, int i, double reversePdf) {
+    return ends.last[i] + square(reversePdf * ends.back[i]) * ends.earlier[i];
+}
+
 double techniquesBefore(const Subpaths &ends, int i, double reached, double reversePdf) {
-    return square(reached) * (ends.last[i] + square(reversePdf * ends.back[i]) * ends.earlier[i]);
+    return square(reached) * (techniquesUpTo(ends, i, reversePdf) + square(ends.counts.merging));
 }
 
 double pathTechniquesBefore(const Subpaths &ends, int i, double reached, double reversePdf,
@@ -159,7 +163,8 @@ void lookBack(PathWave &wave, const ConstVec3Planes &direction) {
         const bool passable = affine && (finite || ends.reversePdf[i] > 0);
         const double last = finite ? ends.last[i] : 0;
         const double back = square(ends.reversePdf[i] * ends.back[i]);
-        ends.nextEarlier[i] = passable ? last + back * ends.earlier[i] : 0;
+        const double merged = finite ? square(ends.counts.merging) : 0;
+        ends.nextEarlier[i] = passable ? last + merged + back * ends.earlier[i] : 0;
         ends.nextEarlierOfPath[i] =
             passable ? (chunk.paths.depth[i] == 0 ? last : 0) + back * ends.earlierOfPath[i] : 0;
         ends.nextConnections[i] = finite ? square(ends.counts.connections) : 0;

@@ -35,7 +35,7 @@ public:
     const Camera &camera() const;
     /// The integrator is "classic" (DESIGN section 6): ambient() is the ambient lights alone.
     bool isClassic() const;
-    /// Paths begin on lights, too (`bidir`).
+    /// Paths begin on lights, too (`bidir`, `vcm`).
     bool isBidirectional() const;
 
     // ---- Rays ----
@@ -60,8 +60,8 @@ public:
     int codeOfBin(int bin) const;
     /// Rays that meet nothing: their bin, -1 as long as nothing shines there.
     int escapedBin() const;
-    /// Rays meet the shape from one side alone: the one that Ng, turned as the points have it, points
-    /// to.
+    /// Rays meet the shape from one side alone: the one that Ng, turned as the points have it,
+    /// points to.
     bool isOneSided(std::uint32_t instance, std::uint32_t shape) const;
     /// bin[i] = bin of hit i, escapedBin() where nothing was hit.
     void bins(int count, const HitBatch &, int *bin) const;
