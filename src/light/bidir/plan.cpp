@@ -47,7 +47,7 @@ constexpr double worthLeavingPath = 0.5;
 constexpr double pathsOfRound = 1 << 16;
 constexpr int mostSamplesOfRound = 16;
 /// Discs that are merged over are at first so many pixels wide.
-constexpr float widthInPixels = 4;
+constexpr float widthInPixels = 6;
 
 class NoMessages : public DiagnosticSink {
 public:
