@@ -16,6 +16,12 @@ const std::string plasticBall =
           "Sphere .4 -.4 .4 360\n");
 const std::string sheet = "Polygon \"P\" [-.8 .1 -.8 .8 .1 -.8 .8 .2 .8 -.8 .2 .8]\n";
 
+const std::string fog =
+    "Atmosphere \"fog\" \"float distance\" [2] \"color background\" [.1 .2 .1]\n";
+/// The volume of a body.
+const std::string inside =
+    "Interior \"absorption\" \"color transmittance\" [.3 .7 .5] \"float distance\" [.5]\n";
+
 std::string bodyOf(const std::string &surface, const std::string &shape) {
     return block("Surface " + surface + "\nTranslate -.3 -.5 .1\n" + shape);
 }
@@ -131,6 +137,34 @@ std::vector<World> worlds() {
                    "ObjectInstance 1\n") +
              block("Surface \"matte\" \"Ka\" [0]\nTranslate .4 -.3 .3\nScale .4 .7 .3\n"
                    "ObjectInstance 1\n")},
+        {"Fog", "", fog + lamp(ceilingLamp, 10) + walls + plasticBall},
+        {"FogUnderAPoint", "", fog + pointLight(2, ".2 .5 0") + walls + plasticBall},
+        {"FogUnderASun", "",
+         fog +
+             "LightSource \"distantlight\" 2 \"float intensity\" [3] \"point from\" [.3 .5 -1] "
+             "\"point to\" [0 0 0]\n" +
+             walls + plasticBall},
+        {"FogBehindAGlassySheet", "",
+         fog + lamp(ball, 20) + walls +
+             block(
+                 "Atmosphere \"fog\" \"float distance\" [.5]\nSurface \"matte\" \"Ka\" [0] \"Kd\" "
+                 "[.5]\nOpacity .3 .6 .8\n" +
+                 sheet)},
+        {"FogFromTheEyeOn", "Clipping 2 100\n", fog + lamp(ceilingLamp, 10) + walls},
+        {"DarkGlass", "",
+         lamp("Translate .4 .6 -.2\nSphere .2 -.2 .2 360\n", 8) + walls +
+             bodyOf("\"glass\"\n" + inside, "Sphere .45 -.45 .45 360\nInterior \"null\"\nSurface "
+                                            "\"matte\" \"Ka\" [0] \"Kd\" [.7]\n"
+                                            "Sphere .25 -.25 .25 360\n")},
+        {"LampInAColoredBody", "",
+         block("Surface \"matte\" \"Ka\" [0] \"Kd\" [.5]\nOpacity .2 .2 .2\n" + inside +
+               "Translate .3 .3 0\nSphere .4 -.4 .4 360\n") +
+             lamp(ball, 20) +
+             block("Surface \"matte\" \"Ka\" [0] \"Kd\" [.7]\nTranslate .3 .1 0\n"
+                   "Sphere .08 -.08 .08 360\n") +
+             walls},
+        {"BodyInFog", "",
+         fog + lamp(ball, 20) + walls + bodyOf("\"glass\"\n" + inside, "Sphere .4 -.4 .4 360\n")},
         {"TwoKindsOfLight", "", lamp(ceilingLamp, 3) + pointLight(2, "-.5 0 -.5") + walls},
     };
     const std::vector<World> shapes = lampsOfEachShape();

@@ -207,8 +207,17 @@ void shadow(EyeWave &wave, int count) {
     VertexChunk &chunk = wave.chunk;
     chunk.vertices.rayOrigins(constant(own.direction), own.origin);
     const float *time = chunk.vertices.points.input(int(ShaderInput::time));
+    const Scene &scene = wave.frame.scene;
+    const bool inMedia = scene.hasVolumes();
     for (int k = 0; k < count; ++k) {
         const int i = own.lane[k];
+        if (inMedia) {
+            const LightVertex &far = wave.lightVertices.rows[own.vertex[i]];
+            const ConstVec3Planes direction = constant(own.direction);
+            own.media.set(k, chunk.vertices.mediaAlong(i, direction),
+                          scene.mediaOf(far.instance, far.shape),
+                          dot(at(direction, i), far.Ng) > 0);
+        }
         for (int c = 0; c < 3; ++c) {
             own.shadow.origin[c][k] = own.origin[c][i];
             own.shadow.direction[c][k] = own.end[c][i] - own.origin[c][i];
@@ -219,7 +228,8 @@ void shadow(EyeWave &wave, int count) {
     float *planes[colorSamples];
     for (int c = 0; c < colorSamples; ++c)
         planes[c] = own.transmittance[c];
-    const bool colored = wave.frame.scene.transmittance(own.shadow, planes);
+    const ShadowMedia media = own.media.media(false);
+    const bool colored = scene.transmittance(own.shadow, planes, inMedia ? &media : nullptr);
     wave.frame.statistics.shadowRays += count;
     for (int c = 0; c < colorSamples; ++c)
         for (int k = 0; k < count; ++k)
@@ -271,7 +281,7 @@ Connections::Connections(int capacity)
       response(colorSamples, capacity), value(colorSamples, capacity), far(capacity),
       farRays(capacity), farHits(capacity), fromEye(capacity), fromLight(capacity),
       farFloats(14, capacity), farResponse(colorSamples, capacity), farIntegers(2, capacity),
-      shadow(capacity), transmittance(colorSamples, capacity) {
+      shadow(capacity), media(capacity), transmittance(colorSamples, capacity) {
     vertex = integers[0], lane = integers[1], answered = integers[2];
     std::fill_n(answered, integers.lanes(), finiteRequests);
     direction = {floats[0], floats[1], floats[2]};

@@ -2,6 +2,7 @@
 // A wave of camera paths whose vertices are connected and merged with those of light paths.
 #pragma once
 
+#include "light/bidir/far_media.h"
 #include "light/bidir/light_vertices.h"
 #include "light/path/wave.h"
 
@@ -31,6 +32,7 @@ struct Connections {
     Planes<float> farFloats, farResponse;
     Planes<std::int32_t> farIntegers;
     RayBatch shadow;
+    FarMedia media;
     Planes<float> transmittance;
 };
 

@@ -16,10 +16,10 @@ namespace candela {
 
 namespace {
 
-constexpr Stage lightStages[] = {meet, arrive,       askAgainstLight, receive,
-                                 keep, showToCamera, scatterLight};
+constexpr Stage lightStages[] = {meet,    arrive, crossAgainstLight, askAgainstLight,
+                                 receive, keep,   showToCamera,      scatterLight};
 /// Shaders that are not affine in the light take none from paths that begin on lights.
-constexpr Stage passingStages[] = {meet, arrive, askAgainstLight, scatterLight};
+constexpr Stage passingStages[] = {meet, arrive, crossAgainstLight, askAgainstLight, scatterLight};
 
 /// The dimension pairs of a start; those of vertices come behind, as in camera paths.
 enum StartPair { placePair, wayPair, choicePair };
@@ -110,6 +110,8 @@ void startLight(LightWave &wave, std::int64_t first, int count) {
     }
     active.count = active.rays.count = paths;
     active.rays.shares = nullptr;
+    if (wave.frame.scene.hasVolumes())
+        enterMedia(wave);
     spreadOfDirections(paths, active.history.pdf, active.rays.spread);
     wave.chunk.vertices.speak(false);
     wave.frame.statistics.lightPaths += count;

@@ -310,8 +310,13 @@ BidirectionalPlan chooseTechniques(const FrameContext &frame, Pilot &pilot, Emis
 } // namespace
 
 BidirectionalPlan planTechniques(FrameContext &frame, EmissionGuide &guide) {
-    if (!frame.scene.lights().startPaths() || frame.scene.hasVolumes())
+    if (!frame.scene.lights().startPaths())
         return {};
+    if (const std::string reason = frame.scene.whyVolumesStopLightPaths(); !reason.empty()) {
+        frame.diagnostics.warning({}, reason + ": no path begins at lights in this frame, it is "
+                                               "rendered as by \"path\"");
+        return {};
+    }
     Pilot pilot(frame);
     BidirectionalPlan plan = chooseTechniques(frame, pilot, guide);
     if (frame.settings.bidirectional.merges && plan.lightPaths > 0)

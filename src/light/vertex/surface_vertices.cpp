@@ -117,12 +117,14 @@ bool SurfaceVertices::isMetFromInside(int i) {
     return n[0][i] * along[0][i] + n[1][i] * along[1][i] + n[2][i] * along[2][i] > 0;
 }
 
-MediaAround SurfaceVertices::mediaAlong(int i, const ConstVec3Planes &direction) {
+bool SurfaceVertices::leadsInside(int i, const ConstVec3Planes &along) {
     const ConstVec3Planes n = input(ShaderInput::Ng);
-    const float side =
-        n[0][i] * direction[0][i] + n[1][i] * direction[1][i] + n[2][i] * direction[2][i];
+    return n[0][i] * along[0][i] + n[1][i] * along[1][i] + n[2][i] * along[2][i] < 0;
+}
+
+MediaAround SurfaceVertices::mediaAlong(int i, const ConstVec3Planes &direction) {
     return MediaAround(around()[0][i], around()[1][i])
-        .beyond(mediaOf(i), isMetFromInside(i), side < 0);
+        .beyond(mediaOf(i), isMetFromInside(i), leadsInside(i, direction));
 }
 
 ShaderArgs SurfaceVertices::arguments() const {

@@ -92,6 +92,8 @@ public:
     }
     /// Vertex i was met from the inside.
     bool isMetFromInside(int i);
+    /// Rays along `direction` leave vertex i to its inside.
+    bool leadsInside(int i, const ConstVec3Planes &direction);
     /// What rays are in that leave vertex i along `direction`.
     MediaAround mediaAlong(int i, const ConstVec3Planes &direction);
     ConstVec3Planes input(ShaderInput first);

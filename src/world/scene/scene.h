@@ -13,6 +13,7 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 
 namespace candela {
 
@@ -23,6 +24,10 @@ struct SceneState;
 struct ShadowMedia {
     const std::uint32_t *inner, *outer;
     const std::int32_t *atmosphere;
+    /// The Interior of what it ends at, where that is met from the inside; else 0. Null = 0.
+    const std::int32_t *inside = nullptr;
+    /// They begin where the rays' origins are, and not at tMin.
+    bool fromOrigins = false;
 };
 
 enum class Coherence { Primary, Secondary };
@@ -100,6 +105,15 @@ public:
     const ShaderInstance &medium(std::int32_t number) const;
     /// The atmosphere of what light `light` (index + 1) shines from; 0 where it has no surface.
     std::int32_t mediumOfLight(std::int32_t light) const;
+
+    // ---- Volumes and paths that begin on lights ----
+    /// Some surface has an Interior.
+    bool hasInteriors() const;
+    /// The bodies that rays begin in: those that they leave, going straight through everything, and
+    /// have not entered.
+    void bodiesAround(const RayBatch &, MediaAround *) const;
+    /// Why such paths would not find what camera paths do; empty if they would.
+    std::string whyVolumesStopLightPaths() const;
 
     Lights lights() const;
 

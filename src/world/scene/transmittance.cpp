@@ -36,6 +36,7 @@ struct Walk {
     std::vector<std::uint8_t> keep;
     int capacity;
     const ShadowMedia *media = nullptr; ///< Null: nobody asks for volumes.
+    bool fromOrigins = false;           ///< Of the segments of this layer.
     std::vector<MediaAround> around;    ///< What the rays are in, if media are given.
     std::optional<Segments> segments;   ///< Of this layer.
 
@@ -131,10 +132,11 @@ void takeSegment(Walk &walk, int i, float t, std::int32_t medium) {
     Segments &segments = *walk.segments;
     segments.medium[i] = medium;
     std::uint64_t bits = 0;
+    const float length = walk.fromOrigins ? t : t - walk.rays.tMin[i];
     for (int c = 0; c < 3; ++c) {
         const float along = walk.rays.direction[c][i];
         segments.input(ShaderInput::P, c)[i] = walk.rays.origin[c][i] + t * along;
-        segments.input(ShaderInput::I, c)[i] = (t - walk.rays.tMin[i]) * along;
+        segments.input(ShaderInput::I, c)[i] = length * along;
         bits = mixBits(bits ^ std::bit_cast<std::uint32_t>(walk.rays.origin[c][i]) ^
                        (std::uint64_t(std::bit_cast<std::uint32_t>(along)) << 32));
     }
@@ -159,8 +161,10 @@ void takeLastSegments(Walk &walk) {
     for (int i = 0; i < walk.rays.count; ++i)
         if (walk.hits.shape[i] == noHit) {
             const float t = walk.rays.tMax[i];
-            const std::int32_t atmosphere = walk.media->atmosphere[walk.lane[i]];
-            takeSegment(walk, i, t, std::isfinite(t) ? walk.around[i].towardsAir(atmosphere) : 0);
+            const ShadowMedia &media = *walk.media;
+            const SurfaceMedia end{.atmosphere = media.atmosphere[walk.lane[i]],
+                                   .interior = media.inside ? media.inside[walk.lane[i]] : 0};
+            takeSegment(walk, i, t, std::isfinite(t) ? walk.around[i].towards(end, true) : 0);
         }
 }
 
@@ -194,6 +198,7 @@ void walkThrough(const Scene &scene, const SceneState &state, const RayBatch &ra
             state.rays->intersect(walk.rays, walk.hits, RayWorld::Which::Transparent, false);
         else
             std::fill_n(walk.hits.shape, walk.rays.count, noHit);
+        walk.fromOrigins = media && media->fromOrigins && layer == 0;
         if (media)
             takeLastSegments(walk);
         walk.keep.assign(walk.lane.size(), 0);
