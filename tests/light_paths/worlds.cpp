@@ -17,7 +17,7 @@ const std::string plasticBall =
 const std::string sheet = "Polygon \"P\" [-.8 .1 -.8 .8 .1 -.8 .8 .2 .8 -.8 .2 .8]\n";
 
 const std::string fog =
-    "Atmosphere \"fog\" \"float distance\" [2] \"color background\" [.1 .2 .1]\n";
+    "Atmosphere \"fog\" \"float distance\" [3] \"color background\" [.01 .02 .01]\n";
 /// The volume of a body.
 const std::string inside =
     "Interior \"absorption\" \"color transmittance\" [.3 .7 .5] \"float distance\" [.5]\n";
@@ -146,10 +146,9 @@ std::vector<World> worlds() {
              walls + plasticBall},
         {"FogBehindAGlassySheet", "",
          fog + lamp(ball, 20) + walls +
-             block(
-                 "Atmosphere \"fog\" \"float distance\" [.5]\nSurface \"matte\" \"Ka\" [0] \"Kd\" "
-                 "[.5]\nOpacity .3 .6 .8\n" +
-                 sheet)},
+             block("Atmosphere \"fog\" \"float distance\" [1]\nSurface \"matte\" \"Ka\" [0] \"Kd\" "
+                   "[.5]\nOpacity .3 .6 .8\n" +
+                   sheet)},
         {"FogFromTheEyeOn", "Clipping 2 100\n", fog + lamp(ceilingLamp, 10) + walls},
         {"DarkGlass", "",
          lamp("Translate .4 .6 -.2\nSphere .2 -.2 .2 360\n", 8) + walls +
