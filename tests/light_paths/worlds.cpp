@@ -17,10 +17,17 @@ const std::string plasticBall =
 const std::string sheet = "Polygon \"P\" [-.8 .1 -.8 .8 .1 -.8 .8 .2 .8 -.8 .2 .8]\n";
 
 const std::string fog =
-    "Atmosphere \"fog\" \"float distance\" [3] \"color background\" [.01 .02 .01]\n";
+    "Atmosphere \"fog\" \"float distance\" [1.5] \"color background\" [.01 .02 .01]\n";
 /// The volume of a body.
 const std::string inside =
-    "Interior \"absorption\" \"color transmittance\" [.3 .7 .5] \"float distance\" [.5]\n";
+    "Interior \"absorption\" \"color transmittance\" [.1 .4 .2] \"float distance\" [.3]\n";
+
+/// Lets most light through, as it is.
+std::string coloredShell(const std::string &shape) {
+    return block("Surface \"matte\" \"Ka\" [0] \"Kd\" [.5]\nOpacity .2 .2 .2\n" + inside + shape);
+}
+const std::string innerBall = block("Surface \"matte\" \"Ka\" [0] \"Kd\" [.7]\n"
+                                    "Translate -.1 -.3 0\nSphere .35 -.35 .35 360\n");
 
 std::string bodyOf(const std::string &surface, const std::string &shape) {
     return block("Surface " + surface + "\nTranslate -.3 -.5 .1\n" + shape);
@@ -156,12 +163,10 @@ std::vector<World> worlds() {
                                             "\"matte\" \"Ka\" [0] \"Kd\" [.7]\n"
                                             "Sphere .25 -.25 .25 360\n")},
         {"LampInAColoredBody", "",
-         block("Surface \"matte\" \"Ka\" [0] \"Kd\" [.5]\nOpacity .2 .2 .2\n" + inside +
-               "Translate .3 .3 0\nSphere .4 -.4 .4 360\n") +
-             lamp(ball, 20) +
-             block("Surface \"matte\" \"Ka\" [0] \"Kd\" [.7]\nTranslate .3 .1 0\n"
-                   "Sphere .08 -.08 .08 360\n") +
-             walls},
+         coloredShell("Sphere .9 -.9 .9 360\n") + lamp(ball, 40) + innerBall + walls},
+        {"BallInAColoredBody", "",
+         lamp("Translate .6 .8 -.6\nSphere .1 -.1 .1 360\n", 40) +
+             coloredShell("Translate 0 -.3 0\nSphere .6 -.6 .6 360\n") + innerBall + walls},
         {"BodyInFog", "",
          fog + lamp(ball, 20) + walls + bodyOf("\"glass\"\n" + inside, "Sphere .4 -.4 .4 360\n")},
         {"TwoKindsOfLight", "", lamp(ceilingLamp, 3) + pointLight(2, "-.5 0 -.5") + walls},
