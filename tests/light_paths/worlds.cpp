@@ -167,6 +167,12 @@ std::vector<World> worlds() {
         {"BallInAColoredBody", "",
          lamp("Translate .6 .8 -.6\nSphere .1 -.1 .1 360\n", 40) +
              coloredShell("Translate 0 -.3 0\nSphere .6 -.6 .6 360\n") + innerBall + walls},
+        {"BodiesThatOverlap", "",
+         lamp(ball, 40) + coloredShell("Translate -.25 -.3 0\nSphere .6 -.6 .6 360\n") +
+             block("Surface \"matte\" \"Ka\" [0] \"Kd\" [.5]\nOpacity .2 .2 .2\n"
+                   "Interior \"absorption\" \"color transmittance\" [.9 .1 .1] \"float distance\" "
+                   "[.2]\nTranslate .3 -.2 0\nSphere .6 -.6 .6 360\n") +
+             walls},
         {"BodyInFog", "",
          fog + lamp(ball, 20) + walls + bodyOf("\"glass\"\n" + inside, "Sphere .4 -.4 .4 360\n")},
         {"TwoKindsOfLight", "", lamp(ceilingLamp, 3) + pointLight(2, "-.5 0 -.5") + walls},
