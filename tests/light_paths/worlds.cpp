@@ -22,9 +22,11 @@ const std::string fog =
 const std::string inside =
     "Interior \"absorption\" \"color transmittance\" [.1 .4 .2] \"float distance\" [.3]\n";
 
-/// Lets most light through, as it is.
-std::string coloredShell(const std::string &shape) {
-    return block("Surface \"matte\" \"Ka\" [0] \"Kd\" [.5]\nOpacity .2 .2 .2\n" + inside + shape);
+/// Lets most light through and holds a volume: what 30 cm leave of white light.
+std::string shell(const std::string &transmittance, const std::string &shape) {
+    return block("Surface \"matte\" \"Ka\" [0] \"Kd\" [.5]\nOpacity .2 .2 .2\n"
+                 "Interior \"absorption\" \"color transmittance\" [" +
+                 transmittance + "] \"float distance\" [.3]\n" + shape);
 }
 const std::string innerBall = block("Surface \"matte\" \"Ka\" [0] \"Kd\" [.7]\n"
                                     "Translate -.1 -.3 0\nSphere .35 -.35 .35 360\n");
@@ -163,16 +165,14 @@ std::vector<World> worlds() {
                                             "\"matte\" \"Ka\" [0] \"Kd\" [.7]\n"
                                             "Sphere .25 -.25 .25 360\n")},
         {"LampInAColoredBody", "",
-         coloredShell("Sphere .9 -.9 .9 360\n") + lamp(ball, 40) + innerBall + walls},
+         shell(".1 .4 .2", "Sphere .9 -.9 .9 360\n") + lamp(ball, 40) + innerBall + walls},
         {"BallInAColoredBody", "",
          lamp("Translate .6 .8 -.6\nSphere .1 -.1 .1 360\n", 40) +
-             coloredShell("Translate 0 -.3 0\nSphere .6 -.6 .6 360\n") + innerBall + walls},
+             shell(".1 .4 .2", "Translate 0 -.3 0\nSphere .6 -.6 .6 360\n") + innerBall + walls},
         {"BodiesThatOverlap", "",
-         lamp(ball, 40) + coloredShell("Translate -.25 -.3 0\nSphere .6 -.6 .6 360\n") +
-             block("Surface \"matte\" \"Ka\" [0] \"Kd\" [.5]\nOpacity .2 .2 .2\n"
-                   "Interior \"absorption\" \"color transmittance\" [.9 .1 .1] \"float distance\" "
-                   "[.2]\nTranslate .3 -.2 0\nSphere .6 -.6 .6 360\n") +
-             walls},
+         lamp("Translate -.8 .6 -.2\nSphere .1 -.1 .1 360\n", 40) +
+             shell(".6 .95 .8", "Translate .1 -.1 .1\nSphere .6 -.6 .6 360\n") +
+             shell(".95 .6 .8", "Translate .25 -.2 .1\nSphere .6 -.6 .6 360\n") + walls},
         {"BodyInFog", "",
          fog + lamp(ball, 20) + walls + bodyOf("\"glass\"\n" + inside, "Sphere .4 -.4 .4 360\n")},
         {"TwoKindsOfLight", "", lamp(ceilingLamp, 3) + pointLight(2, "-.5 0 -.5") + walls},
