@@ -138,6 +138,30 @@ TEST_F(LightPaths, AreNotBegunByEveryLightAndThatIsSaid) {
     EXPECT_EQ(run.err.find("classic units"), run.err.rfind("classic units")) << run.err;
 }
 
+/// Volumes that paths from lights would cross otherwise than camera paths keep them from it.
+TEST_F(LightPaths, DoNotCrossEveryVolumeAndThatIsSaid) {
+    folder.write("squared.sl", "volume squared() { Ci = Ci * Ci; }\n");
+    folder.write("colored.sl", "volume colored() { Ci = Ci * Cs; }\n");
+    const std::string point = "LightSource \"pointlight\" 1 \"from\" [0 .5 0]\n";
+    const std::string fog = "Atmosphere \"fog\"\n", glass = "Interior \"absorption\"\n";
+    const std::pair<std::string, const char *> worlds[] = {
+        {point + fog + room() + "Atmosphere \"fog\" \"distance\" [7]\nSphere .1 -.1 .1 360\n",
+         "surfaces have different Atmospheres"},
+        {point + "Exterior \"fog\"\n" + room(), "surfaces have an Exterior"},
+        {point + "Atmosphere \"squared\"\n" + room(), "\"squared\": it does not"},
+        {point + "Atmosphere \"colored\"\n" + room(),
+         "\"colored\": what it lets through depends on the surface"},
+        {point + room() + glass + "Sphere 9 -9 9 360\n", "the camera stands in a body"},
+    };
+    for (const auto &[world, reason] : worlds) {
+        render(sceneOf(world), {"--spp", "1", "--shader-path", folder.path()});
+        EXPECT_TRUE(run.says(reason)) << reason << "\n" << run.err;
+        EXPECT_TRUE(run.says("no path begins at lights in this frame"));
+    }
+    render(sceneOf(point + fog + room() + glass + "Sphere .2 -.2 .2 360\n"), {"--spp", "1"});
+    EXPECT_EQ(run.err, "");
+}
+
 TEST_F(LightPaths, OptionsAreChecked) {
     const std::string rib = folder.write(
         "scene.rib", sceneOf(room(), "Option \"bidir\" \"float lightpaths\" [-1]\n"

@@ -213,10 +213,8 @@ void shadow(EyeWave &wave, int count) {
         const int i = own.lane[k];
         if (inMedia) {
             const LightVertex &far = wave.lightVertices.rows[own.vertex[i]];
-            const ConstVec3Planes direction = constant(own.direction);
-            own.media.set(k, chunk.vertices.mediaAlong(i, direction),
-                          scene.mediaOf(far.instance, far.shape),
-                          dot(at(direction, i), far.Ng) > 0);
+            own.media.set(k, chunk.vertices.mediaAlong(i, constant(own.direction)),
+                          scene.mediaOf(far.instance, far.shape));
         }
         for (int c = 0; c < 3; ++c) {
             own.shadow.origin[c][k] = own.origin[c][i];

@@ -8,20 +8,20 @@ namespace candela {
 
 class FarMedia {
 public:
-    explicit FarMedia(int capacity) : around_(2, capacity), end_(2, capacity) {}
+    explicit FarMedia(int capacity) : around_(2, capacity), atmosphere_(1, capacity) {}
 
-    /// Ray k begins in these and ends at a surface that it meets from the inside or not.
-    void set(int k, const MediaAround &around, const SurfaceMedia &end, bool fromInside) {
+    /// Ray k begins in these and ends at that surface.
+    void set(int k, const MediaAround &around, const SurfaceMedia &end) {
         around_[0][k] = around.inner(), around_[1][k] = around.outer();
-        end_[0][k] = end.atmosphere, end_[1][k] = fromInside ? end.interior : 0;
+        atmosphere_[0][k] = end.atmosphere;
     }
     ShadowMedia media(bool fromOrigins) const {
-        return {around_[0], around_[1], end_[0], end_[1], fromOrigins};
+        return {around_[0], around_[1], atmosphere_[0], fromOrigins};
     }
 
 private:
     Planes<std::uint32_t> around_;
-    Planes<std::int32_t> end_;
+    Planes<std::int32_t> atmosphere_;
 };
 
 } // namespace candela

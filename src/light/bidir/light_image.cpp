@@ -52,8 +52,7 @@ void traceFromLens(LightWave &wave, int count) {
     for (int k = 0; k < count; ++k) {
         const int i = image.lane[k];
         if (inMedia)
-            image.media.set(k, {}, chunk.vertices.mediaOf(i),
-                            !chunk.vertices.leadsInside(i, constant(image.sights.direction)));
+            image.media.set(k, {}, chunk.vertices.mediaOf(i));
         const Vec3 lens = at(constant(image.sights.origin), i);
         const Vec3 way = at(constant(image.end), i) - lens;
         for (int c = 0; c < 3; ++c)

@@ -24,8 +24,6 @@ struct SceneState;
 struct ShadowMedia {
     const std::uint32_t *inner, *outer;
     const std::int32_t *atmosphere;
-    /// The Interior of what it ends at, where that is met from the inside; else 0. Null = 0.
-    const std::int32_t *inside = nullptr;
     /// They begin where the rays' origins are, and not at tMin.
     bool fromOrigins = false;
 };

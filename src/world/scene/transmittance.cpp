@@ -161,10 +161,8 @@ void takeLastSegments(Walk &walk) {
     for (int i = 0; i < walk.rays.count; ++i)
         if (walk.hits.shape[i] == noHit) {
             const float t = walk.rays.tMax[i];
-            const ShadowMedia &media = *walk.media;
-            const SurfaceMedia end{.atmosphere = media.atmosphere[walk.lane[i]],
-                                   .interior = media.inside ? media.inside[walk.lane[i]] : 0};
-            takeSegment(walk, i, t, std::isfinite(t) ? walk.around[i].towards(end, true) : 0);
+            const std::int32_t atmosphere = walk.media->atmosphere[walk.lane[i]];
+            takeSegment(walk, i, t, std::isfinite(t) ? walk.around[i].towardsAir(atmosphere) : 0);
         }
 }
 
