@@ -35,7 +35,7 @@ constexpr double pi = std::numbers::pi;
 int draw(EyeWave &wave, int turn) {
     VertexChunk &chunk = wave.chunk;
     Connections &own = wave.own;
-    const std::vector<LightVertex> &rows = wave.lightVertices.rows;
+    const std::vector<LightVertex> &rows = wave.lightVertices->rows;
     const int count = chunk.count();
     randomBits(count, chunk.paths.pixelKey, chunk.paths.sampleIndex,
                0x9e3779b9u + std::uint32_t(wave.vertex * wave.connections + turn), own.bits[0]);
@@ -113,7 +113,7 @@ void meetFar(EyeWave &wave, const std::int32_t *lane, int count) {
     own.farRays.count = count;
     for (int k = 0; k < count; ++k) {
         const int i = lane[k];
-        const LightVertex &vertex = wave.lightVertices.rows[own.vertex[i]];
+        const LightVertex &vertex = wave.lightVertices->rows[own.vertex[i]];
         for (int c = 0; c < 3; ++c) {
             own.farRays.origin[c][k] = P[c][i];
             own.farRays.direction[c][k] = own.direction[c][i];
@@ -129,7 +129,7 @@ void meetFar(EyeWave &wave, const std::int32_t *lane, int count) {
     }
     std::int32_t *order = own.farIntegers[0];
     std::iota(order, order + count, 0);
-    own.far.meet(wave.frame.scene, wave.lightVertices.rows[own.vertex[lane[0]]].code, own.farRays,
+    own.far.meet(wave.frame.scene, wave.lightVertices->rows[own.vertex[lane[0]]].code, own.farRays,
                  own.farHits, order, count);
 }
 
@@ -147,7 +147,7 @@ void weigh(EyeWave &wave, const std::int32_t *lane, int count) {
     float *reversePdf = floats[9], *pdf = floats[10];
     std::int32_t *light = own.farIntegers[1];
     for (int k = 0; k < count; ++k) {
-        const LightVertex &vertex = wave.lightVertices.rows[own.vertex[lane[k]]];
+        const LightVertex &vertex = wave.lightVertices->rows[own.vertex[lane[k]]];
         for (int c = 0; c < 3; ++c) {
             toPrevious[c][k] = vertex.toPrevious[c];
             along[c][k] = -vertex.toPrevious[c] * vertex.distance;
@@ -170,11 +170,11 @@ void weigh(EyeWave &wave, const std::int32_t *lane, int count) {
     const ConstVec3Planes Ng = chunk.vertices.input(ShaderInput::Ng);
     const ConstVec3Planes farNg = own.far.input(ShaderInput::Ng);
     const double tries = square(ends.counts.connections), merged = square(ends.counts.merging);
-    const double scale = double(wave.lightVertices.rows.size()) /
-                         (double(wave.lightVertices.paths) * wave.connections);
+    const double scale = double(wave.lightVertices->rows.size()) /
+                         (double(wave.lightVertices->paths) * wave.connections);
     for (int k = 0; k < count; ++k) {
         const int i = lane[k];
-        const LightVertex &vertex = wave.lightVertices.rows[own.vertex[i]];
+        const LightVertex &vertex = wave.lightVertices->rows[own.vertex[i]];
         const Vec3 direction = at(constant(own.direction), i);
         const double perArea = 1 / square(own.distance[i]);
         const double out = std::fabs(double(dot(direction, at(farNg, k))));
@@ -212,7 +212,7 @@ void shadow(EyeWave &wave, int count) {
     for (int k = 0; k < count; ++k) {
         const int i = own.lane[k];
         if (inMedia) {
-            const LightVertex &far = wave.lightVertices.rows[own.vertex[i]];
+            const LightVertex &far = wave.lightVertices->rows[own.vertex[i]];
             own.media.set(k, chunk.vertices.mediaAlong(i, constant(own.direction)),
                           scene.mediaOf(far.instance, far.shape));
         }
@@ -237,7 +237,7 @@ void shadow(EyeWave &wave, int count) {
 void connectOnce(EyeWave &wave, int turn) {
     VertexChunk &chunk = wave.chunk;
     Connections &own = wave.own;
-    const std::vector<LightVertex> &rows = wave.lightVertices.rows;
+    const std::vector<LightVertex> &rows = wave.lightVertices->rows;
     for (int c = 0; c < colorSamples; ++c)
         std::fill_n(own.value[c], chunk.count(), 0.0f);
     int count = draw(wave, turn);
@@ -289,7 +289,7 @@ Connections::Connections(int capacity)
 
 EyeWave::EyeWave(FrameContext &frame, const TechniqueCounts &counts, const LightVertices &vertices,
                  int connections)
-    : PathWave(frame, Purpose::Camera, stagesOfEye, counts), lightVertices(vertices),
+    : PathWave(frame, Purpose::Camera, stagesOfEye, counts), lightVertices(&vertices),
       connections(connections), own(VertexChunk::capacity), merging(VertexChunk::capacity) {}
 
 std::span<const Stage> stagesOfEye(const PathWave &, const ShaderCode &code) {
@@ -298,7 +298,7 @@ std::span<const Stage> stagesOfEye(const PathWave &, const ShaderCode &code) {
 
 void connect(PathWave &path) {
     EyeWave &wave = static_cast<EyeWave &>(path); // Stages of the eye serve eye waves alone.
-    if (wave.lightVertices.rows.empty())
+    if (wave.lightVertices->rows.empty())
         return;
     for (int turn = 0; turn < wave.connections; ++turn)
         connectOnce(wave, turn);

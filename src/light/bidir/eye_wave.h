@@ -59,7 +59,7 @@ struct Merging {
 struct EyeWave : PathWave {
     EyeWave(FrameContext &, const TechniqueCounts &, const LightVertices &, int connections);
 
-    const LightVertices &lightVertices;
+    const LightVertices *lightVertices;
     int connections; ///< Light vertices that each vertex is connected with.
     Connections own;
     Merging merging;

@@ -28,7 +28,7 @@ bool mayMerge(EyeWave &wave, int i, const LightVertex &vertex) {
     const float height = std::fabs(dot(vertex.P - at(chunk.vertices.P(), i), Ng));
     return chunk.paths.depth[i] + vertex.depth + 1 <= wave.frame.settings.maxDepth &&
            std::fabs(dot(vertex.Ng, Ng)) >= likeNormals &&
-           height <= leastHeight * wave.lightVertices.cells.radius() &&
+           height <= leastHeight * wave.lightVertices->cells.radius() &&
            wave.frame.scene.lights().isOn(chunk.vertices.points.lightSet[i], vertex.light);
 }
 
@@ -37,7 +37,7 @@ void respond(EyeWave &wave) {
     VertexChunk &chunk = wave.chunk;
     Merging &own = wave.merging;
     for (int k = 0; k < own.count; ++k) {
-        const LightVertex &vertex = wave.lightVertices.rows[own.row[k]];
+        const LightVertex &vertex = wave.lightVertices->rows[own.row[k]];
         put(own.direction, k, vertex.toPrevious);
         own.light[k] = vertex.light;
     }
@@ -104,11 +104,11 @@ void addPairs(EyeWave &wave) {
     own.mixture.pdf(constant(own.direction), own.eyePdf);
     seeFromLight(wave);
     const ConstVec3Planes Ng = chunk.vertices.input(ShaderInput::Ng);
-    const double radius = wave.lightVertices.cells.radius();
-    const double perDisc = 1 / (pi * radius * radius * double(wave.lightVertices.paths));
+    const double radius = wave.lightVertices->cells.radius();
+    const double perDisc = 1 / (pi * radius * radius * double(wave.lightVertices->paths));
     for (int k = 0; k < own.count; ++k) {
         const int i = own.lane[k];
-        const LightVertex &vertex = wave.lightVertices.rows[own.row[k]];
+        const LightVertex &vertex = wave.lightVertices->rows[own.row[k]];
         const double fromEye =
             vertex.last + square(double(own.eyePdf[k]) * vertex.back) * vertex.earlier;
         const double fromLight = techniquesUpTo(ends, i, own.eyeReversePdf[k]);
@@ -139,7 +139,7 @@ Merging::Merging(int capacity)
 
 void merge(PathWave &path) {
     EyeWave &wave = static_cast<EyeWave &>(path);
-    if (!(wave.subpaths->counts.merging > 0) || wave.lightVertices.rows.empty())
+    if (!(wave.subpaths->counts.merging > 0) || wave.lightVertices->rows.empty())
         return;
     VertexChunk &chunk = wave.chunk;
     Merging &own = wave.merging;
@@ -149,9 +149,9 @@ void merge(PathWave &path) {
     for (int i = 0; i < chunk.count(); ++i) {
         if (!(chunk.mixture.total()[i] > 0))
             continue;
-        wave.lightVertices.cells.findNear(at(chunk.vertices.P(), i), own.found);
+        wave.lightVertices->cells.findNear(at(chunk.vertices.P(), i), own.found);
         for (std::int32_t row : own.found) {
-            if (!mayMerge(wave, i, wave.lightVertices.rows[row]))
+            if (!mayMerge(wave, i, wave.lightVertices->rows[row]))
                 continue;
             own.lane[own.count] = i, own.row[own.count] = row;
             if (++own.count == VertexChunk::capacity)

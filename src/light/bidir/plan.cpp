@@ -309,14 +309,19 @@ BidirectionalPlan chooseTechniques(const FrameContext &frame, Pilot &pilot, Emis
 
 } // namespace
 
-BidirectionalPlan planTechniques(FrameContext &frame, EmissionGuide &guide) {
+bool lightsMayBeginPaths(const FrameContext &frame) {
     if (!frame.scene.lights().startPaths())
-        return {};
-    if (const std::string reason = frame.scene.whyVolumesStopLightPaths(); !reason.empty()) {
+        return false;
+    const std::string reason = frame.scene.whyVolumesStopLightPaths();
+    if (!reason.empty())
         frame.diagnostics.warning({}, reason + ": no path begins at lights in this frame, it is "
                                                "rendered as by \"path\"");
+    return reason.empty();
+}
+
+BidirectionalPlan planTechniques(FrameContext &frame, EmissionGuide &guide) {
+    if (!lightsMayBeginPaths(frame))
         return {};
-    }
     Pilot pilot(frame);
     BidirectionalPlan plan = chooseTechniques(frame, pilot, guide);
     if (frame.settings.bidirectional.merges && plan.lightPaths > 0)

@@ -51,6 +51,16 @@ void beginHistory(PathWave &wave) {
     }
 }
 
+void beginHistoryAtPoints(PathWave &wave) {
+    const ActivePaths &active = wave.active;
+    const SubpathHistory &history = active.history;
+    for (int i = 0; i < wave.slots; ++i) {
+        history.earlier[i] = history.earlierOfPath[i] = history.connections[i] = 0;
+        history.pdf[i] = active.left.pdf[i] > 0 ? active.left.pdf[i] : 1.0f;
+        history.cosine[i] = history.parallel[i] = 0;
+    }
+}
+
 void arrive(PathWave &wave) {
     Subpaths &ends = *wave.subpaths;
     VertexChunk &chunk = wave.chunk;

@@ -76,5 +76,7 @@ void lookBack(PathWave &, const ConstVec3Planes &direction);
 void leaveHistory(PathWave &, int count, int first);
 /// Histories of camera rays.
 void beginHistory(PathWave &);
+/// Of rays from points that no path from a light meets, nor is connected with.
+void beginHistoryAtPoints(PathWave &);
 
 } // namespace candela
