@@ -61,6 +61,16 @@ std::vector<World> lampsOfEachShape() {
     return all;
 }
 
+/// Surfaces of the library that no other world has.
+std::vector<World> otherSurfaces() {
+    std::vector<World> all;
+    for (const char *name : {"defaultsurface", "metal", "paintedmatte", "paintedplastic", "phong"})
+        all.push_back({"SurfaceOf" + std::string(name), "",
+                       lamp(ceilingLamp, 10) + room() +
+                           bodyOf("\"" + std::string(name) + "\"", "Sphere .45 -.45 .45 360\n")});
+    return all;
+}
+
 } // namespace
 
 std::string room() {
@@ -122,6 +132,8 @@ std::vector<World> worlds() {
         {"RoughMetal", "",
          lamp(ceilingLamp, 10) + walls +
              bodyOf("\"roughmetal\" \"alpha\" [.2]", "Sphere .45 -.45 .45 360\n")},
+        {"TwoScatterings", "Option \"trace\" \"integer maxdepth\" [2]\n",
+         lamp(ceilingLamp, 10) + walls + plasticBall},
         {"Mirror", "",
          lamp(ceilingLamp, 10) + walls + bodyOf("\"mirror\"", "Sphere .4 -.4 .4 360\n")},
         {"Glass", "",
@@ -177,8 +189,8 @@ std::vector<World> worlds() {
          fog + lamp(ball, 20) + walls + bodyOf("\"glass\"\n" + inside, "Sphere .4 -.4 .4 360\n")},
         {"TwoKindsOfLight", "", lamp(ceilingLamp, 3) + pointLight(2, "-.5 0 -.5") + walls},
     };
-    const std::vector<World> shapes = lampsOfEachShape();
-    all.insert(all.end(), shapes.begin(), shapes.end());
+    for (const std::vector<World> &more : {lampsOfEachShape(), otherSurfaces()})
+        all.insert(all.end(), more.begin(), more.end());
     return all;
 }
 

@@ -155,7 +155,7 @@ std::string nameOf(const testing::TestParamInfo<Case> &info) { return info.param
 INSTANTIATE_TEST_SUITE_P(Furnace, Validation, testing::ValuesIn(furnaceCases()), nameOf);
 INSTANTIATE_TEST_SUITE_P(DirectLight, Validation, testing::ValuesIn(directLightCases()), nameOf);
 INSTANTIATE_TEST_SUITE_P(Units, Validation, testing::ValuesIn(unitCases()), nameOf);
-INSTANTIATE_TEST_SUITE_P(All, FromBothEnds, testing::ValuesIn(casesFromBothEnds()), nameOf);
+INSTANTIATE_TEST_SUITE_P(BothEnds, FromBothEnds, testing::ValuesIn(casesFromBothEnds()), nameOf);
 
 } // namespace
 
