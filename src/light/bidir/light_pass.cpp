@@ -37,6 +37,19 @@ void bringSplats(LightWave &wave, int paths) {
     wave.sink.add(batch);
 }
 
+void sortIntoCells(float radius, LightVertices &vertices) {
+    std::vector<Vec3> places;
+    places.reserve(vertices.rows.size());
+    for (const LightVertex &vertex : vertices.rows)
+        places.push_back(vertex.P);
+    vertices.cells = MergeCells(places, radius);
+    std::vector<LightVertex> sorted;
+    sorted.reserve(vertices.rows.size());
+    for (std::int32_t row : vertices.cells.order())
+        sorted.push_back(vertices.rows[std::size_t(row)]);
+    vertices.rows = std::move(sorted);
+}
+
 } // namespace
 
 LightPass::LightPass(FrameContext &frame, const BidirectionalPlan &plan, SampleSink &sink)
@@ -74,13 +87,8 @@ void LightPass::run(int first, int last) {
     vertices_.rows.clear();
     for (const std::vector<LightVertex> &rows : kept)
         vertices_.rows.insert(vertices_.rows.end(), rows.begin(), rows.end());
-    if (!(radius > 0))
-        return;
-    std::vector<Vec3> places;
-    places.reserve(vertices_.rows.size());
-    for (const LightVertex &vertex : vertices_.rows)
-        places.push_back(vertex.P);
-    vertices_.cells = MergeCells(places, radius);
+    if (radius > 0)
+        sortIntoCells(radius, vertices_);
 }
 
 } // namespace candela

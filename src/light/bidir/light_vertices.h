@@ -31,7 +31,7 @@ struct LightVertex {
     std::int32_t code;  ///< Of its shader.
 };
 
-/// Those of a pass, in the order of their paths.
+/// Those of a pass, in the order of their paths, or of the cells if there are any.
 struct LightVertices {
     std::vector<LightVertex> rows;
     std::int64_t paths = 0; ///< That they come from, those that met nothing among them.

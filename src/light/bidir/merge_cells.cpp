@@ -33,10 +33,12 @@ MergeCells::MergeCells(std::span<const Vec3> points, float radius)
     }
     for (std::size_t k = 1; k < start_.size(); ++k)
         start_[k] += start_[k - 1];
-    entries_.resize(points.size());
+    points_.resize(points.size()), order_.resize(points.size());
     std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
-    for (std::size_t k = 0; k < points.size(); ++k)
-        entries_[next[bucket[k]]++] = {points[k], std::int32_t(k)};
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const std::uint32_t at = next[bucket[k]]++;
+        points_[at] = points[k], order_[at] = std::int32_t(k);
+    }
 }
 
 std::size_t MergeCells::bucketOf(const std::array<std::int64_t, 3> &cell) const {
@@ -48,7 +50,7 @@ std::size_t MergeCells::bucketOf(const std::array<std::int64_t, 3> &cell) const 
 
 void MergeCells::findNear(const Vec3 &P, std::vector<std::int32_t> &found) const {
     found.clear();
-    if (entries_.empty())
+    if (points_.empty())
         return;
     std::array<std::int64_t, 3> low;
     for (int c = 0; c < 3; ++c)
@@ -62,9 +64,9 @@ void MergeCells::findNear(const Vec3 &P, std::vector<std::int32_t> &found) const
     const auto last = std::ranges::unique(buckets).begin();
     for (auto bucket = buckets.begin(); bucket != last; ++bucket)
         for (std::uint32_t k = start_[*bucket]; k < start_[*bucket + 1]; ++k) {
-            const Vec3 apart = entries_[k].P - P;
+            const Vec3 apart = points_[k] - P;
             if (dot(apart, apart) <= radius_ * radius_)
-                found.push_back(entries_[k].index);
+                found.push_back(std::int32_t(k));
         }
 }
 
