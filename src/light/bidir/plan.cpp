@@ -299,9 +299,13 @@ BidirectionalPlan chooseTechniques(const FrameContext &frame, Pilot &pilot, Emis
         trials[0].variance[cell] += pilot.varianceOfPath()[cell];
     std::size_t best = 0;
     double least = wishes.merges ? INFINITY : worthLeavingPath * badness(trials[0], mean);
-    for (std::size_t k = 1; k < plans.size(); ++k)
+    for (std::size_t k = 1; k < plans.size(); ++k) {
+        // Pilots do not merge, and know nothing of what few light paths would cost there.
+        if (wishes.merges && plans[k].lightPaths < 1)
+            continue;
         if (const double own = badness(trials[k], mean); own < least)
             best = k, least = own;
+    }
     if (best > 0 && std::ranges::any_of(guide.lights, [](auto &grid) { return grid.has_value(); }))
         guide = pilot.learn(roundsOfFrame);
     return plans[best];
