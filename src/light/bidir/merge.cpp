@@ -158,7 +158,8 @@ void merge(PathWave &path) {
                 addPairs(wave);
         }
     }
-    addPairs(wave);
+    if (own.count > 0)
+        addPairs(wave);
     chunk.gather({own.value[0], own.value[1], own.value[2]});
 }
 

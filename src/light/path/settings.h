@@ -40,7 +40,7 @@ struct MergingPlan {
     bool isUsed() const { return radius > 0; }
     /// The samples of a pixel that have been taken when the round ends that begins with `first`.
     int roundEnd(int first) const { return (first / samplesOfRound + 1) * samplesOfRound; }
-    /// Of that round: discs shrink by the fourth root of the rounds, so that in the end there is no
+    /// Of that round: areas shrink by the fourth root of the rounds, so that in the end there is no
     /// bias, and few paths are merged with the later ones (Knaus and Zwicker 2011, alpha = 3/4).
     float radiusAt(int first) const {
         const double rounds = 1 + first / samplesOfRound;
