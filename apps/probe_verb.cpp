@@ -141,8 +141,10 @@ void addQuestion(CLI::App &probe, Arguments &a) {
 
 void addScene(CLI::App &probe, Arguments &a) {
     RenderSettings &r = a.settings.render;
-    probe.add_option("--integrator", a.integrator, "path or classic; default: as the RIB has it")
-        ->check(CLI::IsMember({"path", "classic"}));
+    probe
+        .add_option("--integrator", a.integrator,
+                    "path, bidir, vcm or classic; default: as the RIB has it")
+        ->check(CLI::IsMember({"path", "bidir", "vcm", "classic"}));
     probe.add_option("--threads", r.threads, "Threads; default: all cores")
         ->check(CLI::Range(1, 1024));
     probe.add_option("--seed", r.seed, "Seed of all random choices; default 0");

@@ -60,8 +60,8 @@ void addRender(CLI::App &app, int &status) {
         ->check(CLI::Range(1, 1024));
     app.add_option("--seed", s.seed, "Seed of all random choices; default 0");
     app.add_option("--integrator", a.integrator,
-                   "path, bidir, radiosity or classic; default: as the RIB has it")
-        ->check(CLI::IsMember({"path", "bidir", "radiosity", "classic"}));
+                   "path, bidir, vcm, radiosity or classic; default: as the RIB has it")
+        ->check(CLI::IsMember({"path", "bidir", "vcm", "radiosity", "classic"}));
     app.add_option("--crop", a.crop, "X0,X1,Y0,Y1: part of the frame, 0 to 1 from the top left")
         ->check(CLI::Validator(checked(parseCrop, "X0,X1,Y0,Y1 within 0 and 1"), ""));
     app.add_option(

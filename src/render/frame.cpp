@@ -20,7 +20,7 @@ namespace candela {
 
 namespace {
 
-/// Option "bidir": how many of its paths begin on lights.
+/// Options "bidir" and "vcm": how many paths begin on lights, and what becomes of them.
 BidirectionalWishes wishesOf(const NamedParameters &named) {
     BidirectionalWishes wishes;
     if (const double paths = named.number("bidir:lightpaths", -1); paths >= 0)
@@ -28,6 +28,10 @@ BidirectionalWishes wishesOf(const NamedParameters &named) {
     if (const double connections = named.number("bidir:connections", -1); connections >= 0)
         wishes.connections = int(connections);
     wishes.trust = named.number("bidir:trust", 1);
+    wishes.merges = named.string("render:integrator", "") == "vcm";
+    if (const double radius = named.number("vcm:radius", 0); radius > 0)
+        wishes.radius = float(radius);
+    wishes.trustInMerging = named.number("vcm:trust", 1);
     return wishes;
 }
 
@@ -73,14 +77,14 @@ IntegratorSettings integratorSettings(const Scene &scene, const RenderSettings &
     return result;
 }
 
-const char *nameOf(IntegratorKind kind) {
-    switch (kind) {
+const char *nameOf(const IntegratorSettings &settings) {
+    switch (settings.kind) {
     case IntegratorKind::Classic: return "classic";
     case IntegratorKind::Path: return "path";
     case IntegratorKind::Radiosity: return "radiosity";
     case IntegratorKind::Bidirectional: break;
     }
-    return "bidir";
+    return settings.bidirectional.merges ? "vcm" : "bidir";
 }
 
 FrameDescription describe(const Scene &scene, const IntegratorSettings &integrator,
@@ -88,7 +92,7 @@ FrameDescription describe(const Scene &scene, const IntegratorSettings &integrat
     FrameDescription description;
     description.metadata = {{"renderer", "Candela"},
                             {"scene", std::filesystem::path(file).filename().string()},
-                            {"integrator", nameOf(integrator.kind)},
+                            {"integrator", nameOf(integrator)},
                             {"spp", std::to_string(integrator.lastSample)},
                             {"seed", std::to_string(integrator.seed)},
                             {"maxdepth", std::to_string(integrator.maxDepth)},

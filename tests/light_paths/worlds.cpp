@@ -16,6 +16,21 @@ const std::string plasticBall =
           "Sphere .4 -.4 .4 360\n");
 const std::string sheet = "Polygon \"P\" [-.8 .1 -.8 .8 .1 -.8 .8 .2 .8 -.8 .2 .8]\n";
 
+const std::string fog =
+    "Atmosphere \"fog\" \"float distance\" [1.5] \"color background\" [.01 .02 .01]\n";
+/// The volume of a body.
+const std::string inside =
+    "Interior \"absorption\" \"color transmittance\" [.1 .4 .2] \"float distance\" [.3]\n";
+
+/// Lets most light through and holds a volume: what 30 cm leave of white light.
+std::string shell(const std::string &transmittance, const std::string &shape) {
+    return block("Surface \"matte\" \"Ka\" [0] \"Kd\" [.5]\nOpacity .2 .2 .2\n"
+                 "Interior \"absorption\" \"color transmittance\" [" +
+                 transmittance + "] \"float distance\" [.3]\n" + shape);
+}
+const std::string innerBall = block("Surface \"matte\" \"Ka\" [0] \"Kd\" [.7]\n"
+                                    "Translate -.1 -.3 0\nSphere .35 -.35 .35 360\n");
+
 std::string bodyOf(const std::string &surface, const std::string &shape) {
     return block("Surface " + surface + "\nTranslate -.3 -.5 .1\n" + shape);
 }
@@ -43,6 +58,16 @@ std::vector<World> lampsOfEachShape() {
                        lamp("Translate .2 .4 .1\nRotate 60 1 0 0\n" + std::string(shape), 5,
                             "\"float onesided\" [0]") +
                            room()});
+    return all;
+}
+
+/// Surfaces of the library that no other world has.
+std::vector<World> otherSurfaces() {
+    std::vector<World> all;
+    for (const char *name : {"defaultsurface", "metal", "paintedmatte", "paintedplastic", "phong"})
+        all.push_back({"SurfaceOf" + std::string(name), "",
+                       lamp(ceilingLamp, 10) + room() +
+                           bodyOf("\"" + std::string(name) + "\"", "Sphere .45 -.45 .45 360\n")});
     return all;
 }
 
@@ -107,6 +132,8 @@ std::vector<World> worlds() {
         {"RoughMetal", "",
          lamp(ceilingLamp, 10) + walls +
              bodyOf("\"roughmetal\" \"alpha\" [.2]", "Sphere .45 -.45 .45 360\n")},
+        {"TwoScatterings", "Option \"trace\" \"integer maxdepth\" [2]\n",
+         lamp(ceilingLamp, 10) + walls + plasticBall},
         {"Mirror", "",
          lamp(ceilingLamp, 10) + walls + bodyOf("\"mirror\"", "Sphere .4 -.4 .4 360\n")},
         {"Glass", "",
@@ -131,10 +158,39 @@ std::vector<World> worlds() {
                    "ObjectInstance 1\n") +
              block("Surface \"matte\" \"Ka\" [0]\nTranslate .4 -.3 .3\nScale .4 .7 .3\n"
                    "ObjectInstance 1\n")},
+        {"Fog", "", fog + lamp(ceilingLamp, 10) + walls + plasticBall},
+        {"FogUnderAPoint", "", fog + pointLight(2, ".2 .5 0") + walls + plasticBall},
+        {"FogUnderASun", "",
+         fog +
+             "LightSource \"distantlight\" 2 \"float intensity\" [3] \"point from\" [.3 .5 -1] "
+             "\"point to\" [0 0 0]\n" +
+             walls + plasticBall},
+        {"FogBehindAGlassySheet", "",
+         fog + lamp(ball, 20) + walls +
+             block("Atmosphere \"fog\" \"float distance\" [1]\nSurface \"matte\" \"Ka\" [0] \"Kd\" "
+                   "[.5]\nOpacity .3 .6 .8\n" +
+                   sheet)},
+        {"FogFromTheEyeOn", "Clipping 2 100\n", fog + lamp(ceilingLamp, 10) + walls},
+        {"DarkGlass", "",
+         lamp("Translate .4 .6 -.2\nSphere .2 -.2 .2 360\n", 8) + walls +
+             bodyOf("\"glass\"\n" + inside, "Sphere .45 -.45 .45 360\nInterior \"null\"\nSurface "
+                                            "\"matte\" \"Ka\" [0] \"Kd\" [.7]\n"
+                                            "Sphere .25 -.25 .25 360\n")},
+        {"LampInAColoredBody", "",
+         shell(".1 .4 .2", "Sphere .9 -.9 .9 360\n") + lamp(ball, 40) + innerBall + walls},
+        {"BallInAColoredBody", "",
+         lamp("Translate .6 .8 -.6\nSphere .1 -.1 .1 360\n", 40) +
+             shell(".1 .4 .2", "Translate 0 -.3 0\nSphere .6 -.6 .6 360\n") + innerBall + walls},
+        {"BodiesThatOverlap", "",
+         lamp("Translate -.8 .6 -.2\nSphere .1 -.1 .1 360\n", 40) +
+             shell(".6 .95 .8", "Translate .1 -.1 .1\nSphere .6 -.6 .6 360\n") +
+             shell(".95 .6 .8", "Translate .25 -.2 .1\nSphere .6 -.6 .6 360\n") + walls},
+        {"BodyInFog", "",
+         fog + lamp(ball, 20) + walls + bodyOf("\"glass\"\n" + inside, "Sphere .4 -.4 .4 360\n")},
         {"TwoKindsOfLight", "", lamp(ceilingLamp, 3) + pointLight(2, "-.5 0 -.5") + walls},
     };
-    const std::vector<World> shapes = lampsOfEachShape();
-    all.insert(all.end(), shapes.begin(), shapes.end());
+    for (const std::vector<World> &more : {lampsOfEachShape(), otherSurfaces()})
+        all.insert(all.end(), more.begin(), more.end());
     return all;
 }
 

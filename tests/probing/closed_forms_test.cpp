@@ -89,9 +89,10 @@ class ClosedForm : public testing::TestWithParam<Row> {};
 
 } // namespace
 
-TEST_P(ClosedForm, IsAnswered) {
-    const Row &row = GetParam();
-    const Probed probed = probe(siWorld(row.world), row.point, {"--spp", "65536"});
+static void expectAnswer(const Row &row, const std::string &integrator) {
+    SCOPED_TRACE(integrator);
+    const Probed probed =
+        probe(siWorld(row.world), row.point, {"--spp", "65536", "--integrator", integrator});
     ASSERT_EQ(probed.run.status, 0) << probed.run.text();
     ASSERT_EQ(probed.answers.size(), 1u) << probed.run.text();
     const Answer &a = probed.answers[0];
@@ -101,6 +102,11 @@ TEST_P(ClosedForm, IsAnswered) {
     EXPECT_EQ(a.R, a.B);
     EXPECT_EQ(a.samples, 65536);
     EXPECT_LE(a.halfWidth, 179 * row.tolerance * row.expected);
+}
+
+TEST_P(ClosedForm, IsAnswered) {
+    for (const char *integrator : {"path", "bidir"})
+        expectAnswer(GetParam(), integrator);
 }
 
 INSTANTIATE_TEST_SUITE_P(Probe, ClosedForm, testing::ValuesIn(rows()),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every case is rendered by the program itself with seeds that are fixed here, and judged by
-// Student's t over them. All intervals of the suite together have the chance 1e-3 to miss.
+// Student's t over them; those in si units once more from both ends. All intervals of the suite
+// together have the chance 1e-3 to miss.
 #include "foundation/base/student.h"
 #include "image/picture_file.h"
 #include "tests/support/program.h"
@@ -32,10 +33,22 @@ double tolerance(Accuracy accuracy) {
     return 0;
 }
 
+/// Those that mean the same to `bidir`, but for lamps that are surfaces: to paths from lights they
+/// are what area lights are.
+std::vector<Case> casesFromBothEnds() {
+    std::vector<Case> cases = allCases();
+    std::erase_if(cases, [](const Case &each) {
+        return each.options.find(siUnits) == std::string::npos ||
+               each.name.find("Surface") != std::string::npos;
+    });
+    return cases;
+}
+
 std::size_t comparisons() {
     std::size_t count = 0;
-    for (const Case &each : allCases())
-        count += each.probes.size();
+    for (const std::vector<Case> &cases : {allCases(), casesFromBothEnds()})
+        for (const Case &each : cases)
+            count += each.probes.size();
     return count;
 }
 
@@ -80,14 +93,24 @@ double meanOfGrey(const std::string &path) {
 /// results[probe][seed]
 using Results = std::vector<std::vector<double>>;
 
-Results render(const Case &test) {
+/// By the integrator that the case has, or another one.
+Results render(const Case &test, const std::vector<std::string> &integrator = {}) {
     ScratchFolder folder;
     std::string rib = folder.write(test.name + ".rib", ribOf(test));
     Results results(test.probes.size());
     for (int seed = 1; seed <= seeds; ++seed) {
-        Outcome run = runCandela({rib, "--quiet", "--threads", "1", "--seed", std::to_string(seed),
-                                  "--output-dir", folder.path(), "--shader-path",
-                                  CANDELA_SOURCE_DIR "/tests/validation/shaders"});
+        std::vector<std::string> words{rib,
+                                       "--quiet",
+                                       "--threads",
+                                       "1",
+                                       "--seed",
+                                       std::to_string(seed),
+                                       "--output-dir",
+                                       folder.path(),
+                                       "--shader-path",
+                                       CANDELA_SOURCE_DIR "/tests/validation/shaders"};
+        words.insert(words.end(), integrator.begin(), integrator.end());
+        Outcome run = runCandela(words);
         EXPECT_EQ(run.status, 0) << run.text();
         if (run.status != 0)
             return {};
@@ -116,12 +139,18 @@ void judge(const Probe &probe, Accuracy accuracy, const std::vector<double> &val
 
 class Validation : public testing::TestWithParam<Case> {};
 
-TEST_P(Validation, AgreesWithTheClosedForm) {
-    const Case &test = GetParam();
-    Results results = render(test);
+void judgeAll(const Case &test, const Results &results) {
     ASSERT_EQ(results.size(), test.probes.size());
     for (std::size_t i = 0; i < results.size(); ++i)
         judge(test.probes[i], test.accuracy, results[i]);
+}
+
+TEST_P(Validation, AgreesWithTheClosedForm) { judgeAll(GetParam(), render(GetParam())); }
+
+class FromBothEnds : public Validation {};
+
+TEST_P(FromBothEnds, AgreesWithTheClosedForm) {
+    judgeAll(GetParam(), render(GetParam(), {"--integrator", "bidir"}));
 }
 
 std::string nameOf(const testing::TestParamInfo<Case> &info) { return info.param.name; }
@@ -129,6 +158,7 @@ std::string nameOf(const testing::TestParamInfo<Case> &info) { return info.param
 INSTANTIATE_TEST_SUITE_P(Furnace, Validation, testing::ValuesIn(furnaceCases()), nameOf);
 INSTANTIATE_TEST_SUITE_P(DirectLight, Validation, testing::ValuesIn(directLightCases()), nameOf);
 INSTANTIATE_TEST_SUITE_P(Units, Validation, testing::ValuesIn(unitCases()), nameOf);
+INSTANTIATE_TEST_SUITE_P(BothEnds, FromBothEnds, testing::ValuesIn(casesFromBothEnds()), nameOf);
 
 } // namespace
 

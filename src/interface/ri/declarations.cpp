@@ -228,6 +228,8 @@ std::optional<Declaration> Dictionary::standard(const std::string &name) {
             {"radiosity:leastelement", "float"},
             {"radiosity:order", "integer"},
             {"radiosity:samples", "integer"},
+            {"vcm:radius", "float"},
+            {"vcm:trust", "float"},
             {"light:units", "string"},
             {"light:shadows", "string"},
             {"identifier:name", "string"},

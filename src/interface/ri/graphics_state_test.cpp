@@ -264,6 +264,7 @@ TEST_F(State, integratorsAreChecked) {
     };
     integrator("path");
     integrator("bidir");
+    integrator("vcm");
     integrator("classic");
     EXPECT_EQ(found.all().size(), 0u);
     integrator("radiosity");

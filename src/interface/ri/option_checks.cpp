@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "interface/ri/option_checks.h"
 
+#include <limits>
 #include <map>
 
 namespace candela {
@@ -22,9 +23,9 @@ struct GivenOption {
 
 bool integrator(const GivenOption &given) {
     const std::string name = given.text();
-    if (name != "path" && name != "classic" && name != "bidir" && name != "radiosity")
+    if (name != "path" && name != "classic" && name != "bidir" && name != "vcm" && name != "radiosity")
         given.wrong("there is no integrator \"" + name +
-                    "\": the known ones are \"path\", \"bidir\", \"radiosity\" and \"classic\"; "
+                    "\": the known ones are \"path\", \"bidir\", \"vcm\", \"radiosity\" and \"classic\"; "
                     "taking \"path\"");
     return true;
 }
@@ -114,6 +115,18 @@ bool directSamples(const GivenOption &given) {
                        "of an element takes, a number from 1 to 4096");
 }
 
+bool mergingRadius(const GivenOption &given) {
+    return isWithin(given, std::numeric_limits<float>::min(), std::numeric_limits<float>::max()) ||
+           given.wrong("\"vcm\" \"radius\" is how far points that are merged lie apart at first, "
+                       "in metres, a number above 0");
+}
+
+bool mergingTrust(const GivenOption &given) {
+    return isWithin(given, 1e-6f, 1e6f) ||
+           given.wrong("\"vcm\" \"trust\" is what merging counts in weights besides its number, a "
+                       "number from 0.000001 to 1000000");
+}
+
 bool textureMemory(const GivenOption &given) {
     return isWithin(given, 0, float(1 << 30)) ||
            given.wrong("\"limits\" \"texturememory\" is how many kibibytes of textures are kept, "
@@ -139,6 +152,8 @@ bool checkOption(RequestDiagnostics &diagnostics, const SourceLocation &where,
         {"shading:highlights", highlights},
         {"shading:loopturns", loopTurns},
         {"trace:maxdepth", maxDepth},
+        {"vcm:radius", mergingRadius},
+        {"vcm:trust", mergingTrust},
     };
     const auto check = checks.find(category + ":" + parameter.name);
     return check == checks.end() || check->second({diagnostics, where, parameter});

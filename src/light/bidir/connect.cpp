@@ -16,8 +16,8 @@ namespace candela {
 namespace {
 
 constexpr Stage eyeStages[] = {
-    meet,       arrive, cross,   emit,    ask,    see, seeOutputParameters,
-    stateLobes, light,  connect, scatter, deliver};
+    meet,       arrive, cross,   emit,  ask,     see,    seeOutputParameters,
+    stateLobes, light,  connect, merge, scatter, deliver};
 constexpr Stage gatheringStages[] = {meet,
                                      arrive,
                                      cross,
@@ -35,7 +35,7 @@ constexpr double pi = std::numbers::pi;
 int draw(EyeWave &wave, int turn) {
     VertexChunk &chunk = wave.chunk;
     Connections &own = wave.own;
-    const std::vector<LightVertex> &rows = wave.lightVertices.rows;
+    const std::vector<LightVertex> &rows = wave.lightVertices->rows;
     const int count = chunk.count();
     randomBits(count, chunk.paths.pixelKey, chunk.paths.sampleIndex,
                0x9e3779b9u + std::uint32_t(wave.vertex * wave.connections + turn), own.bits[0]);
@@ -113,7 +113,7 @@ void meetFar(EyeWave &wave, const std::int32_t *lane, int count) {
     own.farRays.count = count;
     for (int k = 0; k < count; ++k) {
         const int i = lane[k];
-        const LightVertex &vertex = wave.lightVertices.rows[own.vertex[i]];
+        const LightVertex &vertex = wave.lightVertices->rows[own.vertex[i]];
         for (int c = 0; c < 3; ++c) {
             own.farRays.origin[c][k] = P[c][i];
             own.farRays.direction[c][k] = own.direction[c][i];
@@ -129,7 +129,7 @@ void meetFar(EyeWave &wave, const std::int32_t *lane, int count) {
     }
     std::int32_t *order = own.farIntegers[0];
     std::iota(order, order + count, 0);
-    own.far.meet(wave.frame.scene, wave.lightVertices.rows[own.vertex[lane[0]]].code, own.farRays,
+    own.far.meet(wave.frame.scene, wave.lightVertices->rows[own.vertex[lane[0]]].code, own.farRays,
                  own.farHits, order, count);
 }
 
@@ -147,7 +147,7 @@ void weigh(EyeWave &wave, const std::int32_t *lane, int count) {
     float *reversePdf = floats[9], *pdf = floats[10];
     std::int32_t *light = own.farIntegers[1];
     for (int k = 0; k < count; ++k) {
-        const LightVertex &vertex = wave.lightVertices.rows[own.vertex[lane[k]]];
+        const LightVertex &vertex = wave.lightVertices->rows[own.vertex[lane[k]]];
         for (int c = 0; c < 3; ++c) {
             toPrevious[c][k] = vertex.toPrevious[c];
             along[c][k] = -vertex.toPrevious[c] * vertex.distance;
@@ -169,19 +169,19 @@ void weigh(EyeWave &wave, const std::int32_t *lane, int count) {
 
     const ConstVec3Planes Ng = chunk.vertices.input(ShaderInput::Ng);
     const ConstVec3Planes farNg = own.far.input(ShaderInput::Ng);
-    const double tries = square(ends.counts.connections);
-    const double scale = double(wave.lightVertices.rows.size()) /
-                         (double(wave.lightVertices.paths) * wave.connections);
+    const double tries = square(ends.counts.connections), merged = square(ends.counts.merging);
+    const double scale = double(wave.lightVertices->rows.size()) /
+                         (double(wave.lightVertices->paths) * wave.connections);
     for (int k = 0; k < count; ++k) {
         const int i = lane[k];
-        const LightVertex &vertex = wave.lightVertices.rows[own.vertex[i]];
+        const LightVertex &vertex = wave.lightVertices->rows[own.vertex[i]];
         const Vec3 direction = at(constant(own.direction), i);
         const double perArea = 1 / square(own.distance[i]);
         const double out = std::fabs(double(dot(direction, at(farNg, k))));
         const double in = std::fabs(double(dot(vertex.toPrevious, at(farNg, k))));
         const double fromEye =
             square(own.eyePdf[i] * out * perArea) *
-            (vertex.last + square(double(reversePdf[k]) * vertex.back) * vertex.earlier);
+            (vertex.last + merged + square(double(reversePdf[k]) * vertex.back) * vertex.earlier);
         const double reached = pdf[k] * std::fabs(double(dot(direction, at(Ng, i)))) * perArea;
         const double fromLight = techniquesBefore(ends, i, reached, own.eyeReversePdf[i]);
         const double weight = misWeightAmong(1, (fromEye + fromLight) / tries);
@@ -207,8 +207,15 @@ void shadow(EyeWave &wave, int count) {
     VertexChunk &chunk = wave.chunk;
     chunk.vertices.rayOrigins(constant(own.direction), own.origin);
     const float *time = chunk.vertices.points.input(int(ShaderInput::time));
+    const Scene &scene = wave.frame.scene;
+    const bool inMedia = scene.hasVolumes();
     for (int k = 0; k < count; ++k) {
         const int i = own.lane[k];
+        if (inMedia) {
+            const LightVertex &far = wave.lightVertices->rows[own.vertex[i]];
+            own.media.set(k, chunk.vertices.mediaAlong(i, constant(own.direction)),
+                          scene.mediaOf(far.instance, far.shape));
+        }
         for (int c = 0; c < 3; ++c) {
             own.shadow.origin[c][k] = own.origin[c][i];
             own.shadow.direction[c][k] = own.end[c][i] - own.origin[c][i];
@@ -219,7 +226,8 @@ void shadow(EyeWave &wave, int count) {
     float *planes[colorSamples];
     for (int c = 0; c < colorSamples; ++c)
         planes[c] = own.transmittance[c];
-    const bool colored = wave.frame.scene.transmittance(own.shadow, planes);
+    const ShadowMedia media = own.media.media(false);
+    const bool colored = scene.transmittance(own.shadow, planes, inMedia ? &media : nullptr);
     wave.frame.statistics.shadowRays += count;
     for (int c = 0; c < colorSamples; ++c)
         for (int k = 0; k < count; ++k)
@@ -229,7 +237,7 @@ void shadow(EyeWave &wave, int count) {
 void connectOnce(EyeWave &wave, int turn) {
     VertexChunk &chunk = wave.chunk;
     Connections &own = wave.own;
-    const std::vector<LightVertex> &rows = wave.lightVertices.rows;
+    const std::vector<LightVertex> &rows = wave.lightVertices->rows;
     for (int c = 0; c < colorSamples; ++c)
         std::fill_n(own.value[c], chunk.count(), 0.0f);
     int count = draw(wave, turn);
@@ -271,7 +279,7 @@ Connections::Connections(int capacity)
       response(colorSamples, capacity), value(colorSamples, capacity), far(capacity),
       farRays(capacity), farHits(capacity), fromEye(capacity), fromLight(capacity),
       farFloats(14, capacity), farResponse(colorSamples, capacity), farIntegers(2, capacity),
-      shadow(capacity), transmittance(colorSamples, capacity) {
+      shadow(capacity), media(capacity), transmittance(colorSamples, capacity) {
     vertex = integers[0], lane = integers[1], answered = integers[2];
     std::fill_n(answered, integers.lanes(), finiteRequests);
     direction = {floats[0], floats[1], floats[2]};
@@ -281,8 +289,8 @@ Connections::Connections(int capacity)
 
 EyeWave::EyeWave(FrameContext &frame, const TechniqueCounts &counts, const LightVertices &vertices,
                  int connections)
-    : PathWave(frame, Purpose::Camera, stagesOfEye, counts), lightVertices(vertices),
-      connections(connections), own(VertexChunk::capacity) {}
+    : PathWave(frame, Purpose::Camera, stagesOfEye, counts), lightVertices(&vertices),
+      connections(connections), own(VertexChunk::capacity), merging(VertexChunk::capacity) {}
 
 std::span<const Stage> stagesOfEye(const PathWave &, const ShaderCode &code) {
     return code.facts().affine ? std::span<const Stage>(eyeStages) : gatheringStages;
@@ -290,7 +298,7 @@ std::span<const Stage> stagesOfEye(const PathWave &, const ShaderCode &code) {
 
 void connect(PathWave &path) {
     EyeWave &wave = static_cast<EyeWave &>(path); // Stages of the eye serve eye waves alone.
-    if (wave.lightVertices.rows.empty() || wave.connections == 0)
+    if (wave.lightVertices->rows.empty())
         return;
     for (int turn = 0; turn < wave.connections; ++turn)
         connectOnce(wave, turn);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A wave of camera paths whose vertices are connected with those of light paths.
+// A wave of camera paths whose vertices are connected and merged with those of light paths.
 #pragma once
 
+#include "light/bidir/far_media.h"
 #include "light/bidir/light_vertices.h"
 #include "light/path/wave.h"
 
@@ -31,15 +32,37 @@ struct Connections {
     Planes<float> farFloats, farResponse;
     Planes<std::int32_t> farIntegers;
     RayBatch shadow;
+    FarMedia media;
     Planes<float> transmittance;
+};
+
+/// What the merge stage works with: pairs of a vertex of the chunk and a light vertex, packed.
+struct Merging {
+    explicit Merging(int capacity);
+
+    std::vector<std::int32_t> found; ///< Light vertices around one of the chunk's.
+    int count = 0;                   ///< Of the pairs.
+    Planes<std::int32_t> integers;
+    std::int32_t *lane, *row;          ///< Of the chunk and of the light vertices.
+    std::int32_t *light, *answered;    ///< What the light vertex has; finiteRequests.
+    std::int32_t *unlike, *unlikeLane; ///< Pairs that more techniques find, and lanes of those.
+    Planes<float> floats;
+    MutableVec3Planes direction; ///< Against the light that has met the light vertex.
+    MutableVec3Planes along, toPrevious;
+    float *eyePdf, *eyeReversePdf, *reversePdf;
+    Planes<float> response, value; ///< Of pairs; of the chunk's vertices.
+    ConeMixture mixture;
+    bool approached = false;
+    VertexView fromLight;
 };
 
 struct EyeWave : PathWave {
     EyeWave(FrameContext &, const TechniqueCounts &, const LightVertices &, int connections);
 
-    const LightVertices &lightVertices;
+    const LightVertices *lightVertices;
     int connections; ///< Light vertices that each vertex is connected with.
     Connections own;
+    Merging merging;
 };
 
 /// The stages of such camera paths.
@@ -47,5 +70,7 @@ std::span<const Stage> stagesOfEye(const PathWave &, const ShaderCode &);
 
 /// Stage: each vertex with some light vertices, drawn from all of the pass alike.
 void connect(PathWave &);
+/// Stage: each vertex with all light vertices around it.
+void merge(PathWave &);
 
 } // namespace candela

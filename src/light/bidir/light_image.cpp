@@ -48,8 +48,11 @@ void traceFromLens(LightWave &wave, int count) {
     VertexChunk &chunk = wave.chunk;
     chunk.vertices.rayOrigins(constant(image.towardsLens), image.end);
     const float *time = chunk.vertices.points.input(int(ShaderInput::time));
+    const bool inMedia = wave.frame.scene.hasVolumes();
     for (int k = 0; k < count; ++k) {
         const int i = image.lane[k];
+        if (inMedia)
+            image.media.set(k, {}, chunk.vertices.mediaOf(i));
         const Vec3 lens = at(constant(image.sights.origin), i);
         const Vec3 way = at(constant(image.end), i) - lens;
         for (int c = 0; c < 3; ++c)
@@ -62,7 +65,8 @@ void traceFromLens(LightWave &wave, int count) {
     float *planes[colorSamples];
     for (int c = 0; c < colorSamples; ++c)
         planes[c] = image.transmittance[c];
-    if (!wave.frame.scene.transmittance(image.rays, planes))
+    const ShadowMedia media = image.media.media(true);
+    if (!wave.frame.scene.transmittance(image.rays, planes, inMedia ? &media : nullptr))
         for (int c = 1; c < colorSamples; ++c)
             std::copy_n(planes[0], count, planes[c]);
     wave.frame.statistics.shadowRays += count;
@@ -157,7 +161,7 @@ int LightTally::cellAt(float x, float y) const {
 
 LightImage::LightImage(int capacity)
     : floats(13, capacity), response(colorSamples, capacity), seen(colorSamples, capacity),
-      integers(2, capacity), rays(capacity), ways(6, capacity),
+      integers(2, capacity), rays(capacity), media(capacity), ways(6, capacity),
       transmittance(colorSamples, capacity) {
     sights.origin = {floats[0], floats[1], floats[2]};
     sights.direction = {floats[3], floats[4], floats[5]};

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <numbers>
 
 namespace candela {
 
@@ -36,10 +37,24 @@ void bringSplats(LightWave &wave, int paths) {
     wave.sink.add(batch);
 }
 
+void sortIntoCells(float radius, LightVertices &vertices) {
+    std::vector<Vec3> places;
+    places.reserve(vertices.rows.size());
+    for (const LightVertex &vertex : vertices.rows)
+        places.push_back(vertex.P);
+    vertices.cells = MergeCells(places, radius);
+    std::vector<LightVertex> sorted;
+    sorted.reserve(vertices.rows.size());
+    for (std::int32_t row : vertices.cells.order())
+        sorted.push_back(vertices.rows[std::size_t(row)]);
+    vertices.rows = std::move(sorted);
+}
+
 } // namespace
 
 LightPass::LightPass(FrameContext &frame, const BidirectionalPlan &plan, SampleSink &sink)
-    : frame_(frame), plan_(plan), sink_(sink), waves_(std::max(1, threadCount())) {}
+    : frame_(frame), plan_(plan), counts_(plan.counts()), sink_(sink),
+      waves_(std::max(1, threadCount())) {}
 
 void LightPass::run(int first, int last) {
     const std::int64_t begin = pathsBefore(frame_.scene, plan_, first);
@@ -47,12 +62,17 @@ void LightPass::run(int first, int last) {
     const std::size_t waves = std::size_t((end - begin + pathsOfWave - 1) / pathsOfWave);
     const std::size_t keeping =
         std::min(waves, std::size_t((mostKeptPaths + pathsOfWave - 1) / pathsOfWave));
+    vertices_.paths = std::min<std::int64_t>(end - begin, std::int64_t(keeping) * pathsOfWave);
+    const float radius = plan_.merging.isUsed() ? plan_.merging.radiusAt(first) : 0;
+    counts_.merging =
+        plan_.merging.trust * std::numbers::pi * radius * radius * double(vertices_.paths);
     std::vector<std::vector<LightVertex>> kept(keeping);
     std::atomic<std::size_t> next{0};
     parallelFor(waves_.size(), [&](std::size_t thread) {
         if (!waves_[thread])
-            waves_[thread] = std::make_unique<LightWave>(frame_, plan_.counts(), sink_);
+            waves_[thread] = std::make_unique<LightWave>(frame_, counts_, sink_);
         LightWave &wave = *waves_[thread];
+        wave.subpaths->counts = counts_;
         for (std::size_t at; (at = next++) < waves;) {
             const std::int64_t from = begin + std::int64_t(at) * pathsOfWave;
             const int count = int(std::min<std::int64_t>(pathsOfWave, end - from));
@@ -65,9 +85,10 @@ void LightPass::run(int first, int last) {
         }
     });
     vertices_.rows.clear();
-    vertices_.paths = std::min<std::int64_t>(end - begin, std::int64_t(keeping) * pathsOfWave);
     for (const std::vector<LightVertex> &rows : kept)
         vertices_.rows.insert(vertices_.rows.end(), rows.begin(), rows.end());
+    if (radius > 0)
+        sortIntoCells(radius, vertices_);
 }
 
 } // namespace candela

@@ -17,10 +17,13 @@ public:
     /// Follows the light paths that belong to the samples [first, last) of all the frame's pixels.
     void run(int first, int last);
     const LightVertices &vertices() const { return vertices_; }
+    /// How often each technique is tried with them.
+    const TechniqueCounts &counts() const { return counts_; }
 
 private:
     FrameContext &frame_;
     BidirectionalPlan plan_;
+    TechniqueCounts counts_;
     SampleSink &sink_;
     LightVertices vertices_;
     std::vector<std::unique_ptr<LightWave>> waves_; ///< One a thread.

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where light paths have met surfaces: what camera paths are connected to. A row each, compact;
-// shading points are made from it again.
+// Where light paths have met surfaces: what camera paths are connected to and merged with. A row
+// each, compact; shading points are made from it again.
 #pragma once
 
 #include "foundation/base/vec3.h"
 #include "foundation/units/color.h"
+#include "light/bidir/merge_cells.h"
 
 #include <array>
 #include <cstdint>
@@ -18,6 +19,7 @@ struct LightVertex {
     float u, v;
     Vec3 elementNormal;
     Vec3 P;
+    Vec3 Ng;                              ///< Unit vector.
     Vec3 toPrevious;                      ///< Unit vector, against the light.
     float distance;                       ///< To there, metres.
     float time, width;                    ///< Of the ray, where it met the surface.
@@ -29,10 +31,11 @@ struct LightVertex {
     std::int32_t code;  ///< Of its shader.
 };
 
-/// Those of a pass, in the order of their paths.
+/// Those of a pass, in the order of their paths, or of the cells if there are any.
 struct LightVertices {
     std::vector<LightVertex> rows;
     std::int64_t paths = 0; ///< That they come from, those that met nothing among them.
+    MergeCells cells;       ///< The rows, where they lie; empty unless they are merged with.
 };
 
 } // namespace candela

@@ -16,10 +16,10 @@ namespace candela {
 
 namespace {
 
-constexpr Stage lightStages[] = {meet, arrive,       askAgainstLight, receive,
-                                 keep, showToCamera, scatterLight};
+constexpr Stage lightStages[] = {meet,    arrive, crossAgainstLight, askAgainstLight,
+                                 receive, keep,   showToCamera,      scatterLight};
 /// Shaders that are not affine in the light take none from paths that begin on lights.
-constexpr Stage passingStages[] = {meet, arrive, askAgainstLight, scatterLight};
+constexpr Stage passingStages[] = {meet, arrive, crossAgainstLight, askAgainstLight, scatterLight};
 
 /// The dimension pairs of a start; those of vertices come behind, as in camera paths.
 enum StartPair { placePair, wayPair, choicePair };
@@ -110,6 +110,8 @@ void startLight(LightWave &wave, std::int64_t first, int count) {
     }
     active.count = active.rays.count = paths;
     active.rays.shares = nullptr;
+    if (wave.frame.scene.hasVolumes())
+        enterMedia(wave);
     spreadOfDirections(paths, active.history.pdf, active.rays.spread);
     wave.chunk.vertices.speak(false);
     wave.frame.statistics.lightPaths += count;
@@ -195,11 +197,14 @@ void receive(PathWave &path) {
 void keep(PathWave &path) {
     LightWave &wave = static_cast<LightWave &>(path);
     VertexChunk &chunk = wave.chunk;
-    if (!wave.keeps || !(wave.subpaths->counts.connections > 0) ||
+    const Subpaths &ends = *wave.subpaths;
+    const bool merges = ends.counts.merging > 0;
+    if (!wave.keeps || !(merges || ends.counts.connections > 0) ||
         !chunk.vertices.code().facts().hasLoops)
         return;
-    const Subpaths &ends = *wave.subpaths;
-    const ConstVec3Planes P = chunk.vertices.P();
+    /// Where a camera path takes over, it scatters at the vertex itself, or at its own before.
+    const int scatterings = merges ? 1 : 2;
+    const ConstVec3Planes P = chunk.vertices.P(), Ng = chunk.vertices.input(ShaderInput::Ng);
     const float *time = chunk.vertices.points.input(int(ShaderInput::time));
     for (int i = 0; i < chunk.count(); ++i) {
         LightVertex vertex;
@@ -208,15 +213,15 @@ void keep(PathWave &path) {
             vertex.flux[c] = chunk.paths.throughput[c][i];
             bright |= vertex.flux[c] != 0, sound &= bool(std::isfinite(vertex.flux[c]));
         }
-        if (!bright || !sound || chunk.paths.depth[i] + 1 >= wave.frame.settings.maxDepth)
+        if (!bright || !sound || chunk.paths.depth[i] + scatterings > wave.frame.settings.maxDepth)
             continue;
         const int ray = chunk.rays[i];
         const HitBatch &hits = wave.hits;
         vertex.shape = hits.shape[ray], vertex.element = hits.element[ray];
         vertex.instance = hits.instance[ray], vertex.u = hits.u[ray], vertex.v = hits.v[ray];
         vertex.elementNormal = {hits.Ng[0][ray], hits.Ng[1][ray], hits.Ng[2][ray]};
-        vertex.P = {P[0][i], P[1][i], P[2][i]};
-        vertex.toPrevious = {ends.toPrevious[0][i], ends.toPrevious[1][i], ends.toPrevious[2][i]};
+        vertex.P = at(P, i), vertex.Ng = at(Ng, i);
+        vertex.toPrevious = at(constant(ends.toPrevious), i);
         vertex.distance = hits.t[ray];
         vertex.time = time[i];
         vertex.width = wave.active.rays.width[ray] + wave.active.rays.spread[ray] * hits.t[ray];

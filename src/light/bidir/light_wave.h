@@ -3,6 +3,7 @@
 // the wave it travels in.
 #pragma once
 
+#include "light/bidir/far_media.h"
 #include "light/bidir/light_vertices.h"
 #include "light/bidir/pixel_choice.h"
 #include "light/path/wave.h"
@@ -24,6 +25,7 @@ struct LightImage {
     Planes<std::int32_t> integers;
     std::int32_t *answered, *lane;
     RayBatch rays;
+    FarMedia media;
     Planes<float> ways;
     MutableVec3Planes towardsLens, end;
     Planes<float> transmittance;
@@ -90,11 +92,15 @@ struct LightWave : PathWave {
 
 /// Starts the light paths [first, first + count) of the frame.
 void startLight(LightWave &, std::int64_t first, int count);
+/// Finds out what they begin in, in scenes with volumes.
+void enterMedia(LightWave &);
 /// The stages of light paths.
 std::span<const Stage> stagesOfLight(const PathWave &, const ShaderCode &);
 
 // ---- Stages ----
 
+/// What volumes let through of the segments to the vertices.
+void crossAgainstLight(PathWave &);
 /// What the first surfaces get from the lights, and how likely light samples would have found it.
 void receive(PathWave &);
 /// The shader as the light sees it, and what the eye would see through it.

@@ -42,6 +42,13 @@ constexpr double floorOfLuminance = 0.1;
 /// not lie evenly in pixels. So `path` is left only for what promises to be this much better.
 constexpr double worthLeavingPath = 0.5;
 
+/// A round of merging has as many light paths as fill a picture of this many pixels, if there is
+/// one path a pixel; small frames put some samples of a pixel together.
+constexpr double pathsOfRound = 1 << 16;
+constexpr int mostSamplesOfRound = 16;
+/// Discs that are merged over are at first so many pixels wide.
+constexpr float widthInPixels = 6;
+
 class NoMessages : public DiagnosticSink {
 public:
     void report(const Diagnostic &) override {}
@@ -84,6 +91,20 @@ public:
         FrameContext frame = pilotFrame(statistics, frame_.filter);
         guide_ = learnEmission(frame, meanOfPath_, x_, y_, rounds);
         return *guide_;
+    }
+
+    /// How vertices are merged where there are so many light paths a sample of a pixel.
+    MergingPlan planMerging(double lightPaths) {
+        const BidirectionalWishes &wishes = settings_.bidirectional;
+        MergingPlan plan;
+        plan.trust = wishes.trustInMerging;
+        plan.radius = wishes.radius.value_or(widthInPixels / 2 * widthOfPixels());
+        const double pixels = double(window_[1] - window_[0]) * (window_[3] - window_[2]);
+        plan.samplesOfRound = 1;
+        while (plan.samplesOfRound < mostSamplesOfRound &&
+               lightPaths * pixels * plan.samplesOfRound < pathsOfRound)
+            plan.samplesOfRound *= 2;
+        return plan;
     }
 
     Trial run(const BidirectionalPlan &plan) {
@@ -135,6 +156,27 @@ private:
             x_.push_back(window_[0] + int(u * (window_[1] - window_[0])));
             y_.push_back(window_[2] + int(v * (window_[3] - window_[2])));
         }
+    }
+
+    /// At what the camera sees, the median, metres; 0 if it sees nothing.
+    float widthOfPixels() {
+        TransportStatistics statistics;
+        FrameContext frame = pilotFrame(statistics, middle_);
+        PathWave wave(frame);
+        const int count = std::min(PathWave::capacity, int(x_.size()));
+        startCamera(wave, count, x_.data(), y_.data(), 0, 1);
+        trace(wave);
+        std::vector<float> widths;
+        for (int i = 0; i < count; ++i)
+            if (wave.hits.shape[i] != noHit)
+                widths.push_back(frame.scene.camera().pixelSize(
+                    wave.active.rays.origin[2][i] +
+                    wave.hits.t[i] * wave.active.rays.direction[2][i]));
+        if (widths.empty())
+            return 0;
+        const auto middle = widths.begin() + std::ptrdiff_t(widths.size() / 2);
+        std::ranges::nth_element(widths, middle);
+        return *middle;
     }
 
     void followLight(const BidirectionalPlan &plan, TransportStatistics &statistics,
@@ -231,12 +273,8 @@ double badness(const Trial &trial, const std::vector<double> &mean) {
     return std::sqrt(absolute * relative) * trial.cost;
 }
 
-} // namespace
-
-BidirectionalPlan planTechniques(FrameContext &frame, EmissionGuide &guide) {
-    if (!frame.scene.lights().startPaths() || frame.scene.hasVolumes())
-        return {};
-    Pilot pilot(frame);
+/// What serves the frame best, as far as the pilots tell.
+BidirectionalPlan chooseTechniques(const FrameContext &frame, Pilot &pilot, EmissionGuide &guide) {
     std::vector<BidirectionalPlan> plans;
     std::vector<Trial> trials;
     std::vector<double> mean;
@@ -260,13 +298,39 @@ BidirectionalPlan planTechniques(FrameContext &frame, EmissionGuide &guide) {
     for (std::size_t cell = 0; cell < mean.size(); ++cell)
         trials[0].variance[cell] += pilot.varianceOfPath()[cell];
     std::size_t best = 0;
-    double least = worthLeavingPath * badness(trials[0], mean);
-    for (std::size_t k = 1; k < plans.size(); ++k)
+    double least = wishes.merges ? INFINITY : worthLeavingPath * badness(trials[0], mean);
+    for (std::size_t k = 1; k < plans.size(); ++k) {
+        // Pilots do not merge, and know nothing of what few light paths would cost there.
+        if (wishes.merges && plans[k].lightPaths < 1)
+            continue;
         if (const double own = badness(trials[k], mean); own < least)
             best = k, least = own;
+    }
     if (best > 0 && std::ranges::any_of(guide.lights, [](auto &grid) { return grid.has_value(); }))
         guide = pilot.learn(roundsOfFrame);
     return plans[best];
+}
+
+} // namespace
+
+bool lightsMayBeginPaths(const FrameContext &frame) {
+    if (!frame.scene.lights().startPaths())
+        return false;
+    const std::string reason = frame.scene.whyVolumesStopLightPaths();
+    if (!reason.empty())
+        frame.diagnostics.warning({}, reason + ": no path begins at lights in this frame, it is "
+                                               "rendered as by \"path\"");
+    return reason.empty();
+}
+
+BidirectionalPlan planTechniques(FrameContext &frame, EmissionGuide &guide) {
+    if (!lightsMayBeginPaths(frame))
+        return {};
+    Pilot pilot(frame);
+    BidirectionalPlan plan = chooseTechniques(frame, pilot, guide);
+    if (frame.settings.bidirectional.merges && plan.lightPaths > 0)
+        plan.merging = pilot.planMerging(plan.lightPaths);
+    return plan;
 }
 
 } // namespace candela

@@ -8,6 +8,8 @@
 
 namespace candela {
 
+/// Some light begins paths. Volumes that keep them from it are said.
+bool lightsMayBeginPaths(const FrameContext &);
 /// Depends on scene, seed and settings alone; no technique but the camera's where nothing begins
 /// paths on lights. Learns besides where paths from lights begin best.
 BidirectionalPlan planTechniques(FrameContext &, EmissionGuide &);

@@ -76,6 +76,12 @@ struct Worker {
     std::vector<int> x, y;
 };
 
+/// Passes that merge paths are made of rounds.
+int partEnd(const BidirectionalPlan &plan, int first) {
+    const int last = passEnd(first);
+    return plan.merging.isUsed() ? std::min(plan.merging.roundEnd(first), last) : last;
+}
+
 void renderTile(Worker &worker, const Tile &tile, int first, int last, SampleSink &sink) {
     pixelsOf(tile, worker.x, worker.y);
     startCamera(*worker.wave, int(worker.x.size()), worker.x.data(), worker.y.data(), first, last);
@@ -115,7 +121,7 @@ void integrate(const Scene &scene, const IntegratorSettings &settings,
     std::vector<std::unique_ptr<Worker>> workers(std::max(1, threadCount()));
     const double samples = settings.lastSample - settings.firstSample;
     for (int first = settings.firstSample, last; first < settings.lastSample; first = last) {
-        last = std::min(passEnd(first), settings.lastSample);
+        last = std::min(partEnd(plan, first), settings.lastSample);
         const std::vector<Tile> tiles = tilesOver(settings.crop, tileSize(last - first));
         std::atomic<std::size_t> next{0}, done{0};
         if (lightPaths)
@@ -123,6 +129,8 @@ void integrate(const Scene &scene, const IntegratorSettings &settings,
         parallelFor(workers.size(), [&](std::size_t thread) {
             if (!workers[thread])
                 workers[thread] = std::make_unique<Worker>(makeWave());
+            if (lightPaths)
+                workers[thread]->wave->subpaths->counts = lightPaths->counts();
             for (std::size_t at; (at = next++) < tiles.size();) {
                 renderTile(*workers[thread], tiles[at], first, last, sink);
                 const double share = double(++done) / double(tiles.size());

@@ -16,17 +16,6 @@ namespace {
 /// Apart from the numbers that the surfaces' own random() has.
 constexpr std::uint32_t ofVolumes = 0x80000000;
 
-void takeMedia(PathWave &wave) {
-    VertexChunk &chunk = wave.chunk;
-    const int *ray = chunk.rays.data(), count = chunk.count();
-    const PathMedia &from = wave.active.media;
-    const Planes<std::uint32_t> &around = chunk.vertices.around();
-    lanes::take(count, ray, {{from.around[0], around[0]}, {from.around[1], around[1]}});
-    for (int c = 0; c < colorSamples; ++c)
-        lanes::take(count, ray,
-                    {{from.veil[c], chunk.paths.veil[c]}, {from.cover[c], chunk.paths.cover[c]}});
-}
-
 /// From where the ray began, or passed straight on, to the vertex.
 void layOut(const PathWave &wave, int i, Segments &segments) {
     const int ray = wave.chunk.rays[i];
@@ -158,12 +147,16 @@ Crossing::Crossing(int capacity)
     : segments(capacity), point(capacity), around(2, capacity), atmosphere(1, capacity),
       ambient(colorSamples, capacity) {}
 
+Crossing &crossingOf(PathWave &wave) {
+    if (!wave.crossing)
+        wave.crossing = std::make_unique<Crossing>(VertexChunk::capacity);
+    return *wave.crossing;
+}
+
 void cross(PathWave &wave) {
     if (!wave.frame.scene.hasVolumes())
         return;
-    if (!wave.crossing)
-        wave.crossing = std::make_unique<Crossing>(VertexChunk::capacity);
-    Crossing &crossing = *wave.crossing;
+    Crossing &crossing = crossingOf(wave);
     takeMedia(wave);
     if (!findSegments(wave, crossing))
         return;

@@ -8,6 +8,17 @@
 
 namespace candela {
 
+void takeMedia(PathWave &wave) {
+    VertexChunk &chunk = wave.chunk;
+    const int *ray = chunk.rays.data(), count = chunk.count();
+    const PathMedia &from = wave.active.media;
+    const Planes<std::uint32_t> &around = chunk.vertices.around();
+    lanes::take(count, ray, {{from.around[0], around[0]}, {from.around[1], around[1]}});
+    for (int c = 0; c < colorSamples; ++c)
+        lanes::take(count, ray,
+                    {{from.veil[c], chunk.paths.veil[c]}, {from.cover[c], chunk.paths.cover[c]}});
+}
+
 void beginMedia(int count, PathMedia &media) {
     for (int word = 0; word < 2; ++word)
         std::fill_n(media.around[word], count, 0u);
@@ -24,6 +35,9 @@ void leaveMedia(PathWave &wave, const ConstVec3Planes &direction, int count, int
         const int i = chunk.way.lane[k], at = first + k;
         const MediaAround around = chunk.vertices.mediaAlong(i, direction);
         to.around[0][at] = around.inner(), to.around[1][at] = around.outer();
+        const SurfaceMedia &surface = chunk.vertices.mediaOf(i);
+        to.air[at] = surface.atmosphere;
+        to.entered[at] = chunk.vertices.leadsInside(i, direction) ? surface.interior : 0;
         const bool through = chunk.events.event()[i] == straightThrough;
         for (int c = 0; c < colorSamples; ++c) {
             const float passes =

@@ -66,10 +66,17 @@ struct SubpathHistory {
 /// lead to is worth. Volumes may make light of it (a fog that hides nothing where nothing is).
 struct PathMedia {
     explicit PathMedia(int capacity)
-        : around(2, capacity), veil(colorSamples, capacity), cover(colorSamples, capacity) {}
+        : around(2, capacity), veil(colorSamples, capacity), cover(colorSamples, capacity),
+          left(2, capacity) {
+        air = left[0], entered = left[1];
+    }
     Planes<std::uint32_t> around; ///< MediaAround: inner, outer.
     Planes<float> veil;           ///< The radiance that a unit of opacity brings.
     Planes<float> cover;          ///< The opacity that it brings, as long as the camera sees.
+    /// Of what the ray has left, which is the far end for an eye that looks against it: the
+    /// Atmosphere, and the Interior if the ray has left to that.
+    Planes<std::int32_t> left;
+    std::int32_t *air, *entered;
 };
 
 /// The paths that are still under way, packed: entry i moves as others end.

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -33,6 +34,25 @@ struct TechniqueCounts {
     double lightImage = 0; ///< Light paths, each connected with the lens wherever it is.
     double connections =
         0; ///< Whole light paths that each vertex of a camera path is connected to.
+    double merging =
+        0; ///< Light paths that each vertex is merged with, times the disc's area, m^2.
+};
+
+/// Of `vcm`: vertices of camera paths are merged with those of light paths around them.
+struct MergingPlan {
+    float radius = 0;        ///< Of the first round, metres; 0 = nothing is merged.
+    int samplesOfRound = 64; ///< Of a pixel: each round has light paths of its own.
+    double trust = 1;        ///< In weights, what merging counts beside its number.
+
+    bool isUsed() const { return radius > 0; }
+    /// The samples of a pixel that have been taken when the round ends that begins with `first`.
+    int roundEnd(int first) const { return (first / samplesOfRound + 1) * samplesOfRound; }
+    /// Of that round: areas shrink by the fourth root of the rounds, so that in the end there is no
+    /// bias, and few paths are merged with the later ones (Knaus and Zwicker 2011, alpha = 3/4).
+    float radiusAt(int first) const {
+        const double rounds = 1 + first / samplesOfRound;
+        return float(radius / std::sqrt(std::sqrt(std::sqrt(rounds))));
+    }
 };
 
 /// How much of each technique a frame takes.
@@ -41,6 +61,7 @@ struct BidirectionalPlan {
     int connections = 0;        ///< Of each vertex of a camera path.
     double verticesPerPath = 1; ///< Of light paths, as a pilot found: what a connection counts.
     double trust = 1;           ///< In weights, what light paths count beside their number.
+    MergingPlan merging{};
 
     TechniqueCounts counts() const {
         return {trust * lightPaths, connections > 0 ? trust * connections / verticesPerPath : 0};
@@ -52,6 +73,9 @@ struct BidirectionalWishes {
     std::optional<double> lightPaths;
     std::optional<int> connections;
     double trust = 1;
+    bool merges = false; ///< `vcm`.
+    std::optional<float> radius;
+    double trustInMerging = 1;
 };
 
 struct IntegratorSettings {

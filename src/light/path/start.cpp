@@ -144,6 +144,8 @@ void startGathering(PathWave &wave, int count, const int *lane, const GatheringR
     std::fill_n(active.seen, count, 0);
     for (int i = 0; i < count; ++i)
         ++active.depth[i];
+    if (wave.subpaths)
+        beginHistoryAtPoints(wave);
     wave.frame.statistics.bounceRays += count;
 }
 

@@ -17,6 +17,10 @@ void stateLightNormals(VertexChunk &, const ConeMixture &);
 bool slotsAreConsecutive(const PathWave &);
 /// Tells of a value that a shader has given, and which is not finite, at vertex i of the chunk.
 void reportNonFinite(PathWave &, int i, const std::string &shader);
+/// What the rays that met the vertices were in, and carried of it.
+void takeMedia(PathWave &);
+/// The wave's, which is made when it is wanted.
+Crossing &crossingOf(PathWave &);
 /// What paths that have met nothing yet are in: air.
 void beginMedia(int count, PathMedia &);
 /// What the `count` paths that append() has put at next[first] on are in, and what opacity is worth

@@ -13,8 +13,12 @@
 
 namespace candela {
 
+double techniquesUpTo(const Subpaths &ends, int i, double reversePdf) {
+    return ends.last[i] + square(reversePdf * ends.back[i]) * ends.earlier[i];
+}
+
 double techniquesBefore(const Subpaths &ends, int i, double reached, double reversePdf) {
-    return square(reached) * (ends.last[i] + square(reversePdf * ends.back[i]) * ends.earlier[i]);
+    return square(reached) * (techniquesUpTo(ends, i, reversePdf) + square(ends.counts.merging));
 }
 
 double pathTechniquesBefore(const Subpaths &ends, int i, double reached, double reversePdf,
@@ -44,6 +48,16 @@ void beginHistory(PathWave &wave) {
         history.earlier[i] = history.earlierOfPath[i] = 0, history.connections[i] = tries;
         history.pdf[i] = camera.pdf(wave.active.rays.direction[2][i]);
         history.cosine[i] = 0, history.parallel[i] = camera.isParallel() ? 1.0f : 0.0f;
+    }
+}
+
+void beginHistoryAtPoints(PathWave &wave) {
+    const ActivePaths &active = wave.active;
+    const SubpathHistory &history = active.history;
+    for (int i = 0; i < wave.slots; ++i) {
+        history.earlier[i] = history.earlierOfPath[i] = history.connections[i] = 0;
+        history.pdf[i] = active.left.pdf[i] > 0 ? active.left.pdf[i] : 1.0f;
+        history.cosine[i] = history.parallel[i] = 0;
     }
 }
 
@@ -159,7 +173,8 @@ void lookBack(PathWave &wave, const ConstVec3Planes &direction) {
         const bool passable = affine && (finite || ends.reversePdf[i] > 0);
         const double last = finite ? ends.last[i] : 0;
         const double back = square(ends.reversePdf[i] * ends.back[i]);
-        ends.nextEarlier[i] = passable ? last + back * ends.earlier[i] : 0;
+        const double merged = finite ? square(ends.counts.merging) : 0;
+        ends.nextEarlier[i] = passable ? last + merged + back * ends.earlier[i] : 0;
         ends.nextEarlierOfPath[i] =
             passable ? (chunk.paths.depth[i] == 0 ? last : 0) + back * ends.earlierOfPath[i] : 0;
         ends.nextConnections[i] = finite ? square(ends.counts.connections) : 0;

@@ -13,6 +13,15 @@
 //     last_m    = n^2 / f_m^2                                        0 where the edge is no
 //     connection earlier_m = (last_(m-1) + r_(m-2)^2 earlier_(m-1)) / f_m^2
 //
+// Vertex merging (Georgiev 2012) takes x_m from both ends: n paths from lights are tried, each of
+// which is there if it meets a disc of the radius r, so its density is that of the technique that
+// ends at x_m times r_m pi r^2, and with eta = pi r^2 n (TechniqueCounts::merging)
+//
+//     last_m + eta^2     stands in the place of last_m
+//
+// of vertices that may be merged, those with finite lobes. The sum over all other techniques, over
+// the square of merging at x_m, is (last_m + r_(m-1)^2 earlier_m) / eta^2 of both ends together.
+//
 // Straight on through a surface is no vertex: the edge goes on. A vertex of one direction has the
 // density 1 both ways and no connections; one that light cannot pass the other way forgets what was
 // before it.
@@ -32,6 +41,7 @@ struct Subpaths {
     TechniqueCounts counts;
     Planes<double> doubles;
     /// As above, of the chunk's vertices, and of those that go on what SubpathHistory keeps.
+    /// Without what merging at the vertex adds.
     double *last, *earlier, *nextEarlier, *nextConnections;
     /// `earlier` with the techniques alone that `path` has, too: of paths from lights.
     double *earlierOfPath, *nextEarlierOfPath;
@@ -51,8 +61,10 @@ void arrive(PathWave &);
 void weighEmissionAmongAll(PathWave &, float *weight);
 /// Likewise the factors of light samples (chunk.direct).
 void weighLightSamplesAmongAll(PathWave &);
-/// r_m^2 (last_m + r_(m-1)^2 earlier_m) of vertex i: `reached` is r_m, `reversePdf` the density per
+/// last_m + r_(m-1)^2 earlier_m of vertex i, without merging there; `reversePdf` is the density per
 /// steradian towards x_(m-1).
+double techniquesUpTo(const Subpaths &, int i, double reversePdf);
+/// r_m^2 (last_m + eta^2 + r_(m-1)^2 earlier_m), `reached` being r_m.
 double techniquesBefore(const Subpaths &, int i, double reached, double reversePdf);
 /// The part of them that `path` has: of a path from a light whose first vertex it is, if `isFirst`.
 double pathTechniquesBefore(const Subpaths &, int i, double reached, double reversePdf,
@@ -64,5 +76,7 @@ void lookBack(PathWave &, const ConstVec3Planes &direction);
 void leaveHistory(PathWave &, int count, int first);
 /// Histories of camera rays.
 void beginHistory(PathWave &);
+/// Of rays from points that no path from a light meets, nor is connected with.
+void beginHistoryAtPoints(PathWave &);
 
 } // namespace candela

@@ -2,6 +2,8 @@
 #include "light/probe/probe.h"
 
 #include "foundation/base/parallel.h"
+#include "light/bidir/eye_wave.h"
+#include "light/probe/light_sets.h"
 #include "light/probe/placed_points.h"
 #include "light/probe/sensors.h"
 #include "light/sampling/sobol.h"
@@ -9,7 +11,9 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <memory>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 namespace candela {
@@ -25,12 +29,20 @@ struct Shared {
         : scene(scene), settings(settings), rule(settings.samples, settings.accuracy),
           filter(scene.options().filter, diagnostics),
           frame(scene, integrator, filter, channels, statistics, diagnostics) {
-        integrator.kind = scene.isClassic() ? IntegratorKind::Classic : IntegratorKind::Path;
+        integrator.kind = scene.isClassic()         ? IntegratorKind::Classic
+                          : scene.isBidirectional() ? IntegratorKind::Bidirectional
+                                                    : IntegratorKind::Path;
         integrator.seed = settings.seed;
         integrator.maxDepth = settings.maxDepth;
         integrator.hemisphereOnly = settings.hemisphereOnly;
         integrator.atPoints = true;
+        if (scene.isBidirectional())
+            lightSets.emplace(frame, batches);
+        if (!hasLightPaths() && scene.isBidirectional())
+            integrator.kind = IntegratorKind::Path;
     }
+    bool hasLightPaths() const { return lightSets && !lightSets->isEmpty(); }
+
     const Scene &scene;
     const ProbeSettings settings;
     const StoppingRule rule;
@@ -39,12 +51,21 @@ struct Shared {
     PixelFilterSampler filter;
     const std::array<ChannelInfo, 2> channels{{{"Ci", colorSamples}, {"Oi", colorSamples}}};
     FrameContext frame;
+    std::optional<LightSets> lightSets;
 };
+
+std::unique_ptr<PathWave> makeWave(Shared &shared) {
+    if (!shared.hasLightPaths())
+        return std::make_unique<PathWave>(shared.frame);
+    const LightSets &sets = *shared.lightSets;
+    return std::make_unique<EyeWave>(shared.frame, sets.counts(), sets[0], LightSets::connections);
+}
 
 /// One thread's part: blocks of points, one after the other.
 class Worker {
 public:
-    explicit Worker(Shared &shared) : shared_(shared), wave_(shared.frame), sphere_(sphereRays) {}
+    explicit Worker(Shared &shared)
+        : shared_(shared), wave_(makeWave(shared)), sphere_(sphereRays) {}
 
     void answer(std::span<const ProbePoint> points, std::span<ProbeAnswer> answers) {
         placed_.clear(), active_.clear();
@@ -64,24 +85,36 @@ public:
 private:
     /// Samples [from, to) of each batch of each active point.
     void takeSamples(int from, int to) {
-        const std::int64_t each = std::int64_t(batches) * (to - from);
+        // Where batches have light paths of their own, they do not share waves.
+        const int together = shared_.hasLightPaths() ? 1 : batches;
+        for (int batch = 0; batch < batches; batch += together) {
+            if (shared_.hasLightPaths())
+                static_cast<EyeWave &>(*wave_).lightVertices = &(*shared_.lightSets)[batch];
+            takeBatches(batch, together, from, to);
+        }
+        for (int point : active_)
+            estimates_[std::size_t(point)].setSamples(to);
+    }
+
+    void takeBatches(int firstBatch, int together, int from, int to) {
+        const std::int64_t each = std::int64_t(together) * (to - from);
         const std::int64_t all = each * std::int64_t(active_.size());
+        const auto pointAt = [&](std::int64_t at) {
+            return std::size_t(active_[std::size_t(at / each)]);
+        };
+        const auto batchAt = [&](std::int64_t at) {
+            return firstBatch + int(at % each / (to - from));
+        };
         for (std::int64_t first = 0; first < all; first += ProbeSlots::capacity) {
             slots_.count = int(std::min<std::int64_t>(ProbeSlots::capacity, all - first));
             for (int slot = 0; slot < slots_.count; ++slot) {
                 const std::int64_t at = first + slot;
-                fill(slot, placed_[std::size_t(active_[std::size_t(at / each)])],
-                     int(at % each / (to - from)), from + int(at % (to - from)));
+                fill(slot, placed_[pointAt(at)], batchAt(at), from + int(at % (to - from)));
             }
             measure();
-            for (int slot = 0; slot < slots_.count; ++slot) {
-                const std::int64_t at = first + slot;
-                estimates_[std::size_t(active_[std::size_t(at / each)])].add(
-                    int(at % each / (to - from)), valueOf(slot));
-            }
+            for (int slot = 0; slot < slots_.count; ++slot)
+                estimates_[pointAt(first + slot)].add(batchAt(first + slot), valueOf(slot));
         }
-        for (int point : active_)
-            estimates_[std::size_t(point)].setSamples(to);
     }
 
     void fill(int slot, const PlacedPoint &point, int batch, int sample) {
@@ -97,9 +130,9 @@ private:
 
     void measure() {
         if (shared_.settings.quantity == ProbeQuantity::Irradiance)
-            measureIrradiance(wave_, slots_, light_, rays_);
+            measureIrradiance(*wave_, slots_, light_, rays_);
         else
-            measureRadiance(wave_, slots_, rays_);
+            measureRadiance(*wave_, slots_, rays_);
     }
 
     Color valueOf(int slot) const {
@@ -152,7 +185,7 @@ private:
             met.P = met.origin;
             fill(slot, met, 0, slot);
         }
-        measureIrradiance(wave_, slots_, light_, rays_);
+        measureIrradiance(*wave_, slots_, light_, rays_);
         for (int slot = 0; slot < sphereRays; ++slot)
             if (luminance(valueOf(slot)) != 0)
                 return false;
@@ -184,7 +217,7 @@ private:
     };
 
     Shared &shared_;
-    PathWave wave_;
+    std::unique_ptr<PathWave> wave_;
     ProbeSlots slots_;
     SensorLight light_;
     ProbeRays rays_;

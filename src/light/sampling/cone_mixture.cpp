@@ -319,6 +319,27 @@ void ConeMixture::state(int count, const std::vector<ConePlanes> &cones,
     allRadial_ = finishRadial(count, fullSphere_[0], shares_.cosine, cosineLobes_[0]);
 }
 
+void ConeMixture::take(const ConeMixture &from, int count, const int *lane) {
+    count_ = count, coneCount_ = from.coneCount_;
+    shares_ = from.shares_, allRadial_ = from.allRadial_;
+    while (int(cones_.size()) < coneCount_)
+        cones_.emplace_back(total_.lanes());
+    if (takenFacing_.planes() == 0)
+        takenFacing_ = Planes<float>(3, total_.lanes());
+    for (int c = 0; c < 3; ++c) {
+        lanes::gather(count, lane, from.facing_[c], takenFacing_[c]);
+        facing_[c] = takenFacing_[c];
+    }
+    lanes::gather(count, lane, from.total_[0], total_[0]);
+    lanes::gather(count, lane, from.fullSphere_[0], fullSphere_[0]);
+    lanes::gather(count, lane, from.cosineLobes_[0], cosineLobes_[0]);
+    for (int k = 0; k < coneCount_; ++k) {
+        cones_[k].shape = from.cones_[k].shape;
+        for (int plane = 0; plane < cones_[k].planes.planes(); ++plane)
+            lanes::gather(count, lane, from.cones_[k].planes[plane], cones_[k].planes[plane]);
+    }
+}
+
 void ConeMixture::stateCone(int index, const ConePlanes &stated) {
     Cone &cone = cones_[index];
     normalizeAxes(count_, stated.axis[0], stated.axis[1], stated.axis[2], cone.axis(0),

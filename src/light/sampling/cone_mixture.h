@@ -37,6 +37,9 @@ public:
     /// by pointer until the next call.
     void state(int count, const std::vector<ConePlanes> &cones, const ConstVec3Planes &facing,
                const float *transmits);
+    /// Becomes the mixtures of points lane[0..count) of another one, which may come again and
+    /// again.
+    void take(const ConeMixture &, int count, const int *lane);
     /// Sum of the finite importances of each point; where it is 0, sample() must not be used.
     const float *total() const { return total_[0]; }
     /// Non-zero where directions below the facing hemisphere matter too.
@@ -91,6 +94,7 @@ private:
     /// Share of the cosine lobes where all lobes are simple and lie about the facing normal, so
     /// that they can be sampled as one; -1 elsewhere.
     Planes<float> cosineLobes_;
+    Planes<float> takenFacing_;
     bool allRadial_ = false;
     ChosenLobe chosen_;
 };

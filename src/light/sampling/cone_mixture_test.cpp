@@ -207,6 +207,42 @@ TEST(ConeMixture, pointsDoNotDependOnTheirNeighbours) {
         }
 }
 
+/// Points taken from a mixture, some again and again, keep their densities.
+TEST(ConeMixture, isTakenPointByPoint) {
+    constexpr int count = 5, taken = 7;
+    const std::vector<float> zero(count, 0), one(count, 1), angle{180, 40, 180, 90, 180};
+    const std::vector<float> exponent{1, 1, 30, 0, 1}, tilt{0, .2f, .5f, -.4f, 0};
+    const std::vector<float> importance{1, 2, 3, 4, 0}, transmits{0, 0, 1, 0, 0};
+    ConePlanes narrow{{tilt.data(), zero.data(), one.data()},
+                      angle.data(),
+                      exponent.data(),
+                      importance.data(),
+                      angle.data(),
+                      0,
+                      true};
+    ConePlanes base{{zero.data(), zero.data(), one.data()},
+                    one.data(),
+                    one.data(),
+                    one.data(),
+                    one.data(),
+                    1,
+                    true};
+    ConeMixture whole(count), part(16);
+    whole.state(count, {narrow, base}, {zero.data(), zero.data(), one.data()}, transmits.data());
+    const std::vector<std::int32_t> lane{3, 0, 2, 2, 4, 1, 3};
+    part.take(whole, taken, lane.data());
+    for (const Vec3 &w : {Vec3{0, 0, 1}, normalize(Vec3{.3f, .1f, 1}), normalize(Vec3{1, 0, -1})}) {
+        const std::vector<float> x(16, w.x), y(16, w.y), z(16, w.z);
+        std::vector<float> ofWhole(count), ofPart(16);
+        whole.pdf({x.data(), y.data(), z.data()}, ofWhole.data());
+        part.pdf({x.data(), y.data(), z.data()}, ofPart.data());
+        for (int k = 0; k < taken; ++k) {
+            EXPECT_EQ(ofPart[k], ofWhole[lane[k]]) << k;
+            EXPECT_EQ(part.total()[k], whole.total()[lane[k]]);
+        }
+    }
+}
+
 TEST(ConeMixture, defensiveShareKeepsTheVarianceFinite) { // I8
     // The Lambert integrand cos / pi (mean 1) under a lobe of exponent e: without the defensive
     // share the relative variance is 4 / ((e + 1)(3 - e)) - 1 and has no bound from e = 3 on.

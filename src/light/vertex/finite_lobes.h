@@ -29,6 +29,11 @@ public:
 
     /// Looks along I (from the viewer to P, any length), which is kept by pointer. Silent.
     void look(SurfaceVertices &, const ConstVec3Planes &I, bool hemisphereOnly);
+    /// For densities alone: looks at vertices of[0..count), which may come again and again, a lane
+    /// each view. approach() must come before, once for all views of the same vertices.
+    void lookAgain(int count, const std::int32_t *of, const ConstVec3Planes &I,
+                   bool hemisphereOnly);
+    void approach(SurfaceVertices &);
     /// The density per steradian with which directions (unit) would be drawn from here; 0 where
     /// there are no finite lobes.
     void pdf(const ConstVec3Planes &direction, float *pdf);
@@ -38,10 +43,13 @@ public:
     const PreparedSurface &answers() const { return view_.answers; }
 
 private:
+    void stateLobes(int count, bool hemisphereOnly);
+
     SurfaceVertices *vertices_ = nullptr;
+    int count_ = 0;
     ConstVec3Planes I_{};
     PreparedView view_;
-    Planes<float> facing_, transmission_;
+    Planes<float> facing_, transmission_, normals_;
     HemisphereCone hemisphere_;
     ConeMixture mixture_;
 };

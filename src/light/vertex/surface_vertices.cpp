@@ -129,12 +129,14 @@ bool SurfaceVertices::isMetFromInside(int i) {
     return n[0][i] * along[0][i] + n[1][i] * along[1][i] + n[2][i] * along[2][i] > 0;
 }
 
-MediaAround SurfaceVertices::mediaAlong(int i, const ConstVec3Planes &direction) {
+bool SurfaceVertices::leadsInside(int i, const ConstVec3Planes &along) {
     const ConstVec3Planes n = input(ShaderInput::Ng);
-    const float side =
-        n[0][i] * direction[0][i] + n[1][i] * direction[1][i] + n[2][i] * direction[2][i];
+    return n[0][i] * along[0][i] + n[1][i] * along[1][i] + n[2][i] * along[2][i] < 0;
+}
+
+MediaAround SurfaceVertices::mediaAlong(int i, const ConstVec3Planes &direction) {
     return MediaAround(around()[0][i], around()[1][i])
-        .beyond(mediaOf(i), isMetFromInside(i), side < 0);
+        .beyond(mediaOf(i), isMetFromInside(i), leadsInside(i, direction));
 }
 
 ShaderArgs SurfaceVertices::arguments() const {
@@ -156,32 +158,40 @@ void SurfaceVertices::prepare(const float *const *ambient, const float *const *i
     prepare(ambient, irradiance, view_);
 }
 
-void SurfaceVertices::prepare(const float *const *ambient, const float *const *irradiance,
-                              PreparedView &view) {
-    const QuestionCode &question = code().question(ir::Question::Prepare);
+void SurfaceVertices::beginAnswers(const QuestionCode &question, int count,
+                                   PreparedView &view) const {
     reserve(view.outputs, int(question.function.outputs.size()), capacity_);
-    reserve(view.surfaceFrame, question.function.surfaceSlots, capacity_);
     reserve(view.viewFrame, question.function.viewSlots, capacity_);
     view.outputTable.resize(question.function.outputs.size());
     for (std::size_t slot = 0; slot < view.outputTable.size(); ++slot)
         view.outputTable[slot] = view.outputs[int(slot)];
-    float *const *outputs = view.outputTable.data();
-    beginCones(points.count, code().facts(), outputs, view.answers.cones);
+    beginCones(count, code().facts(), view.outputTable.data(), view.answers.cones);
+}
 
-    ShaderArgs args = arguments();
-    args.outputs = outputs;
-    bindFrames(view, args);
-    args.ambient = ambient;
-    args.irradiance = irradiance;
-    question.ask(args);
+void SurfaceVertices::takeAnswers(const QuestionCode &question, int count, PreparedView &view) {
+    float *const *outputs = view.outputTable.data();
     const int completed = question.output(ir::OutputKind::Completed);
     view.answers.completed = completed >= 0 ? outputs[completed] : nullptr;
     const int Oi = question.output(ir::OutputKind::Oi), Ca = question.output(ir::OutputKind::Ca);
     for (int c = 0; c < colorSamples; ++c) {
-        clampOpacities(points.count, outputs[Oi + c]);
+        clampOpacities(count, outputs[Oi + c]);
         view.answers.Oi[c] = outputs[Oi + c];
         view.answers.Ca[c] = Ca >= 0 ? outputs[Ca + c] : nullptr;
     }
+}
+
+void SurfaceVertices::prepare(const float *const *ambient, const float *const *irradiance,
+                              PreparedView &view) {
+    const QuestionCode &question = code().question(ir::Question::Prepare);
+    reserve(view.surfaceFrame, question.function.surfaceSlots, capacity_);
+    beginAnswers(question, points.count, view);
+    ShaderArgs args = arguments();
+    args.outputs = view.outputTable.data();
+    bindFrames(view, args);
+    args.ambient = ambient;
+    args.irradiance = irradiance;
+    question.ask(args);
+    takeAnswers(question, points.count, view);
 }
 
 void SurfaceVertices::scatter(const ConstVec3Planes &direction, const std::int32_t *answered,
@@ -251,6 +261,44 @@ void SurfaceVertices::scatterFrom(const ConstVec3Planes &I, PreparedView &view,
                                   const std::int32_t *light, float *const *g) {
     const SeenFrom elsewhere(*this, I);
     scatter(view, direction, answered, light, g);
+}
+
+void SurfaceVertices::scatterOf(int count, const std::int32_t *of, const ConstVec3Planes &direction,
+                                const std::int32_t *answered, const std::int32_t *light,
+                                float *const *g) {
+    for (int c = 0; c < 3; ++c)
+        points.readFrom(int(ShaderInput::sampleL) + c, direction[c]);
+    ShaderArgs args = arguments();
+    args.count = count;
+    args.viewLane = of;
+    args.outputs = g;
+    bindFrames(view_, args);
+    args.answeredRequest = answered;
+    args.sampleLight = light;
+    code().question(ir::Question::Scatter).ask(args);
+}
+
+void SurfaceVertices::prepareSurface(PreparedView &view) {
+    const QuestionCode &question = code().question(ir::Question::Surface);
+    reserve(view.surfaceFrame, question.function.surfaceSlots, capacity_);
+    ShaderArgs args = arguments();
+    code().bind(args, false);
+    args.surfaceFrame = view.surfaceFrame[0];
+    question.ask(args);
+}
+
+void SurfaceVertices::prepareOf(int count, const std::int32_t *of, const ConstVec3Planes &I,
+                                PreparedView &view) {
+    const QuestionCode &question = code().question(ir::Question::View);
+    beginAnswers(question, count, view);
+    const SeenFrom elsewhere(*this, I); // E is 0 in all lanes there are.
+    ShaderArgs args = arguments();
+    args.count = count;
+    args.surfaceLane = of;
+    args.outputs = view.outputTable.data();
+    bindFrames(view, args);
+    question.ask(args);
+    takeAnswers(question, count, view);
 }
 
 ShaderArgs SurfaceVertices::litArguments(int sampleCount, float *const *L, float *const *Cl,

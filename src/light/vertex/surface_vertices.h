@@ -52,6 +52,14 @@ public:
     void prepareFrom(const ConstVec3Planes &I, PreparedView &);
     void scatterFrom(const ConstVec3Planes &I, PreparedView &, const ConstVec3Planes &direction,
                      const std::int32_t *answered, const std::int32_t *light, float *const *g);
+    /// Many answers of some vertices, in lanes of their own, `count` <= lanes(): lane k is about
+    /// vertex of[k]; both planes may name vertices again and again. scatterOf() as scatter().
+    void scatterOf(int count, const std::int32_t *of, const ConstVec3Planes &direction,
+                   const std::int32_t *answered, const std::int32_t *light, float *const *g);
+    /// What all views of the vertices share; must come before prepareOf().
+    void prepareSurface(PreparedView &);
+    /// As prepareFrom(), of views along I: only answers are there, no responses.
+    void prepareOf(int count, const std::int32_t *of, const ConstVec3Planes &I, PreparedView &);
     /// All light given: `sampleCount` rows of `lanes()` lanes in L and Cl. Answers Ci and Oi.
     void shade(int sampleCount, float *const *L, float *const *Cl, const std::int32_t *light,
                const float *const *ambient, float *const *Ci, float *const *Oi);
@@ -87,6 +95,8 @@ public:
     }
     /// Vertex i was met from the inside.
     bool isMetFromInside(int i);
+    /// Rays along `direction` leave vertex i to its inside.
+    bool leadsInside(int i, const ConstVec3Planes &direction);
     /// What rays are in that leave vertex i along `direction`.
     MediaAround mediaAlong(int i, const ConstVec3Planes &direction);
     ConstVec3Planes input(ShaderInput first);
@@ -109,6 +119,10 @@ private:
     class SeenFrom;
     void findSides();
     void prepare(const float *const *ambient, const float *const *irradiance, PreparedView &);
+    /// Room for what `question`, Prepare or View, says of `count` views.
+    void beginAnswers(const QuestionCode &question, int count, PreparedView &) const;
+    /// The answers, once it has said it.
+    static void takeAnswers(const QuestionCode &, int count, PreparedView &);
     void scatter(PreparedView &, const ConstVec3Planes &direction, const std::int32_t *answered,
                  const std::int32_t *light, float *const *g);
     ShaderArgs arguments() const;

@@ -14,6 +14,7 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 
 namespace candela {
 
@@ -24,6 +25,8 @@ struct SceneState;
 struct ShadowMedia {
     const std::uint32_t *inner, *outer;
     const std::int32_t *atmosphere;
+    /// They begin where the rays' origins are, and not at tMin.
+    bool fromOrigins = false;
 };
 
 enum class Coherence { Primary, Secondary };
@@ -36,7 +39,7 @@ public:
     const Camera &camera() const;
     /// The integrator is "classic" (DESIGN section 6): ambient() is the ambient lights alone.
     bool isClassic() const;
-    /// Paths begin on lights, too (`bidir`).
+    /// Paths begin on lights, too (`bidir`, `vcm`).
     bool isBidirectional() const;
 
     // ---- Rays ----
@@ -61,8 +64,8 @@ public:
     int codeOfBin(int bin) const;
     /// Rays that meet nothing: their bin, -1 as long as nothing shines there.
     int escapedBin() const;
-    /// Rays meet the shape from one side alone: the one that Ng, turned as the points have it, points
-    /// to.
+    /// Rays meet the shape from one side alone: the one that Ng, turned as the points have it,
+    /// points to.
     bool isOneSided(std::uint32_t instance, std::uint32_t shape) const;
     /// bin[i] = bin of hit i, escapedBin() where nothing was hit.
     void bins(int count, const HitBatch &, int *bin) const;
@@ -101,6 +104,15 @@ public:
     const ShaderInstance &medium(std::int32_t number) const;
     /// The atmosphere of what light `light` (index + 1) shines from; 0 where it has no surface.
     std::int32_t mediumOfLight(std::int32_t light) const;
+
+    // ---- Volumes and paths that begin on lights ----
+    /// Some surface has an Interior.
+    bool hasInteriors() const;
+    /// The bodies that rays begin in: those that they leave, going straight through everything, and
+    /// have not entered.
+    void bodiesAround(const RayBatch &, MediaAround *) const;
+    /// Why such paths would not find what camera paths do; empty if they would.
+    std::string whyVolumesStopLightPaths() const;
 
     Lights lights() const;
     /// Surfaces by their parameters.

@@ -81,7 +81,8 @@ static bool isClassic(const DeclaredWorld &declared) {
 
 /// Integrators whose paths begin on lights, too.
 static bool isBidirectional(const Options &options) {
-    return options.named.string("render:integrator", "") == "bidir";
+    const std::string integrator = options.named.string("render:integrator", "");
+    return integrator == "bidir" || integrator == "vcm";
 }
 
 /// Finds where paths begin on lights. Lights that begin none are said, once a reason.
@@ -92,8 +93,8 @@ static void prepareEmitters(SceneState &state, DiagnosticSink &sink) {
     const auto rest = std::ranges::unique(silent);
     silent.erase(rest.begin(), rest.end());
     for (const std::string &reason : silent)
-        sink.warning({}, reason + ": no path begins at such lights; \"bidir\" finds their light "
-                                  "from the camera alone, as \"path\" does");
+        sink.warning({}, reason + ": no path begins at such lights; their light is found from the "
+                                  "camera alone, as by \"path\"");
 }
 
 /// The coordinate systems that the camera brings.

@@ -36,6 +36,7 @@ struct Walk {
     std::vector<std::uint8_t> keep;
     int capacity;
     const ShadowMedia *media = nullptr; ///< Null: nobody asks for volumes.
+    bool fromOrigins = false;           ///< Of the segments of this layer.
     std::vector<MediaAround> around;    ///< What the rays are in, if media are given.
     std::optional<Segments> segments;   ///< Of this layer.
 
@@ -131,10 +132,11 @@ void takeSegment(Walk &walk, int i, float t, std::int32_t medium) {
     Segments &segments = *walk.segments;
     segments.medium[i] = medium;
     std::uint64_t bits = 0;
+    const float length = walk.fromOrigins ? t : t - walk.rays.tMin[i];
     for (int c = 0; c < 3; ++c) {
         const float along = walk.rays.direction[c][i];
         segments.input(ShaderInput::P, c)[i] = walk.rays.origin[c][i] + t * along;
-        segments.input(ShaderInput::I, c)[i] = (t - walk.rays.tMin[i]) * along;
+        segments.input(ShaderInput::I, c)[i] = length * along;
         bits = mixBits(bits ^ std::bit_cast<std::uint32_t>(walk.rays.origin[c][i]) ^
                        (std::uint64_t(std::bit_cast<std::uint32_t>(along)) << 32));
     }
@@ -194,6 +196,7 @@ void walkThrough(const Scene &scene, const SceneState &state, const RayBatch &ra
             state.rays->intersect(walk.rays, walk.hits, RayWorld::Which::Transparent, false);
         else
             std::fill_n(walk.hits.shape, walk.rays.count, noHit);
+        walk.fromOrigins = media && media->fromOrigins && layer == 0;
         if (media)
             takeLastSegments(walk);
         walk.keep.assign(walk.lane.size(), 0);
