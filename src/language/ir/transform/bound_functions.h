@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Over a box: functions of one or two numbers, and noise.
+#pragma once
+
+#include "language/ir/transform/bound_values.h"
+
+namespace candela::ir {
+
+/// Floor, Ceil, Round.
+FormParts boundOfStep(Builder &, Op, const BoundedValue &x, ValueId middle);
+/// Sqrt, Exp, Log, Tan, Asin, Acos, Atan.
+FormParts boundOfMonotone(Builder &, Op, const BoundedValue &x, ValueId middle);
+/// Sin, Cos.
+FormParts boundOfWave(Builder &, Op, const BoundedValue &x, ValueId middle);
+/// Atan2 of y and x.
+FormParts boundOfAngle(Builder &, const BoundedValue &y, const BoundedValue &x, ValueId middle);
+FormParts boundOfPower(Builder &, const BoundedValue &x, const BoundedValue &y, ValueId middle);
+/// The cubic of smoothstep(), 0 below t = 0 and 1 from t = 1 on.
+FormParts boundOfSmoothStep(Builder &, const BoundedValue &t, ValueId middle);
+/// Of each result of noise or cell noise, those in the middle being `middles`.
+std::vector<FormParts> boundOfNoise(Builder &, RuntimeFunction,
+                                    const std::vector<BoundedValue> &inputs, const Values &middles);
+
+} // namespace candela::ir

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "language/ir/transform/bound_rules.h"
+
+#include "language/ir/core/builder_sources.h"
+#include "language/ir/core/op_info.h"
+#include "language/ir/core/regions.h"
+#include "language/ir/transform/bound_functions.h"
+#include "language/ir/transform/bound_sources.h"
+#include "language/ir/transform/bound_variation.h"
+
+#include <algorithm>
+
+namespace candela::ir {
+
+BoundRules::BoundRules(const Function &old, Builder &b)
+    : old_(old), b_(b), definitions_(old.values.size()) {
+    forEachInstruction(old.body, [&](const Instruction &i) {
+        for (ValueId v : i.results)
+            definitions_[v] = &i;
+    });
+}
+
+const Instruction *BoundRules::definition(ValueId v, Op op) const {
+    const Instruction *i = definitions_[v];
+    return i && i->op == op ? i : nullptr;
+}
+
+bool BoundRules::isNumber(ValueId v, float x) const {
+    const Instruction *i = definition(v, Op::ConstFloat);
+    return i && i->number == x;
+}
+
+void BoundRules::write(const Instruction &i, std::vector<BoundedValue> &written) {
+    written_ = &written;
+    Operands operands;
+    Values middles;
+    for (ValueId v : i.operands) {
+        operands.push_back(written[v]);
+        middles.push_back(written[v].middle);
+    }
+    const Values results = b_.emit(i.op, middles, i.immediate, i.number);
+    for (std::size_t k = 0; k < i.results.size(); ++k)
+        written[i.results[k]] = {results[k]};
+    const bool varies = std::ranges::any_of(operands, &BoundedValue::varies);
+    if (!varies && !variesByItself(old_, i))
+        return;
+    if (i.op == Op::Call) {
+        const auto forms = boundOfNoise(b_, RuntimeFunction(i.immediate), operands, results);
+        for (std::size_t k = 0; k < i.results.size(); ++k)
+            written[i.results[k]].form = forms[k];
+        return;
+    }
+    for (std::size_t k = 0; k < i.results.size(); ++k)
+        written[i.results[k]] = bound(i, operands, results[k]);
+}
+
+namespace {
+
+/// Whether one of two numbers is below the other, if their difference lies there all over the box.
+ValueId isUndecided(Builder &b, Op op, const FormParts &difference) {
+    const ValueId zero = number(b, 0);
+    const ValueId least = difference.least, greatest = difference.greatest;
+    switch (op) {
+    case Op::Less:
+        return negate(b, either(b, less(b, greatest, zero), lessEqual(b, zero, least)));
+    case Op::LessEqual:
+        return negate(b, either(b, lessEqual(b, greatest, zero), less(b, zero, least)));
+    default: return negate(b, either(b, less(b, greatest, zero), less(b, zero, least)));
+    }
+}
+
+BoundedValue logic(Builder &b, Op op, const std::vector<BoundedValue> &x, ValueId middle) {
+    if (op == Op::Not)
+        return {middle, {}, x[0].unsure};
+    // Sure is And if one is false for sure, Or if one is true for sure.
+    const auto decides = [&](const BoundedValue &v) {
+        const ValueId truth = op == Op::And ? negate(b, v.middle) : v.middle;
+        return both(b, truth, negate(b, unsureOf(b, v)));
+    };
+    const ValueId any = either(b, unsureOf(b, x[0]), unsureOf(b, x[1]));
+    return {middle, {}, both(b, any, negate(b, either(b, decides(x[0]), decides(x[1]))))};
+}
+
+FormParts negative(Builder &b, const FormParts &f) {
+    return {neg(b, f.alongU), neg(b, f.alongV), f.off, neg(b, f.greatest), neg(b, f.least)};
+}
+
+} // namespace
+
+BoundedValue BoundRules::bound(const Instruction &i, const Operands &x, ValueId middle) {
+    const auto pair = [&](RuntimeFunction function) {
+        return BoundedValue{middle, callBound(b_, function, x)};
+    };
+    switch (info(i.op).bound) {
+    case BoundRule::Source:
+        return {middle, i.op == Op::Input ? inputForm(b_, i.immediate) : boundless(i)};
+    case BoundRule::Sum: return pair(RuntimeFunction::bound_sum);
+    case BoundRule::Difference: return {middle, difference(i, x)};
+    case BoundRule::Product:
+        return i.operands[0] == i.operands[1]
+                   ? BoundedValue{middle, callBound(b_, RuntimeFunction::bound_square, {x[0]})}
+                   : pair(RuntimeFunction::bound_product);
+    case BoundRule::Quotient: return pair(RuntimeFunction::bound_quotient);
+    case BoundRule::Negation: return {middle, negative(b_, formOf(b_, x[0]))};
+    case BoundRule::Magnitude: return pair(RuntimeFunction::bound_magnitude);
+    case BoundRule::Least: return pair(RuntimeFunction::bound_least);
+    case BoundRule::Greatest: return pair(RuntimeFunction::bound_greatest);
+    case BoundRule::First: return {middle, x[0].form};
+    case BoundRule::Increasing:
+    case BoundRule::Decreasing:
+        if (i.op == Op::IntegerFromFloat) {
+            const FormParts f = formOf(b_, x[0]);
+            const ValueId isOne =
+                equal(b_, unary(b_, Op::Floor, f.least), unary(b_, Op::Floor, f.greatest));
+            return {middle, {}, negate(b_, isOne)};
+        }
+        return {middle, monotone(i, x[0], middle)};
+    case BoundRule::Periodic:
+        return {middle, i.op == Op::Tan ? boundOfMonotone(b_, i.op, x[0], middle)
+                                        : boundOfWave(b_, i.op, x[0], middle)};
+    case BoundRule::Angle: return {middle, boundOfAngle(b_, x[0], x[1], middle)};
+    case BoundRule::Power: return {middle, boundOfPower(b_, x[0], x[1], middle)};
+    case BoundRule::Comparison:
+        if (i.op == Op::StringEqual)
+            return {middle, {}, either(b_, unsureOf(b_, x[0]), unsureOf(b_, x[1]))};
+        return {middle,
+                {},
+                isUndecided(b_, i.op, callBound(b_, RuntimeFunction::bound_difference, x))};
+    case BoundRule::Logic: return logic(b_, i.op, x, middle);
+    case BoundRule::Union: return selected(i, x, middle);
+    case BoundRule::Fraction:
+        return {middle, rangeForm(b_, middle, number(b_, 0), number(b_, 1))};
+    default: {
+        if (b_.type(middle) == Type::Float)
+            return {middle, boundless(i)};
+        boundless(i);
+        return {middle, {}, boolean(b_, true)};
+    }
+    }
+}
+
+FormParts BoundRules::monotone(const Instruction &i, const BoundedValue &x, ValueId middle) {
+    return i.op == Op::Floor || i.op == Op::Ceil || i.op == Op::Round
+               ? boundOfStep(b_, i.op, x, middle)
+               : boundOfMonotone(b_, i.op, x, middle);
+}
+
+/// x - Floor(x), x - period Floor(x / period), and x - Min(Floor(x), last) of a spline's segments:
+/// from 0 to 1 (or a period), which the forms of both alone do not tell.
+FormParts BoundRules::difference(const Instruction &i, const Operands &x) {
+    const FormParts f = callBound(b_, RuntimeFunction::bound_difference, x);
+    const auto isFloorOf = [&](ValueId v, ValueId of) {
+        const Instruction *floor = definition(v, Op::Floor);
+        return floor && floor->operands[0] == of;
+    };
+    const ValueId whole = i.operands[0], part = i.operands[1];
+    const ValueId zero = number(b_, 0), one = number(b_, 1);
+    const auto within = [&](ValueId least, ValueId most, ValueId holds) {
+        FormParts cut = f;
+        cut.least = max(b_, f.least, least);
+        cut.greatest = min(b_, f.greatest, most);
+        return select(b_, holds, cut, f);
+    };
+    if (isFloorOf(part, whole))
+        return within(zero, one, boolean(b_, true));
+    const FormParts ofX = formOf(b_, x[0]);
+    if (const Instruction *least = definition(part, Op::Min);
+        least && isFloorOf(least->operands[0], whole)) {
+        const FormParts last = formOf(b_, (*written_)[least->operands[1]]);
+        return within(zero, one, lessEqual(b_, ofX.greatest, add(b_, last.least, one)));
+    }
+    const Instruction *product = definition(part, Op::Mul);
+    for (std::size_t k = 0; product && k < 2; ++k) {
+        const ValueId period = product->operands[k];
+        const Instruction *floor = definition(product->operands[1 - k], Op::Floor);
+        const Instruction *ratio = floor ? definition(floor->operands[0], Op::Div) : nullptr;
+        if (!ratio || ratio->operands[0] != whole || ratio->operands[1] != period)
+            continue;
+        const FormParts of = formOf(b_, (*written_)[period]);
+        // Quotient and product are rounded.
+        const ValueId most = max(b_, unary(b_, Op::Abs, ofX.least), unary(b_, Op::Abs, ofX.greatest));
+        const ValueId slack = mul(b_, most, number(b_, 0x1p-21f));
+        return within(neg(b_, slack), add(b_, of.greatest, slack), less(b_, zero, of.least));
+    }
+    return f;
+}
+
+const ValueId *BoundRules::smoothStepOf(const Instruction &i) const {
+    const Instruction *below = definition(i.operands[0], Op::Less);
+    const Instruction *upper = definition(i.operands[2], Op::Select);
+    if (!below || !upper || !isNumber(i.operands[1], 0) || !isNumber(upper->operands[1], 1))
+        return nullptr;
+    const Instruction *above = definition(upper->operands[0], Op::LessEqual);
+    const Instruction *cubic = definition(upper->operands[2], Op::Mul);
+    const Instruction *square = cubic ? definition(cubic->operands[0], Op::Mul) : nullptr;
+    const Instruction *line = cubic ? definition(cubic->operands[1], Op::Sub) : nullptr;
+    const Instruction *twice = line ? definition(line->operands[1], Op::Mul) : nullptr;
+    if (!above || !square || !twice || square->operands[0] != square->operands[1] ||
+        !isNumber(line->operands[0], 3) || !isNumber(twice->operands[0], 2) ||
+        twice->operands[1] != square->operands[0])
+        return nullptr;
+    const Instruction *t = definition(square->operands[0], Op::Div);
+    const Instruction *from = t ? definition(t->operands[0], Op::Sub) : nullptr;
+    const Instruction *span = t ? definition(t->operands[1], Op::Sub) : nullptr;
+    const ValueId x = below->operands[0], low = below->operands[1], high = above->operands[0];
+    const bool fits = from && span && above->operands[1] == x && from->operands[0] == x &&
+                      from->operands[1] == low && span->operands[0] == high &&
+                      span->operands[1] == low;
+    return fits ? &square->operands[0] : nullptr;
+}
+
+BoundedValue BoundRules::selected(const Instruction &i, const Operands &x, ValueId middle) {
+    if (i.op == Op::FloatFromBool) {
+        const FormParts either = rangeForm(b_, middle, number(b_, 0), number(b_, 1));
+        return {middle, select(b_, unsureOf(b_, x[0]), either, formOf(b_, {middle}))};
+    }
+    BoundedValue result = choice(b_, x[0], x[1], x[2]);
+    result.middle = middle;
+    // Of a smoothstep whose ends differ as they should.
+    if (const ValueId *t = smoothStepOf(i)) {
+        const BoundedValue &given = (*written_)[*t];
+        const Instruction *span = definition(definitions_[*t]->operands[1], Op::Sub);
+        const BoundedValue &width = (*written_)[span->results[0]];
+        const ValueId rises = less(b_, number(b_, 0), formOf(b_, width).least);
+        result.form = select(b_, rises, boundOfSmoothStep(b_, given, middle), formOf(b_, result));
+    }
+    return result;
+}
+
+FormParts BoundRules::boundless(const Instruction &i) {
+    std::string what = "light";
+    if (i.op == Op::Variable)
+        what = "the primitive variable \"" + old_.variables[std::size_t(i.immediate)].name + "\"";
+    else if (isService(i.op))
+        what = std::string(serviceOf(old_, i).info->name) + "()";
+    if (const BoundlessNote note{i.line, what}; std::ranges::find(notes_, note) == notes_.end())
+        notes_.push_back(note);
+    return unknownForm(b_);
+}
+
+} // namespace candela::ir
