@@ -2,7 +2,7 @@
 // Bounds of shaders against what the shaders do: no point of a box may lie outside of its bound,
 // nearly all boxes must have one, and it must not be much wider than need be.
 //
-//     bounds_trial [--random COUNT] [--first SEED] [--boxes COUNT] [--table] [FOLDER...]
+//     bounds_trial [--random COUNT] [--first SEED] [--boxes COUNT] [--grid N] [--table] [FOLDER...]
 //
 // tries all surface shaders of the folders, and so many random ones, on a square, a cylinder and a
 // sphere. Exit status 1 if anything is wrong.
@@ -32,6 +32,7 @@ constexpr double notable = 1e-3; ///< Deviations from here on tell how tight a b
 struct Settings {
     int random = 0, boxes = 48;
     unsigned first = 1;
+    int grid = 0; ///< Only boxes of this one; 0: of all.
     bool table = false;
     std::vector<std::string> folders;
 };
@@ -186,6 +187,7 @@ private:
         Result result;
         for (Patch patch : patches)
             for (int grid : {64, 16, 4, 1024, 1})
+                if (settings_.grid == 0 || settings_.grid == grid)
                 trial.tryBoxes(patch, grid == 64 ? settings_.boxes : settings_.boxes / 4, grid,
                                result);
         return take(name, isNamed, result);
@@ -228,6 +230,8 @@ int main(int count, char **words) {
             settings.first = unsigned(value());
         else if (word == "--boxes")
             settings.boxes = value();
+        else if (word == "--grid")
+            settings.grid = value();
         else if (word == "--table")
             settings.table = true;
         else

@@ -94,7 +94,7 @@ BoundedValue BoundRules::bound(const Instruction &i, const Operands &x, ValueId 
     switch (info(i.op).bound) {
     case BoundRule::Source:
         return {middle, i.op == Op::Input ? inputForm(b_, i.immediate) : boundless(i)};
-    case BoundRule::Sum: return pair(RuntimeFunction::bound_sum);
+    case BoundRule::Sum: return {middle, sum(i, x, middle)};
     case BoundRule::Difference: return {middle, difference(i, x)};
     case BoundRule::Product:
         return i.operands[0] == i.operands[1]
@@ -143,6 +143,58 @@ FormParts BoundRules::monotone(const Instruction &i, const BoundedValue &x, Valu
     return i.op == Op::Floor || i.op == Op::Ceil || i.op == Op::Round
                ? boundOfStep(b_, i.op, x, middle)
                : boundOfMonotone(b_, i.op, x, middle);
+}
+
+std::optional<BoundRules::Mix> BoundRules::mixOf(const Instruction &sum) const {
+    // As one of the factors is the other summand's, less 1; a factor 1 is not written.
+    const auto factorsOf = [&](ValueId v) {
+        std::vector<std::array<std::optional<ValueId>, 2>> pairs{{std::nullopt, v}};
+        if (const Instruction *product = definition(v, Op::Mul)) {
+            pairs.push_back({product->operands[0], product->operands[1]});
+            pairs.push_back({product->operands[1], product->operands[0]});
+        }
+        return pairs;
+    };
+    for (std::size_t k : {0u, 1u})
+        for (const auto &[from, rest] : factorsOf(sum.operands[k]))
+            for (const auto &[to, share] : factorsOf(sum.operands[1 - k]))
+                if (const Instruction *less = definition(*rest, Op::Sub);
+                    less && isNumber(less->operands[0], 1) && less->operands[1] == *share)
+                    return Mix{from, to, *share};
+    return std::nullopt;
+}
+
+/// A mix() of two forms is known by what it is made of better than as a sum: a + t (b - a), which
+/// lies between a and b if t does between 0 and 1.
+FormParts BoundRules::sum(const Instruction &i, const Operands &x, ValueId middle) {
+    const FormParts plain = callBound(b_, RuntimeFunction::bound_sum, x);
+    const auto mix = mixOf(i);
+    if (!mix)
+        return plain;
+    const BoundedValue one{number(b_, 1)};
+    const auto given = [&](std::optional<ValueId> v) { return v ? (*written_)[*v] : one; };
+    const BoundedValue from = given(mix->from), to = given(mix->to), share = given(mix->share);
+    const BoundedValue way{sub(b_, to.middle, from.middle),
+                           callBound(b_, RuntimeFunction::bound_difference, {to, from})};
+    const BoundedValue gone{mul(b_, share.middle, way.middle),
+                            callBound(b_, RuntimeFunction::bound_product, {share, way})};
+    FormParts other = callBound(b_, RuntimeFunction::bound_sum, {from, gone});
+    // Its middle is rounded otherwise.
+    const auto size = [&](ValueId v) { return unary(b_, Op::Abs, v); };
+    const ValueId apart = size(sub(b_, add(b_, from.middle, gone.middle), middle));
+    const ValueId slack = add(b_, apart, mul(b_, add(b_, size(from.middle), size(to.middle)),
+                                             number(b_, 0x1p-21f)));
+    other.off = add(b_, other.off, slack);
+    const FormParts f = formOf(b_, from), t = formOf(b_, to), s = formOf(b_, share);
+    const ValueId isBetween =
+        both(b_, lessEqual(b_, number(b_, 0), s.least), lessEqual(b_, s.greatest, number(b_, 1)));
+    const ValueId least = min(b_, f.least, t.least), greatest = max(b_, f.greatest, t.greatest);
+    const auto more = [&](ValueId end) { return mul(b_, size(end), number(b_, 0x1p-21f)); };
+    FormParts best = select(b_, less(b_, other.off, plain.off), other, plain);
+    best.least = select(b_, isBetween, max(b_, plain.least, sub(b_, least, more(least))), plain.least);
+    best.greatest = select(b_, isBetween, min(b_, plain.greatest, add(b_, greatest, more(greatest))),
+                           plain.greatest);
+    return callBound(b_, RuntimeFunction::bound_settle, {{middle, best}}, {slack});
 }
 
 /// x - Floor(x), x - period Floor(x / period), and x - Min(Floor(x), last) of a spline's segments:
@@ -199,14 +251,24 @@ const ValueId *BoundRules::smoothStepOf(const Instruction &i) const {
         !isNumber(line->operands[0], 3) || !isNumber(twice->operands[0], 2) ||
         twice->operands[1] != square->operands[0])
         return nullptr;
-    const Instruction *t = definition(square->operands[0], Op::Div);
-    const Instruction *from = t ? definition(t->operands[0], Op::Sub) : nullptr;
-    const Instruction *span = t ? definition(t->operands[1], Op::Sub) : nullptr;
     const ValueId x = below->operands[0], low = below->operands[1], high = above->operands[0];
-    const bool fits = from && span && above->operands[1] == x && from->operands[0] == x &&
-                      from->operands[1] == low && span->operands[0] == high &&
-                      span->operands[1] == low;
-    return fits ? &square->operands[0] : nullptr;
+    const ValueId &t = square->operands[0];
+    // (x - low) / (high - low), as far as constants leave it there.
+    const Instruction *ratio = definition(t, Op::Div);
+    const ValueId from = ratio ? ratio->operands[0] : t;
+    const Instruction *moved = definition(from, Op::Sub);
+    const bool isFrom = (from == x && isNumber(low, 0)) ||
+                        (moved && moved->operands[0] == x && moved->operands[1] == low);
+    const Instruction *least = definition(low, Op::ConstFloat);
+    const Instruction *most = definition(high, Op::ConstFloat);
+    const Instruction *span = ratio ? definition(ratio->operands[1], Op::Sub) : nullptr;
+    const bool isRatio =
+        least && most
+            ? most->number > least->number &&
+                  (ratio ? isNumber(ratio->operands[1], most->number - least->number)
+                         : most->number - least->number == 1)
+            : span && span->operands[0] == high && span->operands[1] == low;
+    return isFrom && isRatio && above->operands[1] == x ? &t : nullptr;
 }
 
 BoundedValue BoundRules::selected(const Instruction &i, const Operands &x, ValueId middle) {
@@ -216,13 +278,14 @@ BoundedValue BoundRules::selected(const Instruction &i, const Operands &x, Value
     }
     BoundedValue result = choice(b_, x[0], x[1], x[2]);
     result.middle = middle;
-    // Of a smoothstep whose ends differ as they should.
     if (const ValueId *t = smoothStepOf(i)) {
-        const BoundedValue &given = (*written_)[*t];
-        const Instruction *span = definition(definitions_[*t]->operands[1], Op::Sub);
-        const BoundedValue &width = (*written_)[span->results[0]];
-        const ValueId rises = less(b_, number(b_, 0), formOf(b_, width).least);
-        result.form = select(b_, rises, boundOfSmoothStep(b_, given, middle), formOf(b_, result));
+        const FormParts steps = boundOfSmoothStep(b_, (*written_)[*t], middle);
+        const Instruction *ratio = definition(*t, Op::Div);
+        const bool rises = !ratio || definition(ratio->operands[1], Op::ConstFloat);
+        const auto isAbove0 = [&] {
+            return less(b_, number(b_, 0), formOf(b_, (*written_)[ratio->operands[1]]).least);
+        };
+        result.form = rises ? steps : select(b_, isAbove0(), steps, formOf(b_, result));
     }
     return result;
 }

@@ -29,6 +29,13 @@ public:
 private:
     using Operands = std::vector<BoundedValue>;
     BoundedValue bound(const Instruction &, const Operands &, ValueId middle);
+    /// from (1 - share) + to share; nothing stands for 1.
+    struct Mix {
+        std::optional<ValueId> from, to;
+        ValueId share;
+    };
+    std::optional<Mix> mixOf(const Instruction &sum) const;
+    FormParts sum(const Instruction &, const Operands &, ValueId middle);
     FormParts difference(const Instruction &, const Operands &);
     FormParts monotone(const Instruction &, const BoundedValue &x, ValueId middle);
     BoundedValue selected(const Instruction &, const Operands &, ValueId middle);
