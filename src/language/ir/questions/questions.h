@@ -117,14 +117,16 @@ struct Boundless {
     std::string what; ///< "texture()"
 };
 
-/// What Question::Bounds will answer.
+/// What Question::Bounds (of lights LightBounds) will answer.
 struct BoundFacts {
-    /// The shader sets TCiDu, TCiDv or TCiDw: the bounds of reflectance and emission are its own.
+    /// The shader sets TCiDu, TCiDv or TCiDw (a light TClDu...): these bounds are its own, but for
+    /// that of its opacity.
     bool givenByShader = false;
     /// What is not known, in the order of the text: what it reaches has no bound.
     std::vector<Boundless> boundless;
 };
 BoundFacts boundFacts(const Plan &);
+BoundFacts lightBoundFacts(const Function &whole);
 
 /// What is known of a text that displaces: of displacement and transformation shaders, and of
 /// surface shaders that set P.

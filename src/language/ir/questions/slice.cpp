@@ -158,7 +158,8 @@ void takeSampledRegion(Function &function) {
 }
 
 Function named(Function function, const Function &whole, Question question) {
-    if (question != Question::Bounds && question != Question::Furnace)
+    if (question != Question::Bounds && question != Question::Furnace &&
+        question != Question::LightBounds)
         takeSampledRegion(function);
     function.name = whole.name + "." + nameOf(question);
     function.lanes = lanesOf(question);

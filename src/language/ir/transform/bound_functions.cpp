@@ -3,6 +3,7 @@
 
 #include "language/ir/core/builder_control.h"
 #include "language/ir/core/builder_sources.h"
+#include "language/runtime/noise_bends.h"
 
 #include <limits>
 #include <numbers>
@@ -198,16 +199,35 @@ FormParts boundOfSmoothStep(Builder &b, const BoundedValue &t, ValueId middle) {
     return select(b, less(b, f.off, number(b, endless)), steps, any);
 }
 
-namespace {
+/// Of x / |x| the derivative is what is across x, over |x|; the second derivative along a way d is
+/// at most root(4 / 3) d^2 / |x|^2.
+FormParts boundOfUnit(Builder &b, const std::array<BoundedValue, 3> &x, std::size_t component,
+                      ValueId length, ValueId middle) {
+    const ValueId zero = number(b, 0), one = number(b, 1);
+    const ValueId inverse = div(b, one, length);
+    ValueId alongU = zero, alongV = zero, off = zero, way = zero;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const FormParts f = formOf(b, x[k]);
+        const ValueId across = sub(b, number(b, k == component ? 1 : 0),
+                                   mul(b, middle, mul(b, x[k].middle, inverse)));
+        const ValueId slope = mul(b, across, inverse);
+        alongU = add(b, alongU, mul(b, slope, f.alongU));
+        alongV = add(b, alongV, mul(b, slope, f.alongV));
+        off = add(b, off, mul(b, size(b, slope), f.off));
+        const ValueId far = add(b, add(b, size(b, f.alongU), size(b, f.alongV)), f.off);
+        way = add(b, way, squareOf(b, far));
+    }
+    const ValueId least = max(b, sub(b, length, sqrt(b, way)), zero);
+    const ValueId bent = div(b, mul(b, number(b, 0.57736f), way), squareOf(b, least));
+    const FormParts unit{alongU, alongV, add(b, off, bent), number(b, -1.000001f),
+                         number(b, 1.000001f)};
+    // A vector so short that its square is not exact any more may become longer than 1.
+    const ValueId isLong =
+        both(b, less(b, number(b, 1e-15f), least), less(b, way, number(b, endless)));
+    return select(b, isLong, settle(b, middle, unit, number(b, 2)), unknownForm(b));
+}
 
-/// Most of the slope along an axis, of the second derivative by an axis twice, and by two axes, of
-/// gradient noise of so many dimensions: sums, over a cell's corners, of the most that any gradient
-/// gives, whatever the hash; the greatest on a grid of a cell, and 2 % (bound_noise_test.cpp).
-struct Bend {
-    float slope, twice, mixed;
-};
-constexpr Bend bends[] = {
-    {1.38f, 7.65f, 0}, {1.51f, 5.91f, 3.86f}, {1.72f, 5.91f, 5.16f}, {1.80f, 5.91f, 6.01f}};
+namespace {
 
 /// Cell noise where the box touches no more than two cells along each coordinate: what these hold.
 class CellBound {
@@ -267,7 +287,7 @@ public:
     NoiseBound(Builder &b, RuntimeFunction withSlopes, const std::vector<BoundedValue> &inputs,
                int dimensions, const Values &middles)
         : b_(b), withSlopes_(withSlopes), dimensions_(std::size_t(dimensions)),
-          bend_(bends[dimensions - 1]), middles_(middles) {
+          bend_(runtime::noiseBends[dimensions - 1]), middles_(middles) {
         for (const BoundedValue &x : inputs)
             place_.push_back(x.middle);
         for (std::size_t k = 0; k < dimensions_; ++k) {
@@ -408,7 +428,7 @@ private:
     Builder &b_;
     RuntimeFunction withSlopes_;
     std::size_t dimensions_;
-    Bend bend_;
+    runtime::NoiseBend bend_;
     Values middles_, place_, slopes_;
     std::vector<FormParts> forms_;
     Values far_, partFar_; ///< By coordinate, from the middle of the box, and of a part of it.

@@ -17,6 +17,10 @@ FormParts boundOfAngle(Builder &, const BoundedValue &y, const BoundedValue &x, 
 FormParts boundOfPower(Builder &, const BoundedValue &x, const BoundedValue &y, ValueId middle);
 /// The cubic of smoothstep(), 0 below t = 0 and 1 from t = 1 on.
 FormParts boundOfSmoothStep(Builder &, const BoundedValue &t, ValueId middle);
+/// A component of a vector of unit length, made from x by its length, which in the middle is
+/// `length`.
+FormParts boundOfUnit(Builder &, const std::array<BoundedValue, 3> &x, std::size_t component,
+                      ValueId length, ValueId middle);
 /// Of each result of noise or cell noise, those in the middle being `middles`.
 std::vector<FormParts> boundOfNoise(Builder &, RuntimeFunction,
                                     const std::vector<BoundedValue> &inputs, const Values &middles);

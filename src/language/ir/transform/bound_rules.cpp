@@ -9,6 +9,7 @@
 #include "language/ir/transform/bound_variation.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace candela::ir {
 
@@ -65,8 +66,19 @@ ValueId isUndecided(Builder &b, Op op, const FormParts &difference) {
         return negate(b, either(b, less(b, greatest, zero), lessEqual(b, zero, least)));
     case Op::LessEqual:
         return negate(b, either(b, lessEqual(b, greatest, zero), less(b, zero, least)));
-    default: return negate(b, either(b, less(b, greatest, zero), less(b, zero, least)));
+    default: // Or they differ by the same all over the box.
+        return negate(b, either(b, either(b, less(b, greatest, zero), less(b, zero, least)),
+                                equal(b, least, greatest)));
     }
+}
+
+/// Not even that it is a number.
+ValueId isUnknown(Builder &b, const FormParts &f) {
+    const float endless = std::numeric_limits<float>::infinity();
+    const ValueId isKnown =
+        both(b, lessEqual(b, f.least, f.greatest),
+             either(b, less(b, number(b, -endless), f.least), less(b, f.greatest, number(b, endless))));
+    return negate(b, isKnown);
 }
 
 BoundedValue logic(Builder &b, Op op, const std::vector<BoundedValue> &x, ValueId middle) {
@@ -96,10 +108,7 @@ BoundedValue BoundRules::bound(const Instruction &i, const Operands &x, ValueId 
         return {middle, i.op == Op::Input ? inputForm(b_, i.immediate) : boundless(i)};
     case BoundRule::Sum: return {middle, sum(i, x, middle)};
     case BoundRule::Difference: return {middle, difference(i, x)};
-    case BoundRule::Product:
-        return i.operands[0] == i.operands[1]
-                   ? BoundedValue{middle, callBound(b_, RuntimeFunction::bound_square, {x[0]})}
-                   : pair(RuntimeFunction::bound_product);
+    case BoundRule::Product: return {middle, product(i, x, middle)};
     case BoundRule::Quotient: return pair(RuntimeFunction::bound_quotient);
     case BoundRule::Negation: return {middle, negative(b_, formOf(b_, x[0]))};
     case BoundRule::Magnitude: return pair(RuntimeFunction::bound_magnitude);
@@ -123,6 +132,8 @@ BoundedValue BoundRules::bound(const Instruction &i, const Operands &x, ValueId 
     case BoundRule::Comparison:
         if (i.op == Op::StringEqual)
             return {middle, {}, either(b_, unsureOf(b_, x[0]), unsureOf(b_, x[1]))};
+        if (i.operands[0] == i.operands[1]) // Whether it is a number.
+            return {middle, {}, isUnknown(b_, formOf(b_, x[0]))};
         return {middle,
                 {},
                 isUndecided(b_, i.op, callBound(b_, RuntimeFunction::bound_difference, x))};
@@ -143,6 +154,47 @@ FormParts BoundRules::monotone(const Instruction &i, const BoundedValue &x, Valu
     return i.op == Op::Floor || i.op == Op::Ceil || i.op == Op::Round
                ? boundOfStep(b_, i.op, x, middle)
                : boundOfMonotone(b_, i.op, x, middle);
+}
+
+/// The vector whose components normalize() multiplies by this reciprocal of its length.
+std::optional<BoundRules::Scaled> BoundRules::scaledBy(ValueId reciprocal) const {
+    const Instruction *division = definition(reciprocal, Op::Div);
+    const Instruction *divisor = division && isNumber(division->operands[0], 1)
+                                     ? definition(division->operands[1], Op::Select)
+                                     : nullptr;
+    const Instruction *length = divisor ? definition(divisor->operands[2], Op::Sqrt) : nullptr;
+    const Instruction *sum = length ? definition(length->operands[0], Op::Add) : nullptr;
+    const Instruction *two = sum ? definition(sum->operands[0], Op::Add) : nullptr;
+    if (!two || !isNumber(divisor->operands[1], 1))
+        return std::nullopt;
+    Scaled scaled{{}, length->results[0]};
+    const ValueId squares[] = {two->operands[0], two->operands[1], sum->operands[1]};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Instruction *square = definition(squares[k], Op::Mul);
+        if (!square || square->operands[0] != square->operands[1])
+            return std::nullopt;
+        scaled.vector[k] = square->operands[0];
+    }
+    return scaled;
+}
+
+FormParts BoundRules::product(const Instruction &i, const Operands &x, ValueId middle) {
+    if (i.operands[0] == i.operands[1])
+        return callBound(b_, RuntimeFunction::bound_square, {x[0]});
+    const FormParts plain = callBound(b_, RuntimeFunction::bound_product, x);
+    for (std::size_t k : {0u, 1u})
+        if (const auto scaled = scaledBy(i.operands[k])) {
+            const auto &vector = scaled->vector;
+            const auto found = std::ranges::find(vector, i.operands[1 - k]);
+            if (found == vector.end())
+                continue;
+            const auto &w = *written_;
+            const FormParts unit =
+                boundOfUnit(b_, {w[vector[0]], w[vector[1]], w[vector[2]]},
+                            std::size_t(found - vector.begin()), w[scaled->length].middle, middle);
+            return select(b_, less(b_, unit.off, plain.off), unit, plain);
+        }
+    return plain;
 }
 
 std::optional<BoundRules::Mix> BoundRules::mixOf(const Instruction &sum) const {
@@ -197,8 +249,27 @@ FormParts BoundRules::sum(const Instruction &i, const Operands &x, ValueId middl
     return callBound(b_, RuntimeFunction::bound_settle, {{middle, best}}, {slack});
 }
 
+/// The other summand of a sum, which is left when one is taken off it.
+std::optional<ValueId> BoundRules::summandBeside(ValueId sum, ValueId one) const {
+    if (const Instruction *whole = definition(sum, Op::Add))
+        for (std::size_t k : {0u, 1u})
+            if (whole->operands[k] == one)
+                return whole->operands[1 - k];
+    return std::nullopt;
+}
+
+/// What part of another value a value is: a factor that is the same all over the box.
+std::optional<ValueId> BoundRules::shareOf(ValueId part, ValueId whole) const {
+    if (const Instruction *product = definition(part, Op::Mul))
+        for (std::size_t k : {0u, 1u})
+            if (product->operands[k] == whole && !(*written_)[product->operands[1 - k]].varies())
+                return product->operands[1 - k];
+    return std::nullopt;
+}
+
 /// x - Floor(x), x - period Floor(x / period), and x - Min(Floor(x), last) of a spline's segments:
-/// from 0 to 1 (or a period), which the forms of both alone do not tell.
+/// from 0 to 1 (or a period), which the forms of both alone do not tell; x - k x, (x + y) - x
+/// and x - x.
 FormParts BoundRules::difference(const Instruction &i, const Operands &x) {
     const FormParts f = callBound(b_, RuntimeFunction::bound_difference, x);
     const auto isFloorOf = [&](ValueId v, ValueId of) {
@@ -206,6 +277,20 @@ FormParts BoundRules::difference(const Instruction &i, const Operands &x) {
         return floor && floor->operands[0] == of;
     };
     const ValueId whole = i.operands[0], part = i.operands[1];
+    if (whole == part) // 0, of a number that is finite.
+        return select(b_, less(b_, x[0].form->off, number(b_, std::numeric_limits<float>::infinity())),
+                      formOf(b_, {number(b_, 0)}), f);
+    if (const auto rest = summandBeside(whole, part)) {
+        const BoundedValue &kept = (*written_)[*rest];
+        FormParts form = formOf(b_, kept);
+        const auto size = [&](ValueId v) { return unary(b_, Op::Abs, v); };
+        const auto sizes = [&](const FormParts &g) { return add(b_, size(g.least), size(g.greatest)); };
+        const ValueId slack = mul(b_, add(b_, sizes(formOf(b_, x[0])), sizes(formOf(b_, x[1]))),
+                                  number(b_, 0x1p-22f));
+        form = {form.alongU, form.alongV, add(b_, form.off, slack), sub(b_, form.least, slack),
+                add(b_, form.greatest, slack)};
+        return select(b_, less(b_, form.off, f.off), form, f);
+    }
     const ValueId zero = number(b_, 0), one = number(b_, 1);
     const auto within = [&](ValueId least, ValueId most, ValueId holds) {
         FormParts cut = f;
@@ -220,6 +305,18 @@ FormParts BoundRules::difference(const Instruction &i, const Operands &x) {
         least && isFloorOf(least->operands[0], whole)) {
         const FormParts last = formOf(b_, (*written_)[least->operands[1]]);
         return within(zero, one, lessEqual(b_, ofX.greatest, add(b_, last.least, one)));
+    }
+    if (const auto share = shareOf(part, whole)) {
+        const BoundedValue rest{sub(b_, one, (*written_)[*share].middle)};
+        FormParts kept = callBound(b_, RuntimeFunction::bound_product, {x[0], rest});
+        const auto size = [&](ValueId v) { return unary(b_, Op::Abs, v); };
+        // Both are rounded otherwise.
+        const ValueId slack = mul(b_, add(b_, size(ofX.least), size(ofX.greatest)),
+                                  number(b_, 0x1p-21f));
+        kept.off = add(b_, kept.off, slack);
+        kept.least = sub(b_, kept.least, slack);
+        kept.greatest = add(b_, kept.greatest, slack);
+        return kept;
     }
     const Instruction *product = definition(part, Op::Mul);
     for (std::size_t k = 0; product && k < 2; ++k) {

@@ -29,6 +29,13 @@ public:
 private:
     using Operands = std::vector<BoundedValue>;
     BoundedValue bound(const Instruction &, const Operands &, ValueId middle);
+    /// A vector and its length.
+    struct Scaled {
+        std::array<ValueId, 3> vector;
+        ValueId length;
+    };
+    std::optional<Scaled> scaledBy(ValueId reciprocal) const;
+    FormParts product(const Instruction &, const Operands &, ValueId middle);
     /// from (1 - share) + to share; nothing stands for 1.
     struct Mix {
         std::optional<ValueId> from, to;
@@ -36,6 +43,8 @@ private:
     };
     std::optional<Mix> mixOf(const Instruction &sum) const;
     FormParts sum(const Instruction &, const Operands &, ValueId middle);
+    std::optional<ValueId> summandBeside(ValueId sum, ValueId one) const;
+    std::optional<ValueId> shareOf(ValueId part, ValueId whole) const;
     FormParts difference(const Instruction &, const Operands &);
     FormParts monotone(const Instruction &, const BoundedValue &x, ValueId middle);
     BoundedValue selected(const Instruction &, const Operands &, ValueId middle);

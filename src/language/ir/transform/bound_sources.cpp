@@ -2,6 +2,7 @@
 #include "language/ir/transform/bound_sources.h"
 
 #include "language/ir/core/builder_sources.h"
+#include "language/ir/core/builder_vectors.h"
 
 #include <limits>
 #include <numbers>
@@ -19,6 +20,7 @@ constexpr ShaderInput none = ShaderInput::Count;
 constexpr Row rows[] = {
     {ShaderInput::P, ShaderInput::PLast_, ShaderInput::dPdu, ShaderInput::dPdv, ShaderInput::PRest},
     {ShaderInput::I, ShaderInput::ILast_, ShaderInput::dIdu, ShaderInput::dIdv, ShaderInput::IRest},
+    {ShaderInput::Ps, ShaderInput::PsLast_, none, none, none},
     {ShaderInput::N, ShaderInput::NLast_, ShaderInput::dNdu, ShaderInput::dNdv, ShaderInput::NRest},
     {ShaderInput::Ng, ShaderInput::NgLast_, ShaderInput::dNgdu, ShaderInput::dNgdv,
      ShaderInput::NRest},
@@ -51,21 +53,20 @@ ValueId halfOf(Builder &b, ShaderInput extent) {
     return mul(b, input(b, extent), number(b, 0.5f));
 }
 
-/// How far a direction of I's length gets within the cone: a solid angle W is that of the chord
+/// How far the end of a direction gets within the cone: a solid angle W is that of the chord
 /// root(W / pi) of the unit sphere.
-ValueId withinCone(Builder &b) {
-    ValueId squared = number(b, 0);
-    for (int c = 0; c < 3; ++c) {
-        const ValueId I = input(b, ShaderInput::I, c);
-        squared = add(b, squared, mul(b, I, I));
-    }
+ValueId withinCone(Builder &b, const Triple &direction) {
+    const ValueId squared = dot(b, direction, direction);
     const ValueId chord = mul(b, input(b, ShaderInput::Dw), number(b, std::numbers::inv_pi_v<float>));
     return sqrt(b, mul(b, squared, chord));
 }
 
 ValueId offOf(Builder &b, const Row &row) {
+    if (row.first == ShaderInput::Ps)
+        return withinCone(b, sub(b, input3(b, ShaderInput::Ps), input3(b, ShaderInput::P)));
     const ValueId rest = input(b, row.rest);
-    return row.first == ShaderInput::I ? add(b, rest, withinCone(b)) : rest;
+    return row.first == ShaderInput::I ? add(b, rest, withinCone(b, input3(b, ShaderInput::I)))
+                                       : rest;
 }
 
 } // namespace
