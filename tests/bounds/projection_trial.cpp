@@ -15,6 +15,8 @@
 #include <ctime>
 #include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace candela {
 namespace {
@@ -50,6 +52,23 @@ double mean(BoxBounds &boxes, int n, int most) {
     return sum / n / n;
 }
 
+/// Seconds that a box costs, and a point.
+std::pair<double, double> costs(BoxBounds &boxes, int most) {
+    constexpr int rounds = 40;
+    for (int i = 0; i < most; ++i)
+        place(boxes, i, {(i % 32 + .5) / 32, (i / 32 + .5) / 32, 1.0 / 32, 1.0 / 32});
+    for (int i = 0; i < most; ++i)
+        boxes.set(ShaderInput::Du, i, {1.0f / 32}), boxes.set(ShaderInput::Dv, i, {1.0f / 32});
+    const double start = seconds();
+    for (int n = 0; n < rounds; ++n)
+        boxes.ask(most);
+    const double between = seconds();
+    for (int n = 0; n < rounds; ++n)
+        boxes.askValues(most);
+    const double asked = double(rounds) * most;
+    return {(between - start) / asked, (seconds() - between) / asked};
+}
+
 void tryShader(const std::filesystem::path &file) {
     DiagnosticList diagnostics;
     ShaderLibrarySettings settings;
@@ -64,6 +83,9 @@ void tryShader(const std::filesystem::path &file) {
     instance->code->bindSpaces({}, diagnostics);
     constexpr int most = 512, finest = 4096;
     BoxBounds boxes(*instance, most);
+    const auto [box, point] = costs(boxes, most);
+    std::printf("%-16s a box costs %.3f us, a point %.3f\n", record.name.c_str(), 1e6 * box,
+                1e6 * point);
     const double reference = mean(boxes, finest, most);
     struct Plain {
         int n;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a surface shader does over pieces of surface: bounds of its reflectance, emission and
-// opacity over boxes of (u, v), a batch of boxes a call (docs/bounds.md).
+// What a shader does over pieces of surface: bounds of a surface's reflectance, emission and opacity,
+// or of a light's emission, over boxes of (u, v), a batch of boxes a call (docs/bounds.md).
 //
 //     BoxBounds boxes(instance, 512);
 //     for (int i = 0; i < count; ++i)
@@ -30,8 +30,8 @@ struct BoundPlanes {
     std::array<const float *, colorSamples> tolerance{};
 };
 
-/// A batch of boxes of one surface shader, and what the shader answers of them. Of no use to two
-/// threads at once.
+/// A batch of boxes of one surface or light shader, and what the shader answers of them. Of no use
+/// to two threads at once.
 ///
 /// Inputs are those of the middle of the box, zero at first: ShaderInput's, in current space. What
 /// they do over the box say their derivatives (dPdu, dPdv, dNdu, dNdv, dNgdu, dNgdv, dsdu... and,
@@ -58,7 +58,8 @@ public:
     /// Answer to a field of radiance 1 from all directions: what the shader's light loops and
     /// traced rays make of it, without its emission.
     BoundPlanes reflectance() const { return planes_[0]; }
-    /// Ci without any light.
+    /// Ci without any light; of lights Cl toward Ps, the cone Dw being about that direction. A
+    /// light has nothing else.
     BoundPlanes emission() const { return planes_[1]; }
     BoundPlanes opacity() const { return planes_[2]; }
 
@@ -66,8 +67,10 @@ private:
     void ask(const QuestionCode &, const std::vector<float *> &outputs, int count);
 
     ShaderInstance instance_;
+    const QuestionCode *boundsCode_, *valuesCode_;
     Planes<float> inputs_, outputs_;
     Planes<std::int32_t> integers_;
+    Planes<float> unwanted_;
     std::array<float, 32> object_{};
     std::vector<const float *> inputTable_;
     std::vector<float *> bounds_, values_; ///< Output tables of the two questions.

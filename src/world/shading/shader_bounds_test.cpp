@@ -21,17 +21,18 @@ public:
     explicit Shaders(int width = laneBlock) : library_(settings(width), diagnostics) {}
     ~Shaders() { std::filesystem::remove_all(folder()); }
 
-    ShaderInstance named(const std::string &name) {
+    ShaderInstance named(const std::string &name, ShaderKind kind = ShaderKind::Surface) {
         ShaderRecord record;
         record.name = name;
         auto instance =
-            library_.instance(ShaderKind::Surface, record, Options(), ir::LightRule::Path, {});
+            library_.instance(kind, record, Options(), ir::LightRule::Path, {});
         EXPECT_EQ(diagnostics.text(), "");
         return *instance;
     }
-    ShaderInstance written(const std::string &name, const std::string &text) {
+    ShaderInstance written(const std::string &name, const std::string &text,
+                           ShaderKind kind = ShaderKind::Surface) {
         std::ofstream(folder() / (name + ".sl")) << text;
-        return named(name);
+        return named(name, kind);
     }
 
     DiagnosticList diagnostics;
@@ -86,6 +87,22 @@ TEST(BoxBounds, AMatteSurfaceReflectsItsColourEverywhere) {
         EXPECT_EQ(boxes.emission().value[1][i], 0);
         EXPECT_EQ(boxes.opacity().value[1][i], 1);
     }
+}
+
+TEST(BoxBounds, LightsAreAskedOverTheirSurface) {
+    Shaders shaders;
+    const ShaderInstance lamp = shaders.written(
+        "lamp", "light lamp() { illuminate(P) Cl = 2 + s * s; }", ShaderKind::Light);
+    BoxBounds boxes(lamp, 1);
+    place(boxes, 0, {.5, .5, .5, .5});
+    boxes.set(ShaderInput::Ps, 0, {.5f, .5f, -3});
+    boxes.ask(1);
+    EXPECT_FLOAT_EQ(boxes.emission().value[0][0], 2.25f);
+    EXPECT_FLOAT_EQ(boxes.emission().byU[0][0], 1);
+    EXPECT_NEAR(boxes.emission().tolerance[0][0], .0625, 1e-5);
+    boxes.set(ShaderInput::s, 0, {1});
+    boxes.askValues(1);
+    EXPECT_FLOAT_EQ(boxes.emission().value[0][0], 3);
 }
 
 /// Curved, with everything in it.

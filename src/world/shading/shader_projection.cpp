@@ -38,7 +38,8 @@ struct Part {
     int halvings = 0;
     Cut cut = Cut::Untried;
     std::array<std::array<Plane, channels>, quantityCount> planes{};
-    double worst = 0; ///< Greatest tolerance.
+    double worst = 0;  ///< Greatest tolerance.
+    double weight = 0; ///< What it may add to a coefficient's error, whichever it is.
 
     double area() const { return wide * high; }
 };
@@ -115,22 +116,34 @@ private:
     std::vector<Part> takeWorst() {
         const double tolerance = double(settings_.tolerance);
         double error = 0;
-        for (const Part &part : parts_)
-            error += weightOf(part);
+        std::vector<std::pair<double, std::size_t>> byWeight;
+        for (const Part &part : parts_) {
+            error += part.weight;
+            if (part.weight > 0 && part.halvings < mostHalvings)
+                byWeight.push_back({-part.weight, std::size_t(&part - parts_.data())});
+        }
         if (error <= tolerance ||
             parts_.size() * views_.size() > std::size_t(settings_.mostBoxes))
             return {};
-        std::ranges::sort(parts_, {}, [&](const Part &part) { return -weightOf(part); });
-        std::size_t count = 0;
-        for (double taken = 0; count < parts_.size() && taken < error - tolerance / 2; ++count) {
-            const double weight = weightOf(parts_[count]);
-            if (weight <= 0 || parts_[count].halvings >= mostHalvings)
+        std::ranges::sort(byWeight);
+        std::vector<bool> isTaken(parts_.size());
+        std::vector<Part> worst;
+        double taken = 0;
+        for (const auto &[weight, k] : byWeight) {
+            if (taken >= error - tolerance / 2)
                 break;
-            taken += weight;
+            taken -= weight;
+            isTaken[k] = true;
+            worst.push_back(parts_[k]);
         }
-        const auto end = parts_.begin() + std::ptrdiff_t(count);
-        std::vector<Part> worst(parts_.begin(), end);
-        parts_.erase(parts_.begin(), end);
+        std::size_t kept = 0;
+        for (std::size_t k = 0; k < parts_.size(); ++k)
+            if (!isTaken[k]) {
+                if (kept != k)
+                    parts_[kept] = parts_[k];
+                ++kept;
+            }
+        parts_.resize(kept);
         return worst;
     }
 
@@ -153,10 +166,10 @@ private:
             }
         };
         const auto weight = [&](int first) {
-            return weightOf(next[first]) + weightOf(next[first + 1]);
+            return next[first].weight + next[first + 1].weight;
         };
         for (const Part &whole : wholes) {
-            const double before = weightOf(whole);
+            const double before = whole.weight;
             switch (whole.cut) {
             case Cut::Untried: {
                 const double alongU = weight(0), alongV = weight(2);
@@ -181,8 +194,7 @@ private:
         }
     }
 
-    /// What the part may add to a coefficient's error, whichever it is. Where nothing is known it is
-    /// cut a few times as if much were off, and then taken as it is.
+    /// Where nothing is known a part is cut a few times as if much were off, and then taken as it is.
     double weightOf(const Part &part) const {
         if (part.worst < std::numeric_limits<float>::max())
             return part.worst * part.area() * mostOf(part);
@@ -209,9 +221,12 @@ private:
             boxes_.ask(lane);
             calls_ += lane;
             lane = 0;
-            for (std::size_t k = 0; k < count; ++k)
+            for (std::size_t k = 0; k < count; ++k) {
+                Part &part = parts[first + k];
                 for (int view = 0; view < views; ++view)
-                    take(lane++, parts[first + k]);
+                    take(lane++, part);
+                part.weight = weightOf(part);
+            }
         }
     }
 

@@ -364,7 +364,8 @@ const ValueId *BoundRules::smoothStepOf(const Instruction &i) const {
             ? most->number > least->number &&
                   (ratio ? isNumber(ratio->operands[1], most->number - least->number)
                          : most->number - least->number == 1)
-            : span && span->operands[0] == high && span->operands[1] == low;
+            : (span && span->operands[0] == high && span->operands[1] == low) ||
+                  (isNumber(low, 0) && ratio && ratio->operands[1] == high);
     return isFrom && isRatio && above->operands[1] == x ? &t : nullptr;
 }
 
