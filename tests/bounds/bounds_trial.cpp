@@ -2,10 +2,13 @@
 // Bounds of shaders against what the shaders do: no point of a box may lie outside of its bound,
 // nearly all boxes must have one, and it must not be much wider than need be.
 //
-//     bounds_trial [--random COUNT] [--first SEED] [--boxes COUNT] [--grid N] [--table] [FOLDER...]
+//     bounds_trial [--random COUNT] [--first SEED] [--boxes COUNT] [--grid N] [--table] [--limits]
+//                  [FOLDER...]
 //
 // tries all surface shaders of the folders, and so many random ones, on a square, a cylinder and a
-// sphere. Exit status 1 if anything is wrong.
+// sphere. Exit status 1 if anything is wrong; with --limits also if fewer than 90 % of the folders'
+// shaders have bounds on all boxes of a 64 x 64 grid of the square, or if one's tolerances there are
+// more than 3 times its deviations in the median or 10 times at the 90th percentile.
 #include "patches.h"
 #include "random_shader.h"
 
@@ -33,7 +36,7 @@ struct Settings {
     int random = 0, boxes = 48;
     unsigned first = 1;
     int grid = 0; ///< Only boxes of this one; 0: of all.
-    bool table = false;
+    bool table = false, limits = false;
     std::vector<std::string> folders;
 };
 
@@ -101,7 +104,7 @@ private:
                     (patch == Patch::Square ? result.flat : result.round)
                         .push_back(tolerance / most);
             }
-        if (box.Du == 1.0 / 64) {
+        if (box.Du == 1.0 / 64 && patch == Patch::Square) {
             ++result.boxes;
             result.finite += isFinite;
         }
@@ -151,12 +154,13 @@ public:
         }
         std::filesystem::remove_all(scratch);
         std::printf("%ld points of %d shaders, %ld outside; %d of %d shaders of the folders have bounds "
-                    "on 99 %% of the boxes of a 64 x 64 grid\ntolerance over deviation, where that is above %g: "
+                    "on all boxes of a flat 64 x 64 grid\ntolerance over deviation, where that is above %g: "
                     "flat %.2f in the median, %.2f at 90 %%; round %.2f, %.2f\n",
                     points_, shaders_, violations_, covered_, named_, notable,
                     quantile(all_.flat, .5), quantile(all_.flat, .9), quantile(all_.round, .5),
                     quantile(all_.round, .9));
-        return violations_ || failed_ ? 1 : 0;
+        const bool isLimited = isLoose_ || covered_ * 10 < named_ * 9;
+        return violations_ || failed_ || (settings_.limits && isLimited) ? 1 : 0;
     }
 
 private:
@@ -201,7 +205,9 @@ private:
         ++shaders_;
         points_ += result.points, violations_ += result.violations;
         const double share = double(result.finite) / double(std::max(1l, result.boxes));
-        named_ += isNamed, covered_ += isNamed && share >= .99;
+        named_ += isNamed, covered_ += isNamed && share == 1;
+        const double median = quantile(result.flat, .5), most = quantile(result.flat, .9);
+        isLoose_ |= isNamed && (median > 3 || most > 10);
         all_.flat.insert(all_.flat.end(), result.flat.begin(), result.flat.end());
         all_.round.insert(all_.round.end(), result.round.begin(), result.round.end());
         if (settings_.table)
@@ -219,7 +225,7 @@ private:
     long points_ = 0, violations_ = 0;
     int shaders_ = 0, covered_ = 0, named_ = 0;
     Result all_;
-    bool failed_ = false;
+    bool failed_ = false, isLoose_ = false;
 };
 
 } // namespace
@@ -238,6 +244,8 @@ int main(int count, char **words) {
             settings.boxes = value();
         else if (word == "--grid")
             settings.grid = value();
+        else if (word == "--limits")
+            settings.limits = true;
         else if (word == "--table")
             settings.table = true;
         else

@@ -216,13 +216,100 @@ std::optional<BoundRules::Mix> BoundRules::mixOf(const Instruction &sum) const {
     return std::nullopt;
 }
 
+std::optional<std::array<std::array<ValueId, 3>, 2>> BoundRules::dotOf(const Instruction &sum) const {
+    const Instruction *two = definition(sum.operands[0], Op::Add);
+    if (!two)
+        return std::nullopt;
+    std::array<std::array<ValueId, 3>, 2> vectors;
+    const ValueId products[] = {two->operands[0], two->operands[1], sum.operands[1]};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Instruction *product = definition(products[k], Op::Mul);
+        if (!product)
+            return std::nullopt;
+        vectors[0][k] = product->operands[0], vectors[1][k] = product->operands[1];
+    }
+    return vectors;
+}
+
+/// Where a vector is known to be no longer than 1 (and a little): made so by normalize(), turned
+/// round, chosen among such, mirrored; or the same all over the box. Nothing if that is not known.
+std::optional<ValueId> BoundRules::isUnit(const std::array<ValueId, 3> &v, int depth) {
+    const auto &w = *written_;
+    if (!w[v[0]].varies() && !w[v[1]].varies() && !w[v[2]].varies()) {
+        ValueId squared = number(b_, 0);
+        for (ValueId c : v)
+            squared = add(b_, squared, mul(b_, w[c].middle, w[c].middle));
+        return lessEqual(b_, squared, number(b_, 1.000001f));
+    }
+    const std::array<const Instruction *, 3> made{definitions_[v[0]], definitions_[v[1]],
+                                                  definitions_[v[2]]};
+    const auto areAll = [&](Op op) {
+        return std::ranges::all_of(made, [&](const Instruction *i) { return i && i->op == op; });
+    };
+    const auto operands = [&](std::size_t k) {
+        return std::array{made[0]->operands[k], made[1]->operands[k], made[2]->operands[k]};
+    };
+    if (depth == 0)
+        return std::nullopt;
+    const auto isOne = [&](std::size_t k) {
+        return operands(k) ==
+               std::array{made[0]->operands[k], made[0]->operands[k], made[0]->operands[k]};
+    };
+    if (areAll(Op::Neg))
+        return isUnit(operands(0), depth - 1);
+    if (areAll(Op::Mul))
+        for (std::size_t k : {0u, 1u})
+            if (const auto scaled = scaledBy(made[0]->operands[k]);
+                scaled && isOne(k) && scaled->vector == operands(1 - k))
+                return less(b_, number(b_, 1e-15f), formOf(b_, w[scaled->length]).least);
+    const auto bothOf = [&](const std::array<ValueId, 3> &x,
+                            const std::array<ValueId, 3> &y) -> std::optional<ValueId> {
+        const auto one = isUnit(x, depth - 1), other = isUnit(y, depth - 1);
+        return one && other ? std::optional(both(b_, *one, *other)) : std::nullopt;
+    };
+    if (areAll(Op::Select) && isOne(0))
+        return bothOf(operands(1), operands(2));
+    if (!areAll(Op::Sub)) // I - 2 (I.N) N
+        return std::nullopt;
+    const std::array<ValueId, 3> moved = operands(1);
+    std::array<ValueId, 3> normal;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Instruction *scaled = definition(moved[k], Op::Mul);
+        if (!scaled)
+            return std::nullopt;
+        normal[k] = scaled->operands[0];
+        const Instruction *twice = definition(scaled->operands[1], Op::Mul);
+        const Instruction *sum =
+            twice && isNumber(twice->operands[0], 2) ? definition(twice->operands[1], Op::Add) : nullptr;
+        const auto dot = sum ? dotOf(*sum) : std::nullopt;
+        if (!dot || (*dot)[0] != operands(0))
+            return std::nullopt;
+        if (k == 2 && (*dot)[1] == normal)
+            return bothOf(operands(0), normal);
+    }
+    return std::nullopt;
+}
+
+/// The dot product of two vectors of unit length lies between -1 and 1.
+FormParts BoundRules::cutAsDot(const Instruction &sum, const FormParts &f) {
+    const auto vectors = dotOf(sum);
+    const auto one = vectors ? isUnit((*vectors)[0], 4) : std::nullopt;
+    const auto other = one ? isUnit((*vectors)[1], 4) : std::nullopt;
+    if (!other)
+        return f;
+    FormParts cut = f;
+    cut.least = max(b_, f.least, number(b_, -1.00001f));
+    cut.greatest = min(b_, f.greatest, number(b_, 1.00001f));
+    return select(b_, both(b_, *one, *other), cut, f);
+}
+
 /// A mix() of two forms is known by what it is made of better than as a sum: a + t (b - a), which
 /// lies between a and b if t does between 0 and 1.
 FormParts BoundRules::sum(const Instruction &i, const Operands &x, ValueId middle) {
     const FormParts plain = callBound(b_, RuntimeFunction::bound_sum, x);
     const auto mix = mixOf(i);
     if (!mix)
-        return plain;
+        return cutAsDot(i, plain);
     const BoundedValue one{number(b_, 1)};
     const auto given = [&](std::optional<ValueId> v) { return v ? (*written_)[*v] : one; };
     const BoundedValue from = given(mix->from), to = given(mix->to), share = given(mix->share);

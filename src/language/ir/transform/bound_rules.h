@@ -42,6 +42,10 @@ private:
         ValueId share;
     };
     std::optional<Mix> mixOf(const Instruction &sum) const;
+    /// The two vectors of a dot product, which ends with the sum.
+    std::optional<std::array<std::array<ValueId, 3>, 2>> dotOf(const Instruction &sum) const;
+    std::optional<ValueId> isUnit(const std::array<ValueId, 3> &, int depth);
+    FormParts cutAsDot(const Instruction &sum, const FormParts &);
     FormParts sum(const Instruction &, const Operands &, ValueId middle);
     std::optional<ValueId> summandBeside(ValueId sum, ValueId one) const;
     std::optional<ValueId> shareOf(ValueId part, ValueId whole) const;
