@@ -40,10 +40,11 @@ struct Layers {
 
 Layers layersOf(const std::string &name, std::size_t boxes) {
     const auto planes = [&](const std::string &what) {
-        return NamedPlanes{name + what, std::vector(std::size_t(colorSamples),
-                                                    std::vector<float>(boxes))};
+        return NamedPlanes{name + what,
+                           std::vector(std::size_t(colorSamples), std::vector<float>(boxes))};
     };
-    return {planes(""), planes(" by u"), planes(" by v"), planes(" tolerance"), planes(" deviation")};
+    return {planes(""), planes(" by u"), planes(" by v"), planes(" tolerance"),
+            planes(" deviation")};
 }
 
 } // namespace
@@ -86,9 +87,10 @@ std::vector<NamedPlanes> boundsOfBoxes(const ShaderInstance &instance, int width
                     to.tolerance.planes[c][at] = bounds[q].tolerance[c][x];
                     float most = 0;
                     for (int n = 0; n < pointCount; ++n)
-                        most = std::max(most, std::fabs(values[q].value[c][n] - bounds[q].value[c][x] -
-                                                        bounds[q].byU[c][x] * offset(n % pointsAlong, Du) -
-                                                        bounds[q].byV[c][x] * offset(n / pointsAlong, Dv)));
+                        most = std::max(
+                            most, std::fabs(values[q].value[c][n] - bounds[q].value[c][x] -
+                                            bounds[q].byU[c][x] * offset(n % pointsAlong, Du) -
+                                            bounds[q].byV[c][x] * offset(n / pointsAlong, Dv)));
                     to.deviation.planes[c][at] = most;
                 }
         }

@@ -7,8 +7,9 @@
 
 namespace candela {
 
-/// The square of runShader(), cut into boxes: of reflectance, emission ("Ce") and opacity ("Oi") the
-/// value in the middle of each, slopes, tolerance, and how far any of 64 points lies off the slopes
+/// The square of runShader(), cut into boxes: of reflectance, emission ("Ce") and opacity ("Oi")
+/// the value in the middle of each, slopes, tolerance, and how far any of 64 points lies off the
+/// slopes
 /// ("reflectance deviation").
 std::vector<NamedPlanes> boundsOfBoxes(const ShaderInstance &, int width, int height);
 

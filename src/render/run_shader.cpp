@@ -5,8 +5,8 @@
 #include "image/exr_file.h"
 #include "image/imaging.h"
 #include "image/png_file.h"
-#include "render/console.h"
 #include "render/box_grid.h"
+#include "render/console.h"
 #include "render/filter_words.h"
 #include "render/point_grid.h"
 #include "render/shader_folders.h"
@@ -169,7 +169,8 @@ private:
         std::string head = "# x y";
         for (const NamedPlanes &named : found)
             for (std::size_t c = 0; c < named.planes.size(); ++c)
-                head += " " + inOneWord(named.name) + (named.planes.size() > 1 ? "." + std::to_string(c) : "");
+                head += " " + inOneWord(named.name) +
+                        (named.planes.size() > 1 ? "." + std::to_string(c) : "");
         std::puts(head.c_str());
         for (int y = 0; y < settings_.height; ++y)
             for (int x = 0; x < settings_.width; ++x) {
@@ -183,8 +184,8 @@ private:
 
     void write(const std::vector<NamedPlanes> &found) {
         const std::string shown = !settings_.shown.empty() ? settings_.shown
-                                  : settings_.bounds      ? "reflectance tolerance"
-                                                          : shownOf(kind_);
+                                  : settings_.bounds       ? "reflectance tolerance"
+                                                           : shownOf(kind_);
         Picture picture;
         picture.window = {settings_.width, settings_.height, 0, settings_.width, 0,
                           settings_.height};

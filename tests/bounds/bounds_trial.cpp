@@ -7,8 +7,8 @@
 //
 // tries all surface shaders of the folders, and so many random ones, on a square, a cylinder and a
 // sphere. Exit status 1 if anything is wrong; with --limits also if fewer than 90 % of the folders'
-// shaders have bounds on all boxes of a 64 x 64 grid of the square, or if one's tolerances there are
-// more than 3 times its deviations in the median or 10 times at the 90th percentile.
+// shaders have bounds on all boxes of a 64 x 64 grid of the square, or if one's tolerances there
+// are more than 3 times its deviations in the median or 10 times at the 90th percentile.
 #include "patches.h"
 #include "random_shader.h"
 
@@ -91,10 +91,9 @@ private:
                 isFinite &= tolerance < 1e30;
                 double most = 0;
                 for (int i = 0; i < samples; ++i) {
-                    const double off =
-                        std::abs(double(values[q].value[c][i]) - double(bounds[q].value[c][0]) -
-                                 double(bounds[q].byU[c][0]) * du[i] -
-                                 double(bounds[q].byV[c][0]) * dv[i]);
+                    const double off = std::abs(
+                        double(values[q].value[c][i]) - double(bounds[q].value[c][0]) -
+                        double(bounds[q].byU[c][0]) * du[i] - double(bounds[q].byV[c][0]) * dv[i]);
                     most = std::max(most, off);
                     ++result.points;
                     if (!(off <= tolerance) && !(tolerance > 3e38))
@@ -110,8 +109,8 @@ private:
         }
     }
 
-    static void tell(Patch patch, const Box &box, std::size_t quantity, std::size_t channel, double off,
-                     double tolerance, Result &result) {
+    static void tell(Patch patch, const Box &box, std::size_t quantity, std::size_t channel,
+                     double off, double tolerance, Result &result) {
         if (result.violations++ > 0)
             return;
         const char *const names[] = {"reflectance", "emission", "opacity"};
@@ -153,12 +152,13 @@ public:
                 std::printf("%s\n", randomShader(settings_.first + unsigned(n), name).c_str());
         }
         std::filesystem::remove_all(scratch);
-        std::printf("%ld points of %d shaders, %ld outside; %d of %d shaders of the folders have bounds "
-                    "on all boxes of a flat 64 x 64 grid\ntolerance over deviation, where that is above %g: "
-                    "flat %.2f in the median, %.2f at 90 %%; round %.2f, %.2f\n",
-                    points_, shaders_, violations_, covered_, named_, notable,
-                    quantile(all_.flat, .5), quantile(all_.flat, .9), quantile(all_.round, .5),
-                    quantile(all_.round, .9));
+        std::printf(
+            "%ld points of %d shaders, %ld outside; %d of %d shaders of the folders have bounds "
+            "on all boxes of a flat 64 x 64 grid\ntolerance over deviation, where that is above "
+            "%g: "
+            "flat %.2f in the median, %.2f at 90 %%; round %.2f, %.2f\n",
+            points_, shaders_, violations_, covered_, named_, notable, quantile(all_.flat, .5),
+            quantile(all_.flat, .9), quantile(all_.round, .5), quantile(all_.round, .9));
         const bool isLimited = isLoose_ || covered_ * 10 < named_ * 9;
         return violations_ || failed_ || (settings_.limits && isLimited) ? 1 : 0;
     }
@@ -169,8 +169,8 @@ private:
         std::ostringstream text;
         text << in.rdbuf();
         DiagnosticList diagnostics;
-        const auto front = sl::analyzeSource({file.string(), text.str()},
-                                             {{file.parent_path().string()}, {}, false}, diagnostics);
+        const auto front = sl::analyzeSource(
+            {file.string(), text.str()}, {{file.parent_path().string()}, {}, false}, diagnostics);
         return front && front->shaders.size() == 1 &&
                front->shaders[0]->kind == sl::ShaderKind::Surface;
     }
@@ -196,8 +196,8 @@ private:
         for (Patch patch : patches)
             for (int grid : {64, 16, 4, 1024, 1})
                 if (settings_.grid == 0 || settings_.grid == grid)
-                trial.tryBoxes(patch, grid == 64 ? settings_.boxes : settings_.boxes / 4, grid,
-                               result);
+                    trial.tryBoxes(patch, grid == 64 ? settings_.boxes : settings_.boxes / 4, grid,
+                                   result);
         return take(name, isNamed, result);
     }
 
@@ -211,7 +211,8 @@ private:
         all_.flat.insert(all_.flat.end(), result.flat.begin(), result.flat.end());
         all_.round.insert(all_.round.end(), result.round.begin(), result.round.end());
         if (settings_.table)
-            std::printf("%-18s %8ld points %5.1f %% bounded; flat %6zu: %6.2f %8.2f; round %6zu: %6.2f %8.2f\n",
+            std::printf("%-18s %8ld points %5.1f %% bounded; flat %6zu: %6.2f %8.2f; round %6zu: "
+                        "%6.2f %8.2f\n",
                         name.c_str(), result.points, 100 * share, result.flat.size(),
                         quantile(result.flat, .5), quantile(result.flat, .9), result.round.size(),
                         quantile(result.round, .5), quantile(result.round, .9));

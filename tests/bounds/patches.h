@@ -73,9 +73,9 @@ inline void put(BoxBounds &boxes, int lane, Patch patch, double u, double v, con
     boxes.set(ShaderInput::Os, lane, {1, .9f, .8f});
 }
 
-/// The same of a box, with its extents and with what derivatives leave out: a sixth part of nothing
-/// on the square, and on the round ones, where second derivatives are at most 4 along each
-/// parameter and between the two, half of 4 times the squared way.
+/// The same of a box, with its extents and with what derivatives leave out: nothing on the square;
+/// on the round patches, whose second derivatives are at most 4 (along each parameter, and by both),
+/// half of that times the squared way to a corner.
 inline void put(BoxBounds &boxes, int lane, Patch patch, const Box &box) {
     put(boxes, lane, patch, box.u, box.v, placeAt(patch, box.u, box.v).N);
     const double way = patch == Patch::Square     ? 0

@@ -32,7 +32,8 @@ void place(BoxBounds &boxes, int lane, const ParameterBox &box) {
     boxes.set(ShaderInput::u, lane, {u}), boxes.set(ShaderInput::s, lane, {u});
     boxes.set(ShaderInput::v, lane, {v}), boxes.set(ShaderInput::t, lane, {v});
     boxes.set(ShaderInput::dsdu, lane, {1}), boxes.set(ShaderInput::dtdv, lane, {1});
-    boxes.set(ShaderInput::du, lane, {1.0f / 1024}), boxes.set(ShaderInput::dv, lane, {1.0f / 1024});
+    boxes.set(ShaderInput::du, lane, {1.0f / 1024}),
+        boxes.set(ShaderInput::dv, lane, {1.0f / 1024});
     boxes.set(ShaderInput::Cs, lane, {.8f, .6f, .4f}), boxes.set(ShaderInput::Os, lane, {1, 1, 1});
 }
 

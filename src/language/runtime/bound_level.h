@@ -62,8 +62,9 @@ CANDELA_INLINE Form<Floats> settled(const Form<Floats> &given, Floats computedWi
     f.off = f.off + (computedWith + spread + size<Floats>(f.middle)) * roundings + smallest;
     // No number is less than nothing known.
     f.least = f.least == f.least ? f.least - size<Floats>(f.least) * roundings - smallest : -all;
-    f.greatest =
-        f.greatest == f.greatest ? f.greatest + size<Floats>(f.greatest) * roundings + smallest : all;
+    f.greatest = f.greatest == f.greatest
+                     ? f.greatest + size<Floats>(f.greatest) * roundings + smallest
+                     : all;
     const Floats wide = (reach<Floats>(f) + f.off) * (1 + 4 * roundings);
     const Floats low = f.middle - wide, high = f.middle + wide;
     const Floats slack = size<Floats>(f.middle) * roundings;
@@ -126,8 +127,12 @@ template <typename Floats> CANDELA_INLINE void setRange(Form<Floats> &f, const F
 
 template <typename Floats>
 CANDELA_INLINE Form<Floats> productOf(const Form<Floats> &x, const Form<Floats> &y) {
-    Form<Floats> f{x.middle * y.middle, x.middle * y.alongU + y.middle * x.alongU,
-                   x.middle * y.alongV + y.middle * x.alongV, {}, {}, {}};
+    Form<Floats> f{x.middle * y.middle,
+                   x.middle * y.alongU + y.middle * x.alongU,
+                   x.middle * y.alongV + y.middle * x.alongV,
+                   {},
+                   {},
+                   {}};
     const Floats far = farthest<Floats>(x), yFar = farthest<Floats>(y);
     const Floats bent = far * yFar;
     f.off = size<Floats>(x.middle) * y.off + size<Floats>(y.middle) * x.off + bent;
@@ -139,8 +144,8 @@ CANDELA_INLINE Form<Floats> productOf(const Form<Floats> &x, const Form<Floats> 
 
 template <typename Floats> CANDELA_INLINE Form<Floats> squareOf(const Form<Floats> &x) {
     const Floats none = same<Floats>(0), far = farthest<Floats>(x);
-    Form<Floats> f{x.middle * x.middle, 2.0f * x.middle * x.alongU, 2.0f * x.middle * x.alongV, {},
-                   {}, {}};
+    Form<Floats> f{
+        x.middle * x.middle, 2.0f * x.middle * x.alongU, 2.0f * x.middle * x.alongV, {}, {}, {}};
     f.off = 2.0f * size<Floats>(x.middle) * x.off + far * far;
     const Floats low = x.least * x.least, high = x.greatest * x.greatest;
     const auto crosses = (x.least < 0.0f) & (x.greatest > 0.0f);
@@ -185,8 +190,8 @@ CANDELA_INLINE Form<Floats> greatestOf(const Form<Floats> &x, const Form<Floats>
     f.off = share * x.off + rest * y.off + larger<Floats>(size<Floats>(low), size<Floats>(high));
     f.least = larger<Floats>(x.least, y.least);
     f.greatest = larger<Floats>(x.greatest, y.greatest);
-    const Floats sizes = size<Floats>(x.middle) + farthest<Floats>(x) + size<Floats>(y.middle) +
-                         farthest<Floats>(y);
+    const Floats sizes =
+        size<Floats>(x.middle) + farthest<Floats>(x) + size<Floats>(y.middle) + farthest<Floats>(y);
     Form<Floats> result = settled<Floats>(f, sizes);
     result = chosen(d.least >= 0.0f, x, result);
     result = chosen(d.greatest <= 0.0f, y, result);
@@ -197,21 +202,23 @@ CANDELA_INLINE Form<Floats> greatestOf(const Form<Floats> &x, const Form<Floats>
 
 template <typename Floats>
 CANDELA_INLINE Form<Floats> unionOf(Floats middle, const Form<Floats> &x, const Form<Floats> &y) {
-    Form<Floats> f{middle, (x.alongU + y.alongU) * 0.5f, (x.alongV + y.alongV) * 0.5f, {},
-                   smaller<Floats>(x.least, y.least), larger<Floats>(x.greatest, y.greatest)};
-    const Floats apart = (size<Floats>(x.alongU - y.alongU) + size<Floats>(x.alongV - y.alongV)) *
-                         0.5f;
+    Form<Floats> f{
+        middle, (x.alongU + y.alongU) * 0.5f,      (x.alongV + y.alongV) * 0.5f,
+        {},     smaller<Floats>(x.least, y.least), larger<Floats>(x.greatest, y.greatest)};
+    const Floats apart =
+        (size<Floats>(x.alongU - y.alongU) + size<Floats>(x.alongV - y.alongV)) * 0.5f;
     f.off = apart + larger<Floats>(x.off + size<Floats>(x.middle - middle),
                                    y.off + size<Floats>(y.middle - middle));
-    const Form<Floats> known = settled<Floats>(
-        f, size<Floats>(x.middle) + size<Floats>(y.middle) + reach<Floats>(x) + reach<Floats>(y));
+    const Form<Floats> known = settled<Floats>(f, size<Floats>(x.middle) + size<Floats>(y.middle) +
+                                                      reach<Floats>(x) + reach<Floats>(y));
     return chosen(isKnown<Floats>(x) & isKnown<Floats>(y), known, unknown<Floats>(middle));
 }
 
 /// f(x) = value + slope (x - middle) + e(x); e has its extremes where functions.def says.
 template <typename Floats>
-CANDELA_INLINE Form<Floats> chainOf(const Form<Floats> &x, Floats value, Floats slope, Floats atLeast,
-                                    Floats atGreatest, Floats place, Floats atPlace) {
+CANDELA_INLINE Form<Floats> chainOf(const Form<Floats> &x, Floats value, Floats slope,
+                                    Floats atLeast, Floats atGreatest, Floats place,
+                                    Floats atPlace) {
     const auto error = [&](Floats where, Floats there) __attribute__((always_inline)) {
         return size<Floats>(there - value - slope * (where - x.middle));
     };
@@ -222,14 +229,16 @@ CANDELA_INLINE Form<Floats> chainOf(const Form<Floats> &x, Floats value, Floats 
     f.off = size<Floats>(slope) * x.off + larger<Floats>(ends, between);
     f.least = smaller<Floats>(atLeast, atGreatest);
     f.greatest = larger<Floats>(atLeast, atGreatest);
-    const Floats sizes = size<Floats>(atLeast) + size<Floats>(atGreatest) + size<Floats>(value) +
-                         2.0f * size<Floats>(slope) * (farthest<Floats>(x) + size<Floats>(x.middle));
+    const Floats sizes =
+        size<Floats>(atLeast) + size<Floats>(atGreatest) + size<Floats>(value) +
+        2.0f * size<Floats>(slope) * (farthest<Floats>(x) + size<Floats>(x.middle));
     // A library's function rises and falls by an ulp where it should stand.
     const Floats wobble = (size<Floats>(atLeast) + size<Floats>(atGreatest)) * roundings;
     f.least = smaller<Floats>(f.least, value) - wobble;
     f.greatest = larger<Floats>(f.greatest, value) + wobble;
     const auto isSame = (farthest<Floats>(x) == 0.0f) & (value == value);
-    const Form<Floats> constant{value, same<Floats>(0), same<Floats>(0), same<Floats>(0), value, value};
+    const Form<Floats> constant{value,           same<Floats>(0), same<Floats>(0),
+                                same<Floats>(0), value,           value};
     const auto areNumbers = (atLeast == atLeast) & (atGreatest == atGreatest);
     return chosen(isSame, constant,
                   chosen(areNumbers, settled<Floats>(f, sizes), unknown<Floats>(value)));
@@ -284,7 +293,8 @@ struct Greatest : OfForms<2 * formNumbers> {
 };
 struct Least : OfForms<2 * formNumbers> {
     template <typename F> CANDELA_INLINE void evaluate(const F *x, F *result) {
-        const Form<F> one = negative<F>(formAt<F>(x)), other = negative<F>(formAt<F>(x + formNumbers));
+        const Form<F> one = negative<F>(formAt<F>(x)),
+                      other = negative<F>(formAt<F>(x + formNumbers));
         put<F>(negative<F>(greatestOf<F>(one, other)), result);
     }
 };

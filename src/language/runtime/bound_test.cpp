@@ -210,8 +210,8 @@ TEST(Bounds, NothingIsKnownOfAQuotientByWhatMayBe0AndClampsKnowSomethingAgain) {
                            joined(clamped.numbers(), Form{0, 0, 0, 0, 0, 0}.numbers()));
     EXPECT_LE(both.off, 1.001f);
     // Max gives its second operand where one is no number.
-    const Form unsure = call(RuntimeFunction::bound_greatest, 2,
-                             joined(one.numbers(), ratio.numbers()));
+    const Form unsure =
+        call(RuntimeFunction::bound_greatest, 2, joined(one.numbers(), ratio.numbers()));
     EXPECT_EQ(unsure.off, endless);
 }
 

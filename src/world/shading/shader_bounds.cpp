@@ -65,13 +65,9 @@ void BoxBounds::setObject(const float *twoMatrices) {
     std::copy_n(twoMatrices, object_.size(), object_.begin());
 }
 
-void BoxBounds::ask(int count) {
-    ask(*boundsCode_, bounds_, count);
-}
+void BoxBounds::ask(int count) { ask(*boundsCode_, bounds_, count); }
 
-void BoxBounds::askValues(int count) {
-    ask(*valuesCode_, values_, count);
-}
+void BoxBounds::askValues(int count) { ask(*valuesCode_, values_, count); }
 
 void BoxBounds::ask(const QuestionCode &question, const std::vector<float *> &outputs, int count) {
     ShaderArgs args;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a shader does over pieces of surface: bounds of a surface's reflectance, emission and opacity,
-// or of a light's emission, over boxes of (u, v), a batch of boxes a call (docs/bounds.md).
+// What a shader does over pieces of surface: bounds of a surface's reflectance, emission and
+// opacity, or of a light's emission, over boxes of (u, v), a batch of boxes a call
+// (docs/bounds.md).
 //
 //     BoxBounds boxes(instance, 512);
 //     for (int i = 0; i < count; ++i)
@@ -23,7 +24,7 @@ namespace candela {
 
 /// Planes of one quantity, by colour sample; a number a box.
 struct BoundPlanes {
-    std::array<const float *, colorSamples> value{};     ///< In the middle of the box.
+    std::array<const float *, colorSamples> value{};      ///< In the middle of the box.
     std::array<const float *, colorSamples> byU{}, byV{}; ///< Slopes about it.
     /// How far the quantity may lie from the plane that value and slopes say, anywhere in the box,
     /// and seen from anywhere in the cone. Infinity: no bound is known.

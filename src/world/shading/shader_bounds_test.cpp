@@ -24,8 +24,7 @@ public:
     ShaderInstance named(const std::string &name, ShaderKind kind = ShaderKind::Surface) {
         ShaderRecord record;
         record.name = name;
-        auto instance =
-            library_.instance(kind, record, Options(), ir::LightRule::Path, {});
+        auto instance = library_.instance(kind, record, Options(), ir::LightRule::Path, {});
         EXPECT_EQ(diagnostics.text(), "");
         return *instance;
     }
@@ -183,8 +182,8 @@ TEST(Projection, OfACheckerboardIsExactWithinItsTolerance) {
 
 TEST(Projection, ANarrowStripeIsNotMissed) {
     Shaders shaders;
-    const ShaderInstance stripe = shaders.written(
-        "stripe", "surface stripe() { if (s > .31831 && s < .31931) Ci = 900; }");
+    const ShaderInstance stripe =
+        shaders.written("stripe", "surface stripe() { if (s > .31831 && s < .31931) Ci = 900; }");
     ProjectionSettings settings;
     settings.tolerance = 2e-2f;
     const Projection found = project(stripe, place, {}, settings);
@@ -214,8 +213,8 @@ TEST(Projection, OfWhatIsSmoothNeedsFewBoxesAndPolynomialsAreThemselves) {
 
 TEST(Projection, ViewsAreAveraged) {
     Shaders shaders;
-    const ShaderInstance rim = shaders.written(
-        "rim", "surface rim() { Ci = -normalize(I) . normalize(N); }");
+    const ShaderInstance rim =
+        shaders.written("rim", "surface rim() { Ci = -normalize(I) . normalize(N); }");
     ProjectionSettings settings;
     EXPECT_NEAR(project(rim, place, {}, settings).emission[0][0], 1, 1e-5);
     settings.views = 64; // The cosine's mean under the cosine.

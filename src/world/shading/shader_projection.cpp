@@ -76,7 +76,8 @@ Moments momentsOf(int degree, double middle, double side) {
         m.plain += value, m.first += value * offset;
     }
     double most = 0;
-    for (double x : {middle - side / 2, middle + side / 2, std::clamp(.5, middle - side / 2, middle + side / 2)})
+    for (double x : {middle - side / 2, middle + side / 2,
+                     std::clamp(.5, middle - side / 2, middle + side / 2)})
         most = std::max(most, std::abs(legendre(degree, x)));
     m.size = most * side;
     return m;
@@ -122,8 +123,7 @@ private:
             if (part.weight > 0 && part.halvings < mostHalvings)
                 byWeight.push_back({-part.weight, std::size_t(&part - parts_.data())});
         }
-        if (error <= tolerance ||
-            parts_.size() * views_.size() > std::size_t(settings_.mostBoxes))
+        if (error <= tolerance || parts_.size() * views_.size() > std::size_t(settings_.mostBoxes))
             return {};
         std::ranges::sort(byWeight);
         std::vector<bool> isTaken(parts_.size());
@@ -165,9 +165,7 @@ private:
                 parts_.back().cut = cut;
             }
         };
-        const auto weight = [&](int first) {
-            return next[first].weight + next[first + 1].weight;
-        };
+        const auto weight = [&](int first) { return next[first].weight + next[first + 1].weight; };
         for (const Part &whole : wholes) {
             const double before = whole.weight;
             switch (whole.cut) {
@@ -187,14 +185,13 @@ private:
                 next += 4;
                 break;
             }
-            default:
-                take(2, weight(0) < .75 * before ? whole.cut : Cut::Untried);
-                next += 2;
+            default: take(2, weight(0) < .75 * before ? whole.cut : Cut::Untried); next += 2;
             }
         }
     }
 
-    /// Where nothing is known a part is cut a few times as if much were off, and then taken as it is.
+    /// Where nothing is known a part is cut a few times as if much were off, and then taken as it
+    /// is.
     double weightOf(const Part &part) const {
         if (part.worst < std::numeric_limits<float>::max())
             return part.worst * part.area() * mostOf(part);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a surface shader is worth over a piece of surface: its directional-hemispherical reflectance,
-// emission and opacity projected on a basis, by quadrature that its bounds certify. A piece is cut
-// until the bounds say that no coefficient is off by more than a tolerance; so a stripe between two
-// samples is not missed, and where a shader is smooth few boxes do.
+// What a surface shader is worth over a piece of surface: its directional-hemispherical
+// reflectance, emission and opacity projected on a basis, by quadrature that its bounds certify. A
+// piece is cut until the bounds say that no coefficient is off by more than a tolerance; so a
+// stripe between two samples is not missed, and where a shader is smooth few boxes do.
 #pragma once
 
 #include "world/shading/shader_bounds.h"

@@ -108,7 +108,9 @@ std::string differenceOfOutputs(const ir::Function &whole, const RunResult &expe
 
 /// Where no box is asked about, the region that is sampled stands for it.
 static void takeSampledRegion(std::vector<ir::TestPlane> &inputs) {
-    const auto plane = [&](ShaderInput input) -> ir::TestPlane & { return inputs[std::size_t(input)]; };
+    const auto plane = [&](ShaderInput input) -> ir::TestPlane & {
+        return inputs[std::size_t(input)];
+    };
     plane(ShaderInput::Du) = plane(ShaderInput::du);
     plane(ShaderInput::Dv) = plane(ShaderInput::dv);
     plane(ShaderInput::Dw).assign(plane(ShaderInput::Dw).size(), 0);

@@ -61,7 +61,8 @@ TEST(Furnace, DiffuseSurfacesReflectTheirAlbedoExactly) {
 }
 
 TEST(Furnace, WholeLobesAreIntegratedAndOthersSummed) {
-    BoxRun lobe(surface("illuminance(P, N, PI / 2) Ci += Cl * pow(normalize(L) . normalize(N), 3);"));
+    BoxRun lobe(
+        surface("illuminance(P, N, PI / 2) Ci += Cl * pow(normalize(L) . normalize(N), 3);"));
     EXPECT_NEAR(lobe.ask("reflectance", Question::Furnace), 2 / 4.0, 1e-6);
     // Half of the sphere, without a cosine: 2 pi / pi.
     BoxRun flat(surface("illuminance(P) { if (L . N > 0) Ci += Cl; }"));
@@ -125,7 +126,8 @@ TEST(Bounds, ArraysKeepFormsAndUnsureIndicesMeanAnyElement) {
 }
 
 TEST(Bounds, StoresThatSomePointsMakeLeaveBothValues) {
-    BoxRun run(surface("float a[2]; a[floor(u)] = 1; if (s > .3) a[floor(u)] = 4; Ci = a[floor(v)];"));
+    BoxRun run(
+        surface("float a[2]; a[floor(u)] = 1; if (s > .3) a[floor(u)] = 4; Ci = a[floor(v)];"));
     EXPECT_EQ(run.ask("Ce"), 1);
     EXPECT_NEAR(run.ask("Ce tolerance"), 3, 1e-5);
 }
@@ -142,7 +144,8 @@ TEST(Bounds, HoldOverTheConeOfViews) {
 }
 
 TEST(Bounds, OfTheShadersOwnAreTaken) {
-    const std::string text = surface("Ci = .5 + s * diffuse(normalize(N)); DCiDu = 3; TCiDu = .25; TCiDv = .5;");
+    const std::string text =
+        surface("Ci = .5 + s * diffuse(normalize(N)); DCiDu = 3; TCiDu = .25; TCiDv = .5;");
     BoxRun run(text);
     EXPECT_EQ(run.ask("Ce by u"), 3);
     EXPECT_EQ(run.ask("Ce by v"), 0);
@@ -177,7 +180,8 @@ TEST(Bounds, WhatIsNotKnownHasALine) {
 }
 
 TEST(Bounds, LightsAreKnownOverTheirSurfaceAndDirections) {
-    const std::string text = "light test() { illuminate(P) { Cl = 1 + xcomp(P) + ycomp(normalize(L)); } }";
+    const std::string text =
+        "light test() { illuminate(P) { Cl = 1 + xcomp(P) + ycomp(normalize(L)); } }";
     BoxRun run(text);
     EXPECT_FLOAT_EQ(run.ask("Cl", Question::LightBounds), 1.25f);
     const float narrow = run.ask("Cl tolerance", Question::LightBounds);

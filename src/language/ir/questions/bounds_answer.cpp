@@ -78,8 +78,7 @@ private:
 void writeGiven(SpecializedText &text, Builder &b, const GivenBounds &given, int c) {
     const auto under = [&](int assumption) {
         return GivenReader(b, "Ci", given, [&, assumption](const std::string &name) {
-            return text.output(assumption, OutputName::ofParameter(name), c)
-                .value_or(number(b, 0));
+            return text.output(assumption, OutputName::ofParameter(name), c).value_or(number(b, 0));
         });
     };
     GivenReader inField = under(lit), without = under(dark);
@@ -129,8 +128,7 @@ static Function boundsOf(const Plan &plan, BoundReport &report) {
     const BoundOutputs ofCe{OutputKind::Ce, OutputKind::CeByU, OutputKind::CeByV,
                             OutputKind::CeTolerance};
     const BoundOutputs ofReflectance{OutputKind::Reflectance, OutputKind::ReflectanceByU,
-                                     OutputKind::ReflectanceByV,
-                                     OutputKind::ReflectanceTolerance};
+                                     OutputKind::ReflectanceByV, OutputKind::ReflectanceTolerance};
     if (!given.any())
         wanted.insert(wanted.end(), {ofReflectance, ofCe});
     return withBounds(text, wanted, report);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Over a box: functions of one or two numbers, and noise.
+// Over a box: functions of one or two numbers, and vectors of unit length.
 #pragma once
 
 #include "language/ir/transform/bound_values.h"
@@ -21,8 +21,4 @@ FormParts boundOfSmoothStep(Builder &, const BoundedValue &t, ValueId middle);
 /// `length`.
 FormParts boundOfUnit(Builder &, const std::array<BoundedValue, 3> &x, std::size_t component,
                       ValueId length, ValueId middle);
-/// Of each result of noise or cell noise, those in the middle being `middles`.
-std::vector<FormParts> boundOfNoise(Builder &, RuntimeFunction,
-                                    const std::vector<BoundedValue> &inputs, const Values &middles);
-
 } // namespace candela::ir

@@ -5,6 +5,7 @@
 #include "language/ir/core/op_info.h"
 #include "language/ir/core/regions.h"
 #include "language/ir/transform/bound_functions.h"
+#include "language/ir/transform/bound_noise.h"
 #include "language/ir/transform/bound_sources.h"
 #include "language/ir/transform/bound_variation.h"
 
@@ -62,8 +63,7 @@ ValueId isUndecided(Builder &b, Op op, const FormParts &difference) {
     const ValueId zero = number(b, 0);
     const ValueId least = difference.least, greatest = difference.greatest;
     switch (op) {
-    case Op::Less:
-        return negate(b, either(b, less(b, greatest, zero), lessEqual(b, zero, least)));
+    case Op::Less: return negate(b, either(b, less(b, greatest, zero), lessEqual(b, zero, least)));
     case Op::LessEqual:
         return negate(b, either(b, lessEqual(b, greatest, zero), less(b, zero, least)));
     default: // Or they differ by the same all over the box.
@@ -75,9 +75,9 @@ ValueId isUndecided(Builder &b, Op op, const FormParts &difference) {
 /// Not even that it is a number.
 ValueId isUnknown(Builder &b, const FormParts &f) {
     const float endless = std::numeric_limits<float>::infinity();
-    const ValueId isKnown =
-        both(b, lessEqual(b, f.least, f.greatest),
-             either(b, less(b, number(b, -endless), f.least), less(b, f.greatest, number(b, endless))));
+    const ValueId isKnown = both(
+        b, lessEqual(b, f.least, f.greatest),
+        either(b, less(b, number(b, -endless), f.least), less(b, f.greatest, number(b, endless))));
     return negate(b, isKnown);
 }
 
@@ -134,13 +134,11 @@ BoundedValue BoundRules::bound(const Instruction &i, const Operands &x, ValueId 
             return {middle, {}, either(b_, unsureOf(b_, x[0]), unsureOf(b_, x[1]))};
         if (i.operands[0] == i.operands[1]) // Whether it is a number.
             return {middle, {}, isUnknown(b_, formOf(b_, x[0]))};
-        return {middle,
-                {},
-                isUndecided(b_, i.op, callBound(b_, RuntimeFunction::bound_difference, x))};
+        return {
+            middle, {}, isUndecided(b_, i.op, callBound(b_, RuntimeFunction::bound_difference, x))};
     case BoundRule::Logic: return logic(b_, i.op, x, middle);
     case BoundRule::Union: return selected(i, x, middle);
-    case BoundRule::Fraction:
-        return {middle, rangeForm(b_, middle, number(b_, 0), number(b_, 1))};
+    case BoundRule::Fraction: return {middle, rangeForm(b_, middle, number(b_, 0), number(b_, 1))};
     default: {
         if (b_.type(middle) == Type::Float)
             return {middle, boundless(i)};
@@ -216,7 +214,8 @@ std::optional<BoundRules::Mix> BoundRules::mixOf(const Instruction &sum) const {
     return std::nullopt;
 }
 
-std::optional<std::array<std::array<ValueId, 3>, 2>> BoundRules::dotOf(const Instruction &sum) const {
+std::optional<std::array<std::array<ValueId, 3>, 2>>
+BoundRules::dotOf(const Instruction &sum) const {
     const Instruction *two = definition(sum.operands[0], Op::Add);
     if (!two)
         return std::nullopt;
@@ -279,8 +278,9 @@ std::optional<ValueId> BoundRules::isUnit(const std::array<ValueId, 3> &v, int d
             return std::nullopt;
         normal[k] = scaled->operands[0];
         const Instruction *twice = definition(scaled->operands[1], Op::Mul);
-        const Instruction *sum =
-            twice && isNumber(twice->operands[0], 2) ? definition(twice->operands[1], Op::Add) : nullptr;
+        const Instruction *sum = twice && isNumber(twice->operands[0], 2)
+                                     ? definition(twice->operands[1], Op::Add)
+                                     : nullptr;
         const auto dot = sum ? dotOf(*sum) : std::nullopt;
         if (!dot || (*dot)[0] != operands(0))
             return std::nullopt;
@@ -321,8 +321,8 @@ FormParts BoundRules::sum(const Instruction &i, const Operands &x, ValueId middl
     // Its middle is rounded otherwise.
     const auto size = [&](ValueId v) { return unary(b_, Op::Abs, v); };
     const ValueId apart = size(sub(b_, add(b_, from.middle, gone.middle), middle));
-    const ValueId slack = add(b_, apart, mul(b_, add(b_, size(from.middle), size(to.middle)),
-                                             number(b_, 0x1p-21f)));
+    const ValueId slack =
+        add(b_, apart, mul(b_, add(b_, size(from.middle), size(to.middle)), number(b_, 0x1p-21f)));
     other.off = add(b_, other.off, slack);
     const FormParts f = formOf(b_, from), t = formOf(b_, to), s = formOf(b_, share);
     const ValueId isBetween =
@@ -330,9 +330,10 @@ FormParts BoundRules::sum(const Instruction &i, const Operands &x, ValueId middl
     const ValueId least = min(b_, f.least, t.least), greatest = max(b_, f.greatest, t.greatest);
     const auto more = [&](ValueId end) { return mul(b_, size(end), number(b_, 0x1p-21f)); };
     FormParts best = select(b_, less(b_, other.off, plain.off), other, plain);
-    best.least = select(b_, isBetween, max(b_, plain.least, sub(b_, least, more(least))), plain.least);
-    best.greatest = select(b_, isBetween, min(b_, plain.greatest, add(b_, greatest, more(greatest))),
-                           plain.greatest);
+    best.least =
+        select(b_, isBetween, max(b_, plain.least, sub(b_, least, more(least))), plain.least);
+    best.greatest = select(
+        b_, isBetween, min(b_, plain.greatest, add(b_, greatest, more(greatest))), plain.greatest);
     return callBound(b_, RuntimeFunction::bound_settle, {{middle, best}}, {slack});
 }
 
@@ -365,13 +366,16 @@ FormParts BoundRules::difference(const Instruction &i, const Operands &x) {
     };
     const ValueId whole = i.operands[0], part = i.operands[1];
     if (whole == part) // 0, of a number that is finite.
-        return select(b_, less(b_, x[0].form->off, number(b_, std::numeric_limits<float>::infinity())),
+        return select(b_,
+                      less(b_, x[0].form->off, number(b_, std::numeric_limits<float>::infinity())),
                       formOf(b_, {number(b_, 0)}), f);
     if (const auto rest = summandBeside(whole, part)) {
         const BoundedValue &kept = (*written_)[*rest];
         FormParts form = formOf(b_, kept);
         const auto size = [&](ValueId v) { return unary(b_, Op::Abs, v); };
-        const auto sizes = [&](const FormParts &g) { return add(b_, size(g.least), size(g.greatest)); };
+        const auto sizes = [&](const FormParts &g) {
+            return add(b_, size(g.least), size(g.greatest));
+        };
         const ValueId slack = mul(b_, add(b_, sizes(formOf(b_, x[0])), sizes(formOf(b_, x[1]))),
                                   number(b_, 0x1p-22f));
         form = {form.alongU, form.alongV, add(b_, form.off, slack), sub(b_, form.least, slack),
@@ -398,8 +402,8 @@ FormParts BoundRules::difference(const Instruction &i, const Operands &x) {
         FormParts kept = callBound(b_, RuntimeFunction::bound_product, {x[0], rest});
         const auto size = [&](ValueId v) { return unary(b_, Op::Abs, v); };
         // Both are rounded otherwise.
-        const ValueId slack = mul(b_, add(b_, size(ofX.least), size(ofX.greatest)),
-                                  number(b_, 0x1p-21f));
+        const ValueId slack =
+            mul(b_, add(b_, size(ofX.least), size(ofX.greatest)), number(b_, 0x1p-21f));
         kept.off = add(b_, kept.off, slack);
         kept.least = sub(b_, kept.least, slack);
         kept.greatest = add(b_, kept.greatest, slack);
@@ -414,7 +418,8 @@ FormParts BoundRules::difference(const Instruction &i, const Operands &x) {
             continue;
         const FormParts of = formOf(b_, (*written_)[period]);
         // Quotient and product are rounded.
-        const ValueId most = max(b_, unary(b_, Op::Abs, ofX.least), unary(b_, Op::Abs, ofX.greatest));
+        const ValueId most =
+            max(b_, unary(b_, Op::Abs, ofX.least), unary(b_, Op::Abs, ofX.greatest));
         const ValueId slack = mul(b_, most, number(b_, 0x1p-21f));
         return within(neg(b_, slack), add(b_, of.greatest, slack), less(b_, zero, of.least));
     }
@@ -447,12 +452,11 @@ const ValueId *BoundRules::smoothStepOf(const Instruction &i) const {
     const Instruction *most = definition(high, Op::ConstFloat);
     const Instruction *span = ratio ? definition(ratio->operands[1], Op::Sub) : nullptr;
     const bool isRatio =
-        least && most
-            ? most->number > least->number &&
-                  (ratio ? isNumber(ratio->operands[1], most->number - least->number)
-                         : most->number - least->number == 1)
-            : (span && span->operands[0] == high && span->operands[1] == low) ||
-                  (isNumber(low, 0) && ratio && ratio->operands[1] == high);
+        least && most ? most->number > least->number &&
+                            (ratio ? isNumber(ratio->operands[1], most->number - least->number)
+                                   : most->number - least->number == 1)
+                      : (span && span->operands[0] == high && span->operands[1] == low) ||
+                            (isNumber(low, 0) && ratio && ratio->operands[1] == high);
     return isFrom && isRatio && above->operands[1] == x ? &t : nullptr;
 }
 

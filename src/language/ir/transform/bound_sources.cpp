@@ -44,20 +44,17 @@ const Row *rowOf(int plane) {
     return nullptr;
 }
 
-bool isParameter(int plane) {
-    return plane == int(ShaderInput::u) || plane == int(ShaderInput::v);
-}
+bool isParameter(int plane) { return plane == int(ShaderInput::u) || plane == int(ShaderInput::v); }
 
 /// From the middle of the box to its sides.
-ValueId halfOf(Builder &b, ShaderInput extent) {
-    return mul(b, input(b, extent), number(b, 0.5f));
-}
+ValueId halfOf(Builder &b, ShaderInput extent) { return mul(b, input(b, extent), number(b, 0.5f)); }
 
 /// How far the end of a direction gets within the cone: a solid angle W is that of the chord
 /// root(W / pi) of the unit sphere.
 ValueId withinCone(Builder &b, const Triple &direction) {
     const ValueId squared = dot(b, direction, direction);
-    const ValueId chord = mul(b, input(b, ShaderInput::Dw), number(b, std::numbers::inv_pi_v<float>));
+    const ValueId chord =
+        mul(b, input(b, ShaderInput::Dw), number(b, std::numbers::inv_pi_v<float>));
     return sqrt(b, mul(b, squared, chord));
 }
 
@@ -92,11 +89,11 @@ FormParts inputForm(Builder &b, int plane) {
     const ValueId spread = add(b, add(b, size(alongU), size(alongV)), off);
     const ValueId isSame = equal(b, spread, zero);
     const float endless = std::numeric_limits<float>::infinity();
-    return callBound(b, RuntimeFunction::bound_settle,
-                     {{middle, FormParts{alongU, alongV, off,
-                                         select(b, isSame, middle, number(b, -endless)),
-                                         select(b, isSame, middle, number(b, endless))}}},
-                     {size(middle)});
+    return callBound(
+        b, RuntimeFunction::bound_settle,
+        {{middle, FormParts{alongU, alongV, off, select(b, isSame, middle, number(b, -endless)),
+                            select(b, isSame, middle, number(b, endless))}}},
+        {size(middle)});
 }
 
 } // namespace candela::ir

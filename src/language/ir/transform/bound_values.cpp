@@ -37,6 +37,10 @@ FormParts callBound(Builder &b, RuntimeFunction function, const std::vector<Boun
     return FormParts::of(callRuntime(b, int(function), inputs).data());
 }
 
+FormParts settle(Builder &b, ValueId middle, const FormParts &form, ValueId computedWith) {
+    return callBound(b, RuntimeFunction::bound_settle, {{middle, form}}, {computedWith});
+}
+
 FormParts select(Builder &b, ValueId condition, const FormParts &x, const FormParts &y) {
     const auto part = [&](ValueId p, ValueId q) { return select(b, condition, p, q); };
     return {part(x.alongU, y.alongU), part(x.alongV, y.alongV), part(x.off, y.off),
@@ -58,8 +62,9 @@ ValueId mayDiffer(Builder &b, const BoundedValue &x, const BoundedValue &y) {
         return unsure;
     if (b.type(x.middle) != Type::Bool) // Integers and strings: who knows.
         return boolean(b, true);
-    return either(b, unsure, either(b, both(b, x.middle, negate(b, y.middle)),
-                                    both(b, y.middle, negate(b, x.middle))));
+    return either(
+        b, unsure,
+        either(b, both(b, x.middle, negate(b, y.middle)), both(b, y.middle, negate(b, x.middle))));
 }
 
 } // namespace

@@ -44,6 +44,8 @@ FormParts rangeForm(Builder &, ValueId middle, ValueId least, ValueId greatest);
 /// A row of runtime/functions.def about bounds: of forms, with further numbers before or behind.
 FormParts callBound(Builder &, RuntimeFunction, const std::vector<BoundedValue> &,
                     const Values &behind = {}, const Values &before = {});
+/// The form, after rounding of numbers of that size; its plane and its range cut by each other.
+FormParts settle(Builder &, ValueId middle, const FormParts &, ValueId computedWith);
 /// Parts of two forms, by a condition that is the same all over the box.
 FormParts select(Builder &, ValueId condition, const FormParts &, const FormParts &);
 /// True where it is, or may be elsewhere in the box.
@@ -53,6 +55,7 @@ ValueId unsureOf(Builder &, const BoundedValue &);
 BoundedValue choice(Builder &, const BoundedValue &condition, const BoundedValue &x,
                     const BoundedValue &y);
 
+inline ValueId size(Builder &b, ValueId x) { return unary(b, Op::Abs, x); }
 /// How far a form's value may be from that in the middle.
 ValueId farthest(Builder &, const BoundedValue &);
 

@@ -196,8 +196,7 @@ FormParts BoundWalk::anyElement(int array, ValueId middle) {
     const Values range =
         loop(b_, {boolean(b_, true), number(b_, 0), number(b_, endless), number(b_, -endless)},
              [&](const Values &now) {
-                 const BoundedValue v =
-                     elementAt(array, unary(b_, Op::IntegerFromFloat, now[1]));
+                 const BoundedValue v = elementAt(array, unary(b_, Op::IntegerFromFloat, now[1]));
                  const FormParts f = formOf(b_, v);
                  const ValueId next = add(b_, now[1], number(b_, 1));
                  return Values{less(b_, next, count), next, min(b_, now[2], f.least),
@@ -205,8 +204,7 @@ FormParts BoundWalk::anyElement(int array, ValueId middle) {
              });
     // One that is no number makes it unknown.
     return callBound(b_, RuntimeFunction::bound_settle,
-                     {{middle, rangeForm(b_, middle, range[2], range[3])}},
-                     {number(b_, 0)});
+                     {{middle, rangeForm(b_, middle, range[2], range[3])}}, {number(b_, 0)});
 }
 
 void BoundWalk::walkLoad(const Instruction &i) {

@@ -2,10 +2,10 @@
 // Over a box: control flow and memory.
 //
 // Where all points of the box take the same way, the middle shows it, and forms go along with the
-// values. Where they may part, both sides of an If run; what stands in the side that the middle does
-// not take are the values that the middle would have there, and the result is in the union. A Loop
-// turns as the middle turns; where others may turn more or less often, nothing is known of what it
-// leaves, and, if it stores to arrays, of anything.
+// values. Where they may part, both sides of an If run; what stands in the side that the middle
+// does not take are the values that the middle would have there, and the result is in the union. A
+// Loop turns as the middle turns; where others may turn more or less often, nothing is known of
+// what it leaves, and, if it stores to arrays, of anything.
 #pragma once
 
 #include "language/ir/transform/bound_rules.h"

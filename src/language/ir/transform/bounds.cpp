@@ -78,9 +78,8 @@ Function withBounds(const Function &function, const std::vector<BoundOutputs> &l
             continue;
         const OutputSlot &slot = function.outputs[std::size_t(i.immediate)];
         const BoundedValue &value = walk[i.operands[0]];
-        const auto to = std::ranges::find(list, slot.name, [](const BoundOutputs &outputs) {
-            return OutputName(outputs.value);
-        });
+        const auto to = std::ranges::find(
+            list, slot.name, [](const BoundOutputs &outputs) { return OutputName(outputs.value); });
         if (to == list.end())
             output(b, slot.name, slot.component, value.middle);
         else

@@ -29,8 +29,8 @@ FieldFrame fieldFrame(Builder &b) {
 /// A spiral from pole to pole: equal steps along the axis, the golden angle about it.
 Triple fieldDirection(Builder &b, const FieldFrame &frame, ValueId k) {
     constexpr float goldenAngle = 2.3999632f;
-    const ValueId height = sub(b, number(b, 1 - 1.0f / fieldDirections),
-                               mul(b, k, number(b, 2.0f / fieldDirections)));
+    const ValueId height =
+        sub(b, number(b, 1 - 1.0f / fieldDirections), mul(b, k, number(b, 2.0f / fieldDirections)));
     const ValueId radius = sqrt(b, sub(b, number(b, 1), mul(b, height, height)));
     const ValueId angle = mul(b, k, number(b, goldenAngle));
     return add(b,
@@ -75,7 +75,9 @@ public:
         const ValueId isDelta = lessEqual(s_.b, operand(6), number(s_.b, 0));
         return ifElse(
             s_.b, isDelta,
-            [&] { return turn({operand(3), operand(4), operand(5)}, 1, initial); },
+            [&] {
+                return turn({operand(3), operand(4), operand(5)}, 1, initial);
+            },
             [&] { return sum(initial); });
     }
 
