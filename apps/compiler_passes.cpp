@@ -49,8 +49,10 @@ std::optional<CompiledShader> compileShader(const sl::TypedShader &shader, ir::L
         plan = ir::makePlan(whole);
         listener("plan", plan->text);
         compiled.facts = ir::surfaceFacts(*plan);
+        compiled.bounds = ir::boundFacts(*plan);
     } else if (lowered->kind == sl::ShaderKind::Light) {
         compiled.lightFacts = ir::lightFacts(whole);
+        compiled.bounds = ir::lightBoundFacts(whole);
     } else if (lowered->kind == sl::ShaderKind::Volume) {
         compiled.volumeFacts = ir::volumeFacts(whole);
     }

@@ -22,6 +22,7 @@ struct CompiledShader {
     };
     ir::SurfaceFacts facts;      ///< Of surfaces.
     ir::LightFacts lightFacts;   ///< Of lights.
+    ir::BoundFacts bounds;       ///< Of surfaces and lights.
     ir::VolumeFacts volumeFacts; ///< Of volumes.
     ir::DisplacementFacts displacement;
     std::vector<Answer> answers;

@@ -79,6 +79,17 @@ void printParameters(const CompiledShader &compiled) {
     }
 }
 
+/// "derived", "given by the shader", "derived; infinite where texture() (line 12) reaches"
+std::string boundsText(const ir::BoundFacts &facts) {
+    std::string text = facts.givenByShader ? "given by the shader" : "derived";
+    for (std::size_t k = 0; k < facts.boundless.size(); ++k) {
+        const ir::Boundless &reason = facts.boundless[k];
+        text += (k ? ", " : "; infinite where these reach: ") + reason.what +
+                (reason.line > 0 ? fmt::format(" (line {})", reason.line) : "");
+    }
+    return text;
+}
+
 void printProofs(const sl::TypedShader &shader, const CompiledShader &compiled) {
     if (shader.kind == sl::ShaderKind::Surface) {
         const ir::SurfaceFacts &facts = compiled.facts;
@@ -89,11 +100,13 @@ void printProofs(const sl::TypedShader &shader, const CompiledShader &compiled) 
         fmt::print("    opaque where Os is 1: {}\n    black without light: {}\n",
                    yesNo(facts.opaqueIfOsIs1), yesNo(!facts.emits));
         fmt::print("    cones of importance: {}\n", facts.cones.size());
+        fmt::print("    bounds over a box: {}\n", boundsText(compiled.bounds));
     } else if (shader.kind == sl::ShaderKind::Light) {
         fmt::print("  proofs\n    cones of emission: {}{}\n", compiled.lightFacts.cones.size(),
                    compiled.lightFacts.conesAreTheLights ? "" : ", which differ by what is lit");
         fmt::print("    falls off with the square of the distance: {}\n",
                    yesNo(compiled.inverseSquare));
+        fmt::print("    bounds over a box: {}\n", boundsText(compiled.bounds));
     } else if (shader.kind == sl::ShaderKind::Volume) {
         const ir::VolumeFacts &facts = compiled.volumeFacts;
         fmt::print("  proofs\n    affine in what there is at its end: {}\n",

@@ -64,6 +64,10 @@ void addRun(CLI::App &app, int &status) {
                     "The output that is the picture's R, G, B; default Ci, of lights Cl, of what "
                     "moves points P")
         ->type_name("OUTPUT");
+    run->add_flag("--bounds", a.settings.bounds,
+                  "Of a surface: reflectance in a uniform field, Ce and Oi over boxes of the grid: "
+                  "the value in the middle, slopes by u and v, the tolerance, and the deviation of "
+                  "64 points; the picture is \"reflectance tolerance\"");
     run->add_option("--shader-path", a.settings.shaderPath, "Folders to look for shaders in: a:b:c")
         ->delimiter(':')
         ->allow_extra_args(false);

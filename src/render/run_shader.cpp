@@ -5,6 +5,7 @@
 #include "image/exr_file.h"
 #include "image/imaging.h"
 #include "image/png_file.h"
+#include "render/box_grid.h"
 #include "render/console.h"
 #include "render/filter_words.h"
 #include "render/point_grid.h"
@@ -34,13 +35,6 @@ ShaderKind interfaceKind(sl::ShaderKind kind) {
     }
 }
 
-/// Numbers of all points under a name: "Ci", three of them.
-struct NamedPlanes {
-    std::string name;
-    std::vector<std::vector<float>> planes;
-    std::vector<int> slots; ///< Of the question's outputs, for each plane.
-};
-
 /// The outputs by their names, in the order in which these occur.
 std::vector<NamedPlanes> byName(const std::vector<ir::OutputSlot> &outputs, std::size_t points) {
     std::vector<NamedPlanes> all;
@@ -66,7 +60,14 @@ public:
         const auto instance = compile();
         if (!instance || console_.failed())
             return 1;
-        const std::vector<NamedPlanes> found = run(*instance);
+        if (settings_.bounds && kind_ != sl::ShaderKind::Surface) {
+            console_.error({}, "--bounds: \"" + instance->code->name() +
+                                   "\" is no surface shader: only these are asked over boxes");
+            return 1;
+        }
+        const std::vector<NamedPlanes> found =
+            settings_.bounds ? boundsOfBoxes(*instance, settings_.width, settings_.height)
+                             : run(*instance);
         settings_.output.empty() ? print(found) : write(found);
         return console_.failed() ? 1 : 0;
     }
@@ -159,11 +160,17 @@ private:
         return found;
     }
 
+    static std::string inOneWord(std::string name) {
+        std::ranges::replace(name, ' ', '_');
+        return name;
+    }
+
     void print(const std::vector<NamedPlanes> &found) const {
         std::string head = "# x y";
         for (const NamedPlanes &named : found)
             for (std::size_t c = 0; c < named.planes.size(); ++c)
-                head += " " + named.name + (named.planes.size() > 1 ? "." + std::to_string(c) : "");
+                head += " " + inOneWord(named.name) +
+                        (named.planes.size() > 1 ? "." + std::to_string(c) : "");
         std::puts(head.c_str());
         for (int y = 0; y < settings_.height; ++y)
             for (int x = 0; x < settings_.width; ++x) {
@@ -176,7 +183,9 @@ private:
     }
 
     void write(const std::vector<NamedPlanes> &found) {
-        const std::string shown = settings_.shown.empty() ? shownOf(kind_) : settings_.shown;
+        const std::string shown = !settings_.shown.empty() ? settings_.shown
+                                  : settings_.bounds       ? "reflectance tolerance"
+                                                           : shownOf(kind_);
         Picture picture;
         picture.window = {settings_.width, settings_.height, 0, settings_.width, 0,
                           settings_.height};

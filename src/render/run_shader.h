@@ -17,6 +17,9 @@ struct RunSettings {
     std::string output;
     /// The output that is the picture's R, G, B; empty = Ci (lights: Cl; what moves points: P).
     std::string shown;
+    /// Of surfaces: what is known of them over each of the grid's boxes (box_grid.h), the picture
+    /// being the reflectance's tolerance.
+    bool bounds = false;
     std::vector<std::string> shaderPath;
     std::vector<std::string> texturePath; ///< Before the current folder.
     JitOptions jit;                       ///< --lanes

@@ -101,6 +101,43 @@ TEST(RunVerb, WritesPictures) {
     EXPECT_TRUE(folder.has("out.png"));
 }
 
+TEST(RunVerb, TellsBoundsOverBoxes) {
+    ScratchFolder folder;
+    const std::string file = folder.write(
+        "edge.sl", "surface edge() { Oi = 1; Ci = s + .5 * step(.6, t) * diffuse(N); }\n");
+    const Outcome run = runCandela({"run", "--bounds", file, "--size", "2x2"});
+    EXPECT_EQ(run.status, 0) << run.text();
+    EXPECT_TRUE(has(run.out, " reflectance_tolerance.0 ")) << run.out;
+    EXPECT_TRUE(has(run.out, " Ce_deviation.2 ")) << run.out;
+    // The upper boxes have no step, the lower ones one of .5 in the reflectance.
+    const std::vector<double> upper = numbersOf(run.out, 1), lower = numbersOf(run.out, 3);
+    ASSERT_GT(upper.size(), 30u);
+    constexpr std::size_t tolerance = 2 + 9, deviation = 2 + 12, CeByU = 2 + 15 + 3;
+    EXPECT_NEAR(upper[tolerance], 0, 1e-4);
+    EXPECT_NEAR(lower[tolerance], .5, 1e-3);
+    EXPECT_NEAR(lower[deviation], .5, 1e-3);
+    EXPECT_NEAR(lower[CeByU], 1, 1e-6);
+    const std::string picture = folder.path("out.png");
+    EXPECT_EQ(runCandela({"run", "--bounds", file, "-o", picture}).status, 0);
+    const Outcome light = runCandela({"run", "--bounds", "pointlight"});
+    EXPECT_EQ(light.status, 1);
+    EXPECT_TRUE(has(light.err, "no surface shader")) << light.err;
+}
+
+TEST(InfoVerb, TellsWhereBoundsComeFrom) {
+    ScratchFolder folder;
+    const auto said = [&](const std::string &body) {
+        return runCandela({"info", folder.write("one.sl", "surface one()\n{\n" + body + "}\n")})
+            .out;
+    };
+    EXPECT_TRUE(has(said("Ci = noise(P);\n"), "bounds over a box: derived\n"));
+    EXPECT_TRUE(
+        has(said("Ci = s; TCiDu = 0; TCiDv = 0;\n"), "bounds over a box: given by the shader"));
+    EXPECT_TRUE(has(said("Ci = s;\nCi *= texture(\"a.tif\");\n"),
+                    "bounds over a box: derived; infinite where these reach: texture() (line 4)"));
+    EXPECT_TRUE(has(runCandela({"info", "pointlight"}).out, "bounds over a box: derived"));
+}
+
 TEST(RunVerb, OtherKinds) {
     const Outcome light = runCandela({"run", "pointlight", "from=0,0,-2", "--size", "1x1"});
     EXPECT_EQ(light.status, 0) << light.text();

@@ -8,12 +8,10 @@
 // own gradient comes from the same hashes: that of the blended functions, and the blend's.
 #pragma once
 
-#include "language/runtime/noise_code.h"
+#include "language/runtime/level_code.h"
 #include "language/runtime/noise_gradients.h"
 #include "language/runtime/noise_lanes.h"
-
-#include <cstddef>
-#include <utility>
+#include "language/runtime/register_form.h"
 
 namespace {
 
@@ -196,50 +194,7 @@ template <int dimensions, int components> struct CellNoise {
     }
 };
 
-/// A function as it is called: inputs come, and the first output goes, in registers. Those that
-/// have more outputs write them to memory one after another.
-template <typename Floats, typename Function, typename = std::make_index_sequence<Function::inputs>>
-struct InRegisters;
-
-template <typename Floats, typename Function, std::size_t... k>
-struct InRegisters<Floats, Function, std::index_sequence<k...>> {
-    static constexpr std::size_t lanes = sizeof(Floats) / sizeof(float);
-    template <std::size_t> using Input = Floats;
-
-    static Floats single(Input<k>... x) {
-        const Floats inputs[] = {x...};
-        Floats result[Function::outputs];
-        Function::evaluate(inputs, result);
-        return result[0];
-    }
-    static Floats several(Input<k>... x, float *others) {
-        const Floats inputs[] = {x...};
-        Floats result[Function::outputs];
-        Function::evaluate(inputs, result);
-        for (int n = 1; n < Function::outputs; ++n)
-            Lanes<Floats>::store(others + std::size_t(n - 1) * lanes, result[n]);
-        return result[0];
-    }
-    static const void *address() {
-        if constexpr (Function::outputs == 1)
-            return reinterpret_cast<const void *>(&single);
-        else
-            return reinterpret_cast<const void *>(&several);
-    }
-    static void throughMemory(const float *inputs, float *outputs) {
-        const auto input = [&](std::size_t n) __attribute__((always_inline)) {
-            return Lanes<Floats>::load(inputs + n * lanes);
-        };
-        Floats first;
-        if constexpr (Function::outputs == 1)
-            first = single(input(k)...);
-        else
-            first = several(input(k)..., outputs + lanes);
-        Lanes<Floats>::store(outputs, first);
-    }
-};
-
-/// By RuntimeFunction, in the order of functions.def: families of four dimensions each.
+/// By RuntimeFunction, in the order of functions.def up to firstBound: families of four dimensions each.
 #define CANDELA_FAMILY(form, function, ...)                                                        \
     InRegisters<Floats, function<1, __VA_ARGS__>>::form,                                           \
         InRegisters<Floats, function<2, __VA_ARGS__>>::form,                                       \
@@ -256,11 +211,11 @@ struct InRegisters<Floats, Function, std::index_sequence<k...>> {
         CANDELA_FAMILY(form, GradientNoise, 3, true, true), CANDELA_FAMILY(form, CellNoise, 1),    \
         CANDELA_FAMILY(form, CellNoise, 3)
 
-template <typename Floats> candela::runtime::NoiseCode noiseCode(int function) {
+template <typename Floats> candela::runtime::LevelCode noiseCode(int function) {
     static constexpr candela::runtime::RuntimeCode throughMemory[] = {CANDELA_NOISE(throughMemory)};
     static const void *const inRegisters[] = {CANDELA_NOISE(address())};
     static_assert(sizeof throughMemory / sizeof *throughMemory ==
-                  std::size_t(candela::runtime::RuntimeFunction::Count));
+                  std::size_t(candela::runtime::firstBound));
     return {throughMemory[function], inRegisters[function]};
 }
 

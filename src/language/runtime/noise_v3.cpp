@@ -4,7 +4,7 @@
 
 namespace candela::runtime {
 
-NoiseCode noiseV3(RuntimeFunction function, bool wide) {
+LevelCode noiseV3(RuntimeFunction function, bool wide) {
     return wide ? noiseCode<WideFloats>(int(function)) : noiseCode<Floats1>(int(function));
 }
 

@@ -4,7 +4,7 @@
 
 namespace candela::runtime {
 
-NoiseCode noiseV4(RuntimeFunction function, bool wide) {
+LevelCode noiseV4(RuntimeFunction function, bool wide) {
     return wide ? noiseCode<WideFloats>(int(function)) : noiseCode<Floats1>(int(function));
 }
 

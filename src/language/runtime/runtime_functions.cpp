@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/runtime/runtime_functions.h"
 
-#include "language/runtime/noise_code.h"
+#include "language/runtime/level_code.h"
 
 #include <array>
 
@@ -23,22 +23,22 @@ std::optional<RuntimeFunction> withSlopes(RuntimeFunction function) {
     return slopes == RuntimeFunction::NoSlopes ? std::nullopt : std::optional(slopes);
 }
 
-static NoiseCode noiseCode(RuntimeFunction function, int width, IsaLevel level) {
-    const bool wide = width > 1;
+static LevelCode codeOf(RuntimeFunction function, int width, IsaLevel level) {
+    const bool wide = width > 1, isNoise = function < firstBound;
     switch (level) {
-    case IsaLevel::V2: return noiseV2(function, wide);
-    case IsaLevel::V3: return noiseV3(function, wide);
+    case IsaLevel::V2: return (isNoise ? noiseV2 : boundV2)(function, wide);
+    case IsaLevel::V3: return (isNoise ? noiseV3 : boundV3)(function, wide);
     case IsaLevel::V4: break;
     }
-    return noiseV4(function, wide);
+    return (isNoise ? noiseV4 : boundV4)(function, wide);
 }
 
 RuntimeCode code(RuntimeFunction function, int width, IsaLevel level) {
-    return noiseCode(function, width, level).throughMemory;
+    return codeOf(function, width, level).throughMemory;
 }
 
 const void *registerCode(RuntimeFunction function, int width, IsaLevel level) {
-    return noiseCode(function, width, level).inRegisters;
+    return codeOf(function, width, level).inRegisters;
 }
 
 void callScalar(RuntimeFunction function, const float *const *inputs, float *const *outputs) {

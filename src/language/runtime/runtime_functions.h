@@ -32,7 +32,7 @@ struct RuntimeFunctionInfo {
 };
 
 /// No function of functions.def has more inputs or outputs than these.
-inline constexpr int maxRuntimeInputs = 8, maxRuntimeOutputs = 15;
+inline constexpr int maxRuntimeInputs = 13, maxRuntimeOutputs = 15;
 
 const RuntimeFunctionInfo &info(RuntimeFunction);
 

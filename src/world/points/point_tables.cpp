@@ -62,7 +62,8 @@ void WantedInputs::add(const std::vector<bool> &inputsRead) {
     dCs |= reads(ShaderInput::dCsdu, ShaderInput::dCsdvLast_);
     dOs |= reads(ShaderInput::dOsdu, ShaderInput::dOsdvLast_);
     uv |= reads(ShaderInput::u, ShaderInput::v);
-    footprint |= reads(ShaderInput::du, ShaderInput::vShift);
+    footprint |=
+        reads(ShaderInput::du, ShaderInput::vShift) || reads(ShaderInput::Du, ShaderInput::Dv);
     stDerivatives |= reads(ShaderInput::dsdu, ShaderInput::dtdv);
     st |= stDerivatives || reads(ShaderInput::s, ShaderInput::t);
     Cs |= dCs || reads(ShaderInput::Cs, ShaderInput::CsLast_);

@@ -106,12 +106,23 @@ std::string differenceOfOutputs(const ir::Function &whole, const RunResult &expe
     }
 }
 
+/// Where no box is asked about, the region that is sampled stands for it.
+static void takeSampledRegion(std::vector<ir::TestPlane> &inputs) {
+    const auto plane = [&](ShaderInput input) -> ir::TestPlane & {
+        return inputs[std::size_t(input)];
+    };
+    plane(ShaderInput::Du) = plane(ShaderInput::du);
+    plane(ShaderInput::Dv) = plane(ShaderInput::dv);
+    plane(ShaderInput::Dw).assign(plane(ShaderInput::Dw).size(), 0);
+}
+
 Batch::Batch(const ir::LoweredShader &shader, Chance &chance)
     : points_(shader.whole, 1 + int(chance.below(40)), unsigned(chance.bits())),
       seed_(chance.bits()), parameterCount_(int(shader.whole.parameters.size())) {
     points_.setSamples(int(chance.below(4)), unsigned(chance.bits()));
     if (chance.oneIn(3))
         addSpecials(points_.inputs, chance);
+    takeSampledRegion(points_.inputs);
     if (chance.oneIn(2))
         for (int word = 0; word < points_.padded() / laneBlock; ++word)
             points_.active.push_back(std::uint16_t(chance.oneIn(4) ? 0 : chance.bits()));

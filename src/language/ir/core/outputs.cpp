@@ -18,6 +18,7 @@ struct OutputRow {
 
 constexpr int Color = 0;
 constexpr float notANumber = std::numeric_limits<float>::quiet_NaN();
+constexpr float endless = std::numeric_limits<float>::infinity();
 constexpr OutputRow rows[] = {
 #define OUTPUT(name, components, text, ended, meaning) {components, text, ended, false},
 #define CONE_OUTPUT(name, components, text, ended, meaning) {components, text, ended, true},

@@ -112,6 +112,23 @@ VolumeFacts volumeFacts(const Function &whole);
 
 SurfaceFacts surfaceFacts(const Plan &);
 
+/// Something in a text of which nothing is known over a box of surface.
+struct Boundless {
+    int line = 0;     ///< 0: none of its own.
+    std::string what; ///< "texture()"
+};
+
+/// What Question::Bounds (of lights LightBounds) will answer.
+struct BoundFacts {
+    /// The shader sets TCiDu, TCiDv or TCiDw (a light TClDu...): these bounds are its own, but for
+    /// that of its opacity.
+    bool givenByShader = false;
+    /// What is not known, in the order of the text: what it reaches has no bound.
+    std::vector<Boundless> boundless;
+};
+BoundFacts boundFacts(const Plan &);
+BoundFacts lightBoundFacts(const Function &whole);
+
 /// What is known of a text that displaces: of displacement and transformation shaders, and of
 /// surface shaders that set P.
 struct DisplacementFacts {
@@ -132,6 +149,7 @@ Function slice(const Plan &, Question);
 
 /// The same with a plan of their own, if they need one.
 SurfaceFacts surfaceFacts(const Function &whole);
+BoundFacts boundFacts(const Function &whole);
 Function slice(const Function &whole, Question);
 
 } // namespace candela::ir

@@ -20,7 +20,7 @@ TEST(Questions, EachBelongsToOneKindAndHasItsOwnName) {
     EXPECT_EQ(int(all.size()), questionCount);
     EXPECT_EQ(int(names.size()), questionCount);
     EXPECT_EQ(questionsOf(sl::ShaderKind::Light),
-              (std::vector{Question::Light, Question::Emission}));
+              (std::vector{Question::Light, Question::LightBounds, Question::Emission}));
 }
 
 TEST(Questions, AreAskedOfEveryKindThatRuns) {

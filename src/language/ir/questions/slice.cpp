@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/ir/analyse/affine.h"
 #include "language/ir/analyse/opacity.h"
+#include "language/ir/core/builder_fold.h"
 #include "language/ir/core/op_info.h"
 #include "language/ir/core/regions.h"
 #include "language/ir/questions/answers.h"
@@ -141,7 +142,25 @@ std::vector<ConeSlot> coneSlots(const Plan &plan) {
     return slots;
 }
 
+/// The box that is asked about: where none is, the region that is sampled stands for it.
+void takeSampledRegion(Function &function) {
+    forEachInstruction(function.body, [](Instruction &i) {
+        if (i.op != Op::Input)
+            return;
+        if (i.immediate == int(ShaderInput::Du))
+            i.immediate = int(ShaderInput::du);
+        else if (i.immediate == int(ShaderInput::Dv))
+            i.immediate = int(ShaderInput::dv);
+        else if (i.immediate == int(ShaderInput::Dw))
+            i.op = Op::ConstFloat, i.immediate = 0;
+    });
+    markInputsRead(function);
+}
+
 Function named(Function function, const Function &whole, Question question) {
+    if (question != Question::Bounds && question != Question::Furnace &&
+        question != Question::LightBounds)
+        takeSampledRegion(function);
     function.name = whole.name + "." + nameOf(question);
     function.lanes = lanesOf(question);
     loadLate(function);

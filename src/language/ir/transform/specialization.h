@@ -49,6 +49,10 @@ void walk(Specialization &, const Region &, BindingTimes);
 void walkAhead(Specialization &, const Region &, BindingTimes);
 void walkLoop(Specialization &, const Instruction &, BindingTimes);
 void walkLightLoop(Specialization &, const Instruction &, BindingTimes);
+/// Its results in a uniform field, for assumption `h` (uniform_field.cpp).
+Values fieldLoop(Specialization &, int h, const Instruction &);
+/// What a lobe sends on of light from everywhere, where its peak is 1.
+ValueId energyOf(Specialization &, int h, const Cone &);
 /// Answer, Ambient, Irradiance.
 void walkAnswer(Specialization &, const Instruction &, BindingTimes);
 

@@ -25,6 +25,8 @@ struct Assumption {
         Given,   ///< As the caller gives it.
         Sampled, ///< Unit light as ShaderArgs::answeredRequest has it, from Input sampleL.
         Probed,  ///< A unit contribution through cone `probe` alone, without asking for light.
+        Field,   ///< Radiance 1 from all directions (uniform_field.h); ambient() and irradiance()
+                 ///< as `ambient` says, which the light rule has given loops of their own.
     };
     Light light = Light::None;
     bool ambient = false; ///< ambient() and irradiance() as given; else black.
@@ -48,6 +50,8 @@ struct SpecializationOptions {
     const std::map<ValueId, int> *slots = nullptr;
     /// Cones to state in outputs, where the light loops stand.
     const std::vector<Cone> *cones = nullptr;
+    /// What is known of loops' answers to light (Light::Field).
+    const std::vector<Cone> *lobes = nullptr;
     /// Cone tests of classic loops, by request.
     const std::vector<ConeTest> *coneTests = nullptr;
 };

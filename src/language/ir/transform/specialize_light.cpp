@@ -14,6 +14,18 @@
 
 namespace candela::ir {
 
+/// The integral of a power n of
+/// the cosine, over pi, 2 / (n + 1). So the share of directions that a highlight gets goes by its
+/// energy and not by its brightness; narrow ones would have too many.
+ValueId energyOf(Specialization &s, int h, const Cone &cone) {
+    if (cone.kind != Cone::Kind::Lobe || !cone.exponent)
+        return number(s.b, 1);
+    const ValueId scale = number(s.b, cone.exponentScale);
+    const ValueId exponent = mul(s.b, s.mapping.value(h, *cone.exponent), scale);
+    const ValueId one = number(s.b, 1);
+    return div(s.b, number(s.b, 2), add(s.b, max(s.b, exponent, number(s.b, 0)), one));
+}
+
 namespace {
 
 int requestFor(Specialization &s, int request) {
@@ -99,18 +111,6 @@ Values sampledLoop(Specialization &s, int h, const Instruction &i) {
     return ifElse(s.b, sampleReaches(s, h, i), body, [&] { return initial; });
 }
 
-/// What a lobe sends on of light from everywhere, where its peak is 1: the integral of a power n of
-/// the cosine, over pi, 2 / (n + 1). So the share of directions that a highlight gets goes by its
-/// energy and not by its brightness; narrow ones would have too many.
-ValueId energyOf(Specialization &s, int h, const Cone &cone) {
-    if (cone.kind != Cone::Kind::Lobe || !cone.exponent)
-        return number(s.b, 1);
-    const ValueId scale = number(s.b, cone.exponentScale);
-    const ValueId exponent = mul(s.b, s.mapping.value(h, *cone.exponent), scale);
-    const ValueId one = number(s.b, 1);
-    return div(s.b, number(s.b, 2), add(s.b, max(s.b, exponent, number(s.b, 0)), one));
-}
-
 /// The loop's results as if the probed cone had brought a unit of light.
 Values probedLoop(Specialization &s, int h, const Instruction &i) {
     Values results = initialOf(s, h, i);
@@ -132,6 +132,7 @@ Values lightLoopUnder(Specialization &s, int h, const Instruction &i) {
     case Assumption::Light::Given: return givenLoop(s, h, i);
     case Assumption::Light::Sampled: return sampledLoop(s, h, i);
     case Assumption::Light::Probed: return probedLoop(s, h, i);
+    case Assumption::Light::Field: return fieldLoop(s, h, i);
     default: return initialOf(s, h, i);
     }
 }
@@ -158,6 +159,8 @@ void walkAnswer(Specialization &s, const Instruction &i, BindingTimes range) {
         if (isAnswer && assumption.light == Assumption::Light::Sampled)
             light =
                 unary(s.b, Op::FloatFromBool, s.b.emit(Op::AnsweredRequest, {}, i.immediate)[0]);
+        if (isAnswer && assumption.light == Assumption::Light::Field)
+            light = number(s.b, 1);
         if (isAnswer && assumption.probe && assumption.probe->request == i.immediate)
             light = number(s.b, 1);
         for (ValueId v : i.results)
