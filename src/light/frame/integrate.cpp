@@ -105,7 +105,8 @@ void integrate(const Scene &scene, const IntegratorSettings &settings,
         taken.kind = IntegratorKind::Path;
     std::unique_ptr<radiosity::Solution> solution;
     if (settings.kind == IntegratorKind::Radiosity) {
-        solution = std::make_unique<radiosity::Solution>(scene, settings.solver, settings.solving);
+        solution = std::make_unique<radiosity::Solution>(scene, settings.solver, diagnostics,
+                                                         settings.solving);
         statistics.solver = solution->statistics();
         frame.solution = solution.get();
     }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace candela::radiosity {
 
@@ -31,6 +32,9 @@ struct PlaceList {
             plane(6));
     }
 };
+
+/// Lamps of so many times the area of all else are skies.
+constexpr double sky = 8;
 
 constexpr Place squareCorners[] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 constexpr Place triangleCorners[] = {{0, 0}, {1, 0}, {0, 1}};
@@ -98,6 +102,25 @@ void Mesh::makeFaces() {
         area_ += elements_[e].area;
     }
     elements_ = std::move(kept), nodes_ = std::move(nodes);
+    leaveOutSkies();
+}
+
+/// Lamps that are much larger than all else: elements of them would be all there is. They are
+/// sampled as other light sources are, and what falls on them is nobody's concern.
+void Mesh::leaveOutSkies() {
+    std::map<int, double> areas; // By light.
+    for (const Face &face : faces_)
+        if (const int light = domains_[face.domain].light; light > 0 && face.root >= 0)
+            areas[light] += element(face.root).area;
+    for (const auto &[light, area] : areas) {
+        const double others = area_ - area;
+        if (!(others > 0) || area < sky * others)
+            continue;
+        for (Face &face : faces_)
+            if (domains_[face.domain].light == light)
+                face.root = -1;
+        area_ = others;
+    }
 }
 
 void Mesh::subdivide(std::span<const int> elements) {

@@ -18,7 +18,7 @@ struct Face {
     std::uint32_t domain = 0, piece = 0;
     bool isBack = false;
     std::int32_t opposite = -1; ///< The face of the other side, -1 where rays do not meet it.
-    std::int32_t root = -1;     ///< Its element; -1 = it has no area.
+    std::int32_t root = -1;     ///< Its element; -1 = it has no area, or is a sky.
 };
 
 struct Element {
@@ -62,7 +62,7 @@ public:
         return {nodes_.data() + std::size_t(e) * std::size_t(stride_),
                 std::size_t(basis(e).nodes())};
     }
-    double area() const { return area_; } ///< Of all faces.
+    double area() const { return area_; } ///< Of all faces with elements.
 
     /// Gives those elements, leaves, their children; in this order.
     void subdivide(std::span<const int> elements);
@@ -79,6 +79,7 @@ public:
 
 private:
     void makeFaces();
+    void leaveOutSkies();
     void measure(int first);
 
     const Scene &scene_;

@@ -15,6 +15,8 @@ namespace {
 constexpr float pi = std::numbers::pi_v<float>;
 /// Of shaders that are not Lambertian: views, and directions of light for each.
 constexpr int views = 8, directions = 16;
+/// Reflectances that differ by less are the same.
+constexpr float alike = 1e-3f;
 
 Vec3 get(const ConstVec3Planes &planes, int i) {
     return {planes[0][i], planes[1][i], planes[2][i]};
@@ -37,12 +39,20 @@ std::array<float, 2> numberOf(int k, std::uint32_t salt) {
     return number;
 }
 
-} // namespace
+void clear(int count, Response &response) {
+    for (Planes<float> *planes :
+         {&response.reflectance, &response.transmittance, &response.ambient})
+        for (int c = 0; c < colorSamples; ++c)
+            std::fill_n((*planes)[c], count, 0.0f);
+}
 
-bool isLambertian(const ShaderCode &code) {
+/// The whole answer to light is one lobe, up to a factor.
+bool isOneLobe(const ShaderCode &code) {
     const std::vector<ir::ConeSlot> &cones = code.facts().cones;
     return cones.size() == 1 && cones[0].exact && code.facts().affine;
 }
+
+} // namespace
 
 ResponseQuestion::ResponseQuestion()
     : vertices_(capacity), mixture_(capacity), events_(capacity), I_(3, capacity),
@@ -59,19 +69,42 @@ ResponseQuestion::ResponseQuestion()
 
 void ResponseQuestion::ask(const Scene &scene, int code, const SurfacePlaces &places,
                            const Vec3Planes &Ng, Response &response) {
-    for (Planes<float> *planes :
-         {&response.reflectance, &response.transmittance, &response.ambient})
-        for (int c = 0; c < colorSamples; ++c)
-            std::fill_n((*planes)[c], places.count, 0.0f);
-    const int count = isLambertian(scene.code(code)) ? 1 : views;
-    const Vec3Planes I{I_[0], I_[1], I_[2]};
+    const int count = viewsOf(scene, code, places, Ng);
+    clear(places.count, response);
     for (int view = 0; view < count; ++view) {
-        const std::array<float, 2> number = numberOf(view, 1);
-        for (int i = 0; i < places.count; ++i)
-            I.set(i, count == 1 ? -Ng.get(i) : -cosineDirection(Ng.get(i), number[0], number[1]));
-        vertices_.place(scene, code, places, I, scene.options().camera.shutterOpen);
+        look(scene, code, places, Ng, count == 1 ? std::array<float, 2>{} : numberOf(view, 1));
         addView(response, 1 / float(count));
     }
+}
+
+void ResponseQuestion::look(const Scene &scene, int code, const SurfacePlaces &places,
+                            const Vec3Planes &Ng, std::array<float, 2> view) {
+    const Vec3Planes I{I_[0], I_[1], I_[2]};
+    for (int i = 0; i < places.count; ++i)
+        I.set(i, -cosineDirection(Ng.get(i), view[0], view[1]));
+    vertices_.place(scene, code, places, I, scene.options().camera.shutterOpen);
+}
+
+int ResponseQuestion::viewsOf(const Scene &scene, int code, const SurfacePlaces &places,
+                              const Vec3Planes &Ng) {
+    if (!isOneLobe(scene.code(code)))
+        return views;
+    for (int k : {0, 1}) {
+        clear(places.count, compared_[k]);
+        look(scene, code, places, Ng, {0.8f * float(k), 0.3f});
+        addView(compared_[k], 1);
+    }
+    const auto differ = [&](const Planes<float> &a, const Planes<float> &b) {
+        for (int c = 0; c < colorSamples; ++c)
+            for (int i = 0; i < places.count; ++i)
+                if (std::fabs(a[c][i] - b[c][i]) > alike)
+                    return true;
+        return false;
+    };
+    return differ(compared_[0].reflectance, compared_[1].reflectance) ||
+                   differ(compared_[0].transmittance, compared_[1].transmittance)
+               ? views
+               : 1;
 }
 
 void ResponseQuestion::addView(Response &response, float share) {
@@ -109,9 +142,7 @@ void ResponseQuestion::add(int i, Vec3 direction, float weight, float *const *g,
                            Response &response) {
     const bool reflected = dot(direction, get(vertices_.facingPlanes(), i)) > 0;
     for (int c = 0; c < colorSamples; ++c) {
-        const float part = weight * g[c][i];
-        if (std::isfinite(part))
-            (reflected ? response.reflectance : response.transmittance)[c][i] += part;
+        (reflected ? response.reflectance : response.transmittance)[c][i] += weight * g[c][i];
     }
 }
 
@@ -120,7 +151,7 @@ void ResponseQuestion::addFinite(Response &response, float share) {
     const int lanes = vertices_.count();
     stateFiniteLobes(lanes, vertices_.prepared().cones, vertices_.facingPlanes(),
                      events_.transmission(), nullptr, mixture_);
-    const int count = isLambertian(vertices_.code()) ? 1 : directions;
+    const int count = isOneLobe(vertices_.code()) ? 1 : directions;
     const ConstVec3Planes direction{direction_[0], direction_[1], direction_[2]};
     float *g[colorSamples];
     for (int c = 0; c < colorSamples; ++c)

@@ -28,6 +28,10 @@ public:
     void ask(const Scene &, int code, const SurfacePlaces &, const Vec3Planes &Ng, Response &);
 
 private:
+    /// How many views stand for all: one where they are alike.
+    int viewsOf(const Scene &, int code, const SurfacePlaces &, const Vec3Planes &Ng);
+    void look(const Scene &, int code, const SurfacePlaces &, const Vec3Planes &Ng,
+              std::array<float, 2> view);
     void addView(Response &, float share);
     void addFinite(Response &, float share);
     void addDirections(Response &, float share);
@@ -40,9 +44,7 @@ private:
     Planes<float> I_, direction_, numbers_, pdf_, response_, ambient_, one_;
     Planes<std::int32_t> answered_;
     std::array<const float *, colorSamples> ambientTable_{}, oneTable_{};
+    Response compared_[2]{Response(capacity), Response(capacity)};
 };
-
-/// A shader whose whole answer to light is one lobe of the cosine, the same for all views.
-bool isLambertian(const ShaderCode &);
 
 } // namespace candela::radiosity

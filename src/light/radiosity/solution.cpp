@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace candela::radiosity {
 
@@ -29,25 +30,28 @@ template <class Serve> void forEachRootNode(const Mesh &mesh, const Serve &serve
 
 } // namespace
 
-Solution::Solution(const Scene &scene, const SolverSettings &settings, const Progress &progress)
+Solution::Solution(const Scene &scene, const SolverSettings &settings, DiagnosticSink &diagnostics,
+                   const Progress &progress)
     : mesh_(scene, settings.order), tree_(mesh_) {
     const auto start = std::chrono::steady_clock::now();
-    solve(settings, progress);
+    solve(settings, diagnostics, progress);
     statistics_.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-void Solution::solve(const SolverSettings &settings, const Progress &progress) {
+void Solution::solve(const SolverSettings &settings, DiagnosticSink &diagnostics,
+                     const Progress &progress) {
     const auto tell = [&](double done) {
         if (progress)
             progress(done);
     };
     const float leastArea = float(settings.leastElement * mesh_.area());
+    Impossible impossible;
     LinkSettings links;
     links.leastArea = leastArea;
     links.mostElements = settings.mostElements, links.mostLinks = settings.mostLinks;
     links.sources = {settings.directSamples, settings.seed, settings.epsilon * 10, leastArea,
-                     linkedLamps(mesh_)};
+                     linkedLamps(mesh_),     &impossible};
     divideByDirectLight(mesh_, links.sources, fields_);
     tell(0.2);
     linkLamps(links, settings.epsilon, settings.contrast);
@@ -78,7 +82,24 @@ void Solution::solve(const SolverSettings &settings, const Progress &progress) {
     statistics_.clusterLinks = links_.clusters.size();
     statistics_.directFlux = flux(fields_.direct) + flux(fields_.lamps);
     statistics_.indirectFlux = flux(fields_.indirect);
+    report(impossible, settings, diagnostics);
     tell(1);
+}
+
+/// What users should know of the solution.
+void Solution::report(const Impossible &impossible, const SolverSettings &settings,
+                      DiagnosticSink &diagnostics) const {
+    for (const auto &[shader, count] : impossible.all())
+        diagnostics.warning(
+            {},
+            fmt::format("radiosity: at {} points shader \"{}\" sends on more light than it gets, "
+                        "or what is no number; there it is taken to send on all",
+                        count, shader));
+    if (statistics_.elements > settings.mostElements || statistics_.links > settings.mostLinks)
+        diagnostics.warning(
+            {}, fmt::format("radiosity: the solution would have more than {} elements or {} links, "
+                            "and is coarser than \"epsilon\" asks for",
+                            settings.mostElements, settings.mostLinks));
 }
 
 /// Surfaces that shine, as far as links may serve them.

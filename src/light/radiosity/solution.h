@@ -17,7 +17,7 @@ namespace candela::radiosity {
 class Solution {
 public:
     using Progress = std::function<void(double done)>;
-    Solution(const Scene &, const SolverSettings &, const Progress & = {});
+    Solution(const Scene &, const SolverSettings &, DiagnosticSink &, const Progress & = {});
 
     /// Irradiance at points that rays have met, on the side that they came from and on the other,
     /// W m^-2; direct light is that of light sources. Null planes are not wanted.
@@ -34,7 +34,7 @@ public:
     const SolverStatistics &statistics() const { return statistics_; }
 
 private:
-    void solve(const SolverSettings &, const Progress &);
+    void solve(const SolverSettings &, DiagnosticSink &, const Progress &);
     void linkLamps(LinkSettings, double epsilon, double contrast);
     double iterate();
     enum class Which { All, Smooth };
@@ -46,6 +46,7 @@ private:
     void pullUp(int element, std::vector<Color> &) const;
     void pullSources();
     void shineThrough();
+    void report(const Impossible &, const SolverSettings &, DiagnosticSink &) const;
     double flux(const std::vector<Color> &) const;
     double evenIrradiance(const std::vector<Color> &sent) const;
     /// The sum of fields at a place of a face.

@@ -16,6 +16,9 @@ namespace candela::radiosity {
 
 namespace {
 
+/// Beyond 1 by rounding and by quadrature.
+constexpr float tolerated = 1.02f;
+
 /// A face is looked at as closely as this share of the scene, whatever its first points see.
 constexpr double coarsest = 1.0 / 512;
 
@@ -27,6 +30,22 @@ struct Questions {
     Planes<float> E{colorSamples, DirectQuestion::capacity};
     Planes<float> sent{colorSamples, EmissionQuestion::capacity};
 };
+
+/// What is sent on is no more than what comes.
+bool makePossible(Color &reflectance, Color &transmittance) {
+    bool isPossible = true;
+    for (std::size_t k = 0; k < colorSamples; ++k) {
+        for (float *value : {&reflectance[k], &transmittance[k]})
+            if (!(*value >= 0) || !std::isfinite(*value))
+                *value = 0, isPossible = false;
+        const float sum = reflectance[k] + transmittance[k];
+        if (sum > 1) {
+            reflectance[k] /= sum, transmittance[k] /= sum;
+            isPossible &= sum <= tolerated;
+        }
+    }
+    return isPossible;
+}
 
 void askBatch(const Mesh &mesh, const std::vector<int> &elements, const SourceSettings &settings,
               Fields &fields) {
@@ -62,6 +81,9 @@ void askBatch(const Mesh &mesh, const std::vector<int> &elements, const SourceSe
                 fields.transmittance[place][k] = own->answer.transmittance[c][at];
                 fields.ambient[place][k] = own->answer.ambient[c][at];
             }
+            if (!makePossible(fields.reflectance[place], fields.transmittance[place]) &&
+                settings.impossible)
+                settings.impossible->add(mesh.scene().code(code).name());
         }
     }
 }
@@ -97,6 +119,11 @@ double brightestDirect(const Mesh &mesh, int e, const Fields &fields) {
 }
 
 } // namespace
+
+void Impossible::add(const std::string &shader) {
+    const std::lock_guard lock(mutex_);
+    ++counts_[shader];
+}
 
 void askSources(const Mesh &mesh, int first, const SourceSettings &settings, Fields &fields) {
     fields.resize(mesh);

@@ -5,7 +5,22 @@
 
 #include "light/radiosity/fields.h"
 
+#include <map>
+#include <mutex>
+#include <string>
+
 namespace candela::radiosity {
+
+/// What shaders have said that no surface can do, by name, and how often.
+class Impossible {
+public:
+    void add(const std::string &shader);
+    std::map<std::string, std::size_t> all() const { return counts_; }
+
+private:
+    std::mutex mutex_;
+    std::map<std::string, std::size_t> counts_;
+};
 
 struct SourceSettings {
     int samples = 16; ///< Of lights, at each node.
@@ -15,6 +30,8 @@ struct SourceSettings {
     double epsilon = 1e-4;
     float leastArea = 0;              ///< No element is divided below it.
     std::vector<std::uint8_t> linked; ///< linkedLamps(): these are not sampled.
+    /// Counts shaders that send on more than they get, or what is no number: 1 and 0 are taken.
+    Impossible *impossible = nullptr;
 };
 
 /// Fills Fields::direct and the response at nodes of elements from `first` on; of leaves the

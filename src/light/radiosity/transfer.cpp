@@ -12,6 +12,8 @@ namespace {
 constexpr float pi = std::numbers::pi_v<float>;
 /// Senders nearer than so many of their radii are integrated in closed form.
 constexpr float nearby = 6;
+/// Cosine of normals that are the same.
+constexpr float plane = 0.9999f;
 /// Receivers whose basis misses more of what they get than this share of it take a finer rule.
 constexpr float roughly = 0.01f;
 
@@ -134,22 +136,15 @@ Sender::Sender(const Mesh &mesh, int e) {
         nodes[std::size_t(count++)] = node;
     corners = element.corners, sides = cornersOf(mesh, e).size();
     area = element.area, turned = element.turned, fullness = element.fullness;
-}
-
-bool Sender::turnsAwayFrom(Vec3 P) const {
-    int away = 0;
-    for (int j = 0; j < count; ++j) {
-        const Node &node = nodes[std::size_t(j)];
-        away += dot(node.N, P - node.P) > 0 ? 0 : 1;
-    }
-    return away > 0 && away < count;
+    for (const Node &node : mesh.nodes(e))
+        isPlane &= dot(node.N, element.normal) > plane;
 }
 
 float Sender::factor(Vec3 P, Vec3 N, bool byContour, float *row, float &missed) const {
     float rule = 0;
     for (int j = 0; j < count; ++j)
         rule += row[j] = pointFactor(P, N, nodes[std::size_t(j)]);
-    if (!byContour || turnsAwayFrom(P))
+    if (!byContour || !isPlane)
         return rule;
     const float exact = fullness * contourFactor(P, N, std::span(corners).first(sides), turned);
     missed = std::max(missed, std::fabs(exact - rule));

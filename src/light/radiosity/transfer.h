@@ -17,16 +17,13 @@ struct Sender {
     std::array<Vec3, 4> corners;
     std::size_t sides = 0;
     float area = 0, turned = 1, fullness = 1;
+    bool isPlane = true; ///< Its contour says all; of curved elements the rule does.
 
     Sender(const Mesh &, int element);
 
     /// Fills the row and returns the form factor, and by how much the rule alone has missed it. The
     /// rule says where on the sender light comes from, the contour how much.
     float factor(Vec3 P, Vec3 N, bool byContour, float *row, float &missed) const;
-
-private:
-    /// The point sees some of it from behind: what it sees of the front has another contour.
-    bool turnsAwayFrom(Vec3 P) const;
 };
 
 struct Transfer {

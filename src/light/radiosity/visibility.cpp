@@ -22,6 +22,7 @@ Vec3 clearOf(const Mesh &mesh, int e, const Node &node) {
 
 VisibilityRays::VisibilityRays()
     : rays_(pairs * raysOfPair), transmittance_(colorSamples, pairs * raysOfPair),
+      around_(1, pairs * raysOfPair), atmosphere_(1, pairs * raysOfPair),
       place_(std::size_t(pairs * raysOfPair)) {}
 
 void VisibilityRays::ask(const Mesh &mesh, std::span<const Pair> pairs, Visibility *visibility) {
@@ -45,6 +46,8 @@ void VisibilityRays::ask(const Mesh &mesh, std::span<const Pair> pairs, Visibili
             rays_.tMin[ray] = clearance, rays_.tMax[ray] = 1 - clearance;
             rays_.time[ray] = mesh.scene().options().camera.shutterOpen;
             rays_.width[ray] = 0, rays_.spread[ray] = 0;
+            const PlacedDomain &domain = mesh.domainOf(pairs[p].receiver);
+            atmosphere_[0][ray] = mesh.scene().mediaOf(domain.instance, domain.shape).atmosphere;
             place_[std::size_t(ray)] = std::uint8_t(at);
             ++counts[p];
         }
@@ -52,7 +55,10 @@ void VisibilityRays::ask(const Mesh &mesh, std::span<const Pair> pairs, Visibili
     float *planes[colorSamples];
     for (int c = 0; c < colorSamples; ++c)
         planes[c] = transmittance_[c];
-    const bool isColored = rays_.count > 0 && mesh.scene().transmittance(rays_, planes);
+    const ShadowMedia media{around_[0], around_[0], atmosphere_[0]};
+    const bool isColored =
+        rays_.count > 0 &&
+        mesh.scene().transmittance(rays_, planes, mesh.scene().hasVolumes() ? &media : nullptr);
     int ray = 0;
     for (std::size_t p = 0; p < pairs.size(); ++p) {
         Visibility &found = visibility[p];

@@ -31,6 +31,8 @@ public:
 private:
     RayBatch rays_;
     Planes<float> transmittance_;
+    Planes<std::uint32_t> around_;    ///< Between elements there is air,
+    Planes<std::int32_t> atmosphere_; ///< or that of what receives.
     std::vector<std::uint8_t> place_; ///< Of each ray: which of its pair's node pairs.
 };
 
