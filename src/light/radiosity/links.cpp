@@ -165,11 +165,11 @@ private:
         }
         if (!(most > 0) || (a == b && mesh_.element(a).isFlat) || !isHeard(pair))
             return verdict;
-        if (a == b) {
-            verdict.kind = isDivisible(a) ? Verdict::Divided : Verdict::Nothing;
+        if (a == b && isBent(mesh_, a) && isDivisible(a)) {
+            verdict.kind = Verdict::Divided;
             return verdict;
         }
-        if (areTurnedAway(mesh_, a, b))
+        if (a != b && areTurnedAway(mesh_, a, b))
             return verdict;
         verdict.transfer = transferBetween(mesh_, a, b);
         const double area = mesh_.element(a).area;

@@ -15,7 +15,7 @@ struct SolverSettings {
     /// before points ask for it themselves.
     double contrast = 1.5e-3;
     double leastElement = 1e-6; ///< The smallest element, in shares of all area.
-    int directSamples = 16;     ///< Of light sources, at each node.
+    int directSamples = 64;     ///< Of light sources, at each node.
     std::uint32_t seed = 0;
     int mostIterations = 100;
     std::size_t mostElements = 2'000'000, mostLinks = 20'000'000;

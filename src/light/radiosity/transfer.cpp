@@ -153,6 +153,22 @@ float Sender::factor(Vec3 P, Vec3 N, bool byContour, float *row, float &missed) 
     return exact;
 }
 
+namespace {
+
+/// What nodes of a hollow element give to themselves is what the others give, on average.
+void completeDiagonal(const Sender &from, Transfer &transfer) {
+    for (int i = 0; i < from.count; ++i) {
+        float sum = 0;
+        for (int j = 0; j < from.count; ++j)
+            if (j != i)
+                sum += transfer(i, j) / from.nodes[std::size_t(j)].area;
+        transfer.kernel[std::size_t(i * transfer.senders + i)] =
+            sum / float(from.count - 1) * from.nodes[std::size_t(i)].area;
+    }
+}
+
+} // namespace
+
 Transfer transferBetween(const Mesh &mesh, int receiver, int sender) {
     const std::span<const Node> to = mesh.nodes(receiver);
     const Element &a = mesh.element(receiver), &b = mesh.element(sender);
@@ -168,6 +184,8 @@ Transfer transferBetween(const Mesh &mesh, int receiver, int sender) {
                                 &transfer.kernel[i * std::size_t(from.count)], missedByRule);
         transfer.largest = std::max(transfer.largest, factor[i]);
     }
+    if (receiver == sender)
+        completeDiagonal(from, transfer);
     const Basis &basis = mesh.basis(receiver);
     const auto missed = [&](Place at, float found) {
         std::array<float, mostNodes> value;
@@ -193,7 +211,7 @@ Transfer transferBetween(const Mesh &mesh, int receiver, int sender) {
 
 float errorAtCorners(const Mesh &mesh, int receiver, int sender, const Transfer &transfer) {
     const Element &a = mesh.element(receiver), &b = mesh.element(sender);
-    if (length(b.centre - a.centre) > nearby * (a.radius + b.radius))
+    if (receiver == sender || length(b.centre - a.centre) > nearby * (a.radius + b.radius))
         return transfer.receiverError;
     const Sender from(mesh, sender);
     const Basis &basis = mesh.basis(receiver);
@@ -222,7 +240,7 @@ void refineKernel(const Mesh &mesh, int receiver, int sender, Transfer &transfer
     const float rough = roughly * transfer.largest;
     const bool finerReceiver = transfer.receiverError > rough;
     const bool finerSender = transfer.isNear && transfer.senderError > rough;
-    if (!finerReceiver && !finerSender)
+    if (receiver == sender || (!finerReceiver && !finerSender))
         return;
     const std::array<Sender, 4> quarters = quartersOf(mesh, sender);
     const Sender whole(mesh, sender);
