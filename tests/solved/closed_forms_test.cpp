@@ -63,6 +63,9 @@ TEST(Radiosity, FurnacesAreEven) {
         {"mirrored box", "Scale -1 1 1\n" + glowing + box},
         {"sphere", glowing + "Sphere 2 -2 2 360\n", 2, 0.002, 0.002},
         {"ball in a box", glowing + box + "Translate .4 .3 .5\nSphere .3 -.3 .3 360\n"},
+        {"glass in a box",
+         glowing + box + "Translate .4 .3 .5\nSurface \"glass\"\nSphere .3 -.3 .3 360\n", 2, 0.01,
+         0.06},
         // Curved and flat pieces touch, which the rule of curved ones does not see in full.
         {"can", glowing + "Cylinder 1.5 -1 1 360\nDisk 1 1.5 360\nDisk -1 1.5 360\n", 2, 0.02,
          0.06},

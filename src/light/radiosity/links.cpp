@@ -272,13 +272,23 @@ private:
             for (int c = 0; c < Basis::children; ++c) {
                 push(mesh_, e, c, fields_.indirect, fields_.indirect);
                 push(mesh_, e, c, fields_.lamps, fields_.lamps);
+                push(mesh_, e, c, fields_.exitance, fields_.exitance);
             }
         for (int e = first; e < mesh_.size(); ++e)
-            reflect(mesh_, e, fields_);
+            if (!letsLightThrough(e)) // What comes from behind, the parent knows.
+                reflect(mesh_, e, fields_);
         roughness_.resize(std::size_t(mesh_.size()), 0);
         for (std::size_t k = 0; k < pairs.size(); ++k)
             if (verdicts[k].kind == Verdict::Divided)
                 addChildren(pairs[k], next);
+    }
+
+    bool letsLightThrough(int e) const {
+        const std::size_t first = std::size_t(e) * std::size_t(mesh_.stride());
+        for (std::size_t i = first; i < first + mesh_.nodes(e).size(); ++i)
+            if (brightest(fields_.transmittance[i]) > 0)
+                return true;
+        return false;
     }
 
     void addChildren(const Pair &pair, std::vector<Pair> &next) const {

@@ -60,6 +60,7 @@ void Solution::solve(const SolverSettings &settings, DiagnosticSink &diagnostics
     for (int pass = 0; pass < 2; ++pass) {
         for (int e = 0; e < mesh_.size(); ++e)
             reflect(mesh_, e, fields_);
+        shineThrough();
         pullAll(fields_.exitance);
         const double coarser = pass == 0 ? 4 : 1;
         links.tolerance = settings.epsilon * flux(fields_.exitance) * coarser;
