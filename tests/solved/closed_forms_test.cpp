@@ -185,6 +185,31 @@ TEST(Radiosity, ConvergesWithEpsilon) {
     EXPECT_LT(before, 0.015);
 }
 
+/// A picture depends on the scene alone: not on threads, nor on lanes.
+TEST(Radiosity, GivesTheSameBytes) {
+    const ScratchFolder folder;
+    for (const char *pass : passes) {
+        folder.write("scene.rib",
+                     "Option \"radiometry\" \"string units\" [\"si\"]\n" + options(pass) +
+                         "Format 16 16 1\nPixelSamples 4 1\nDisplay \"same.exr\" \"openexr\" "
+                         "\"rgb\"\nWorldBegin\n"
+                         "LightSource \"pointlight\" 1 \"float intensity\" [1]\n"
+                         "Surface \"matte\" \"Ka\" [0] \"Kd\" [.6]\n" +
+                         box + "Translate .4 .3 .5\nSphere .3 -.3 .3 360\nWorldEnd\n");
+        const auto bytes = [&](std::vector<std::string> more) {
+            more.insert(more.begin(),
+                        {folder.path("scene.rib"), "--output-dir", folder.path(""), "--quiet"});
+            const Outcome outcome = runCandela(more);
+            EXPECT_EQ(outcome.status, 0) << outcome.text();
+            return folder.read("same.exr");
+        };
+        const std::string one = bytes({"--threads", "1"});
+        EXPECT_FALSE(one.empty());
+        EXPECT_EQ(one, bytes({"--threads", "3"})) << pass;
+        EXPECT_EQ(one, bytes({"--threads", "2", "--lanes", "1"})) << pass;
+    }
+}
+
 /// Impossible shaders are named, and the rest goes on.
 TEST(Radiosity, ImpossibleShadersAreNamed) {
     const ScratchFolder folder;
