@@ -12,6 +12,8 @@ namespace candela::radiosity {
 
 namespace {
 
+/// Of the tolerance: what has leaked into a body by rounding is not exchanged there.
+constexpr double negligible = 1e-5;
 /// Where normals turn by more than this over an element, the rule knows too little of it.
 constexpr float bent = 0.94f;
 /// And where the corners tell so little of its size, contours do.
@@ -163,7 +165,9 @@ private:
             most = std::max(most, brightest(exitance[j]));
             least = std::min(least, brightest(exitance[j]));
         }
-        if (!(most > 0) || (a == b && mesh_.element(a).isFlat) || !isHeard(pair))
+        const double area = mesh_.element(a).area;
+        if (!(most * area > negligible * settings_.tolerance) ||
+            (a == b && mesh_.element(a).isFlat) || !isHeard(pair))
             return verdict;
         if (a == b && isBent(mesh_, a) && isDivisible(a)) {
             verdict.kind = Verdict::Divided;
@@ -172,7 +176,6 @@ private:
         if (a != b && areTurnedAway(mesh_, a, b))
             return verdict;
         verdict.transfer = transferBetween(mesh_, a, b);
-        const double area = mesh_.element(a).area;
         const double exchanged = double(verdict.transfer.largest) * most * area;
         const double missed = (double(verdict.transfer.receiverError) * most +
                                double(verdict.transfer.senderError) * (most - least) +
