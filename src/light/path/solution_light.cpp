@@ -36,13 +36,28 @@ void addIndirect(int count, const Planes<float> &indirect, const float *ends, bo
             all[c][i] = ends[i] * ((alone ? 0 : all[c][i]) + indirect[c][i]);
 }
 
+/// What the vertices' paths take from the solution, on their side or behind.
+void lookUpSide(PathWave &wave, const Planes<float> &irradiance, bool behind) {
+    SolutionLight &own = *wave.solution;
+    const bool alone = !takesDirectLight(wave);
+    radiosity::Solution::Answer answer;
+    for (std::size_t c = 0; c < colorSamples; ++c) {
+        if (!alone)
+            (behind ? answer.directBehind : answer.direct)[c] = irradiance[int(c)];
+        (behind ? answer.indirectBehind : answer.indirect)[c] = own.indirect[int(c)];
+    }
+    answer.isExact = wave.frame.settings.finalPass != FinalPass::Gather;
+    wave.frame.solution->irradiance(wave.chunk.vertices, answer);
+    addIndirect(wave.chunk.count(), own.indirect, own.ends[0], alone, irradiance);
+}
+
 } // namespace
 
 SolutionLight::SolutionLight(int capacity)
     : irradiance(colorSamples, capacity), behind(colorSamples, capacity),
-      indirect(colorSamples, capacity), indirectBehind(colorSamples, capacity), ends(1, capacity),
-      followed(1, capacity), direction(3, capacity), pdf(1, capacity),
-      response(colorSamples, capacity), answered(1, capacity) {
+      indirect(colorSamples, capacity), ends(1, capacity), followed(1, capacity),
+      direction(3, capacity), pdf(1, capacity), response(colorSamples, capacity),
+      answered(1, capacity) {
     for (int c = 0; c < colorSamples; ++c)
         table[c] = irradiance[c];
     std::fill_n(answered[0], capacity, finiteRequests);
@@ -67,20 +82,10 @@ void leaveToSolution(const PathWave &wave, float *wanted) {
 
 void lookUpSolution(PathWave &wave) {
     SolutionLight &own = *wave.solution;
-    VertexChunk &chunk = wave.chunk;
     findEnds(wave);
-    radiosity::Solution::Answer answer;
-    for (std::size_t c = 0; c < colorSamples; ++c) {
-        answer.direct[c] = own.irradiance[int(c)], answer.indirect[c] = own.indirect[int(c)];
-        answer.directBehind[c] = own.behind[int(c)];
-        answer.indirectBehind[c] = own.indirectBehind[int(c)];
-    }
-    answer.isExact = wave.frame.settings.finalPass != FinalPass::Gather;
-    wave.frame.solution->irradiance(chunk.vertices, answer);
-    const bool alone = !takesDirectLight(wave);
-    addIndirect(chunk.count(), own.indirect, own.ends[0], alone, own.irradiance);
-    addIndirect(chunk.count(), own.indirectBehind, own.ends[0], alone, own.behind);
-    chunk.irradiance = chunk.vertices.code().facts().readsIrradiance ? own.table.data() : nullptr;
+    lookUpSide(wave, own.irradiance, false);
+    wave.chunk.irradiance =
+        wave.chunk.vertices.code().facts().readsIrradiance ? own.table.data() : nullptr;
 }
 
 void takeSolution(PathWave &wave) {
@@ -105,13 +110,21 @@ void takeSolution(PathWave &wave) {
         g[c] = own.response[c];
     chunk.vertices.scatter(direction, own.answered[0], nullptr, g);
     const ConstVec3Planes facing = chunk.vertices.facingPlanes();
+    const auto leavesBehind = [&](int i) {
+        return !(direction[0][i] * facing[0][i] + direction[1][i] * facing[1][i] +
+                     direction[2][i] * facing[2][i] >
+                 0);
+    };
+    bool some = false;
+    for (int i = 0; i < count; ++i)
+        some |= leavesBehind(i);
+    if (some)
+        lookUpSide(wave, own.behind, true);
     for (int i = 0; i < count; ++i) {
-        const float along = direction[0][i] * facing[0][i] + direction[1][i] * facing[1][i] +
-                            direction[2][i] * facing[2][i];
         const bool isTaken = own.ends[0][i] > 0 && chunk.mixture.total()[i] > 0 &&
                              own.pdf[0][i] > 0 &&
                              chunk.paths.depth[i] < wave.frame.settings.maxDepth;
-        const Planes<float> &E = along > 0 ? own.irradiance : own.behind;
+        const Planes<float> &E = leavesBehind(i) ? own.behind : own.irradiance;
         for (int c = 0; c < colorSamples; ++c)
             g[c][i] = isTaken ? g[c][i] * E[c][i] / (pi * pi * own.pdf[0][i]) : 0.0f;
     }

@@ -12,7 +12,8 @@ struct SolutionLight {
     explicit SolutionLight(int capacity);
 
     /// Irradiance that the vertices take from the solution, on their side and behind.
-    Planes<float> irradiance, behind, indirect, indirectBehind;
+    Planes<float> irradiance, behind;
+    Planes<float> indirect; ///< The part of it that is not of light sources.
     std::array<const float *, colorSamples> table{}; ///< The first, as shaders are given it.
     Planes<float> ends;     ///< 1 where the path's finite lobes end on the solution; else 0.
     Planes<float> followed; ///< Importance of those that do not.

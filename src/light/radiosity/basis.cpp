@@ -123,6 +123,16 @@ void Basis::values(Place at, float *value) const {
             value[i] += monomial[k] * inverse_[k][i];
 }
 
+std::span<const Place> Basis::corners(bool triangle) {
+    static constexpr Place ofSquare[] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    static constexpr Place ofTriangle[] = {{0, 0}, {1, 0}, {0, 1}};
+    return triangle ? std::span<const Place>(ofTriangle) : ofSquare;
+}
+
+Place Basis::centre(bool triangle) {
+    return triangle ? Place{1.0f / 3, 1.0f / 3} : Place{0.5f, 0.5f};
+}
+
 Basis::ChildPlace Basis::child(bool triangle, int c) {
     if (triangle && c == 3)
         return {{0.5f, 0.5f}, -0.5f};

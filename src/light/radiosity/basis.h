@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 namespace candela::radiosity {
 
@@ -35,6 +36,10 @@ public:
     float toChild(int c, int i, int j) const { return toChild_[c][i][j]; }
     /// What node j of child c counts at the parent's node i: the nearest polynomial.
     float fromChild(int c, int i, int j) const { return fromChild_[c][i][j]; }
+
+    /// Of the domain, in order around it.
+    static std::span<const Place> corners(bool triangle);
+    static Place centre(bool triangle);
 
     static constexpr int children = 4;
     /// The child's (u,v) in its parent is origin + scale (u,v).

@@ -3,6 +3,13 @@
 
 namespace candela::radiosity {
 
+double flux(const Mesh &mesh, const std::vector<Color> &field) {
+    double flux = 0;
+    forEachRootNode(
+        mesh, [&](std::size_t at, float area) { flux += double(brightest(field[at])) * area; });
+    return flux;
+}
+
 void pull(const Mesh &mesh, int element, std::vector<Color> &field) {
     const Basis &basis = mesh.basis(element);
     const std::size_t stride = std::size_t(mesh.stride());

@@ -35,6 +35,21 @@ inline float brightest(const Color &color) {
     return most;
 }
 
+/// Calls `serve` with where the values of each node of each root stand, and its area.
+template <class Serve> void forEachRootNode(const Mesh &mesh, const Serve &serve) {
+    for (const Face &face : mesh.faces()) {
+        if (face.root < 0)
+            continue;
+        const std::size_t first = std::size_t(face.root) * std::size_t(mesh.stride());
+        const std::span<const Node> nodes = mesh.nodes(face.root);
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+            serve(first + i, nodes[i].area);
+    }
+}
+
+/// Of all faces: a field's brightest colour times area.
+double flux(const Mesh &, const std::vector<Color> &);
+
 /// Values of an element from those of its children.
 void pull(const Mesh &, int element, std::vector<Color> &);
 /// Values of child `c` of an element: the element's own, where it lies.

@@ -36,15 +36,6 @@ struct PlaceList {
 /// Lamps of so many times the area of all else are skies.
 constexpr double sky = 8;
 
-constexpr Place squareCorners[] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-constexpr Place triangleCorners[] = {{0, 0}, {1, 0}, {0, 1}};
-
-std::span<const Place> cornersOf(bool triangle) {
-    return triangle ? std::span<const Place>(triangleCorners) : squareCorners;
-}
-
-Place centreOf(bool triangle) { return triangle ? Place{1.0f / 3, 1.0f / 3} : Place{0.5f, 0.5f}; }
-
 /// Twice the vector area of a closed line.
 Vec3 vectorArea(std::span<const Vec3> corners) {
     Vec3 sum;
@@ -155,9 +146,9 @@ void Mesh::measure(int first) {
             const auto add = [&](Place at) { places.add(domainOf(e), faceOf(e), inFace(own, at)); };
             for (int i = 0; i < basis.nodes(); ++i)
                 add(basis.node(i));
-            for (Place corner : cornersOf(basis.isTriangle()))
+            for (Place corner : Basis::corners(basis.isTriangle()))
                 add(corner);
-            add(centreOf(basis.isTriangle()));
+            add(Basis::centre(basis.isTriangle()));
         }
         places.measure(scene_);
         int at = 0;
@@ -172,7 +163,7 @@ void Mesh::measure(int first) {
                            basis.weight(i) * own.scale * own.scale * places.plane(6)[at]};
                 own.area += node[i].area;
             }
-            const std::size_t corners = cornersOf(basis.isTriangle()).size();
+            const std::size_t corners = Basis::corners(basis.isTriangle()).size();
             for (std::size_t k = 0; k < corners; ++k, ++at)
                 own.corners[k] = places.P().get(at);
             own.centre = places.P().get(at), own.normal = places.Ng().get(at) * side;

@@ -69,11 +69,12 @@ ResponseQuestion::ResponseQuestion()
 
 void ResponseQuestion::ask(const Scene &scene, int code, const SurfacePlaces &places,
                            const Vec3Planes &Ng, Response &response) {
-    const int count = viewsOf(scene, code, places, Ng);
+    if (isAlikeInAllViews(scene, code, places, Ng, response))
+        return;
     clear(places.count, response);
-    for (int view = 0; view < count; ++view) {
-        look(scene, code, places, Ng, count == 1 ? std::array<float, 2>{} : numberOf(view, 1));
-        addView(response, 1 / float(count));
+    for (int view = 0; view < views; ++view) {
+        look(scene, code, places, Ng, numberOf(view, 1));
+        addView(response, 1 / float(views));
     }
 }
 
@@ -85,26 +86,26 @@ void ResponseQuestion::look(const Scene &scene, int code, const SurfacePlaces &p
     vertices_.place(scene, code, places, I, scene.options().camera.shutterOpen);
 }
 
-int ResponseQuestion::viewsOf(const Scene &scene, int code, const SurfacePlaces &places,
-                              const Vec3Planes &Ng) {
+bool ResponseQuestion::isAlikeInAllViews(const Scene &scene, int code, const SurfacePlaces &places,
+                                         const Vec3Planes &Ng, Response &response) {
     if (!isOneLobe(scene.code(code)))
-        return views;
-    for (int k : {0, 1}) {
-        clear(places.count, compared_[k]);
-        look(scene, code, places, Ng, {0.8f * float(k), 0.3f});
-        addView(compared_[k], 1);
-    }
-    const auto differ = [&](const Planes<float> &a, const Planes<float> &b) {
+        return false;
+    const auto ask = [&](std::array<float, 2> view, Response &answer) {
+        clear(places.count, answer);
+        look(scene, code, places, Ng, view);
+        addView(answer, 1);
+    };
+    ask({0, 0}, response);
+    ask({0.8f, 0.3f}, slanting_);
+    const auto areAlike = [&](const Planes<float> &a, const Planes<float> &b) {
         for (int c = 0; c < colorSamples; ++c)
             for (int i = 0; i < places.count; ++i)
                 if (std::fabs(a[c][i] - b[c][i]) > alike)
-                    return true;
-        return false;
+                    return false;
+        return true;
     };
-    return differ(compared_[0].reflectance, compared_[1].reflectance) ||
-                   differ(compared_[0].transmittance, compared_[1].transmittance)
-               ? views
-               : 1;
+    return areAlike(response.reflectance, slanting_.reflectance) &&
+           areAlike(response.transmittance, slanting_.transmittance);
 }
 
 void ResponseQuestion::addView(Response &response, float share) {

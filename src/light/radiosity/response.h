@@ -28,8 +28,9 @@ public:
     void ask(const Scene &, int code, const SurfacePlaces &, const Vec3Planes &Ng, Response &);
 
 private:
-    /// How many views stand for all: one where they are alike.
-    int viewsOf(const Scene &, int code, const SurfacePlaces &, const Vec3Planes &Ng);
+    /// If so, `response` is that of every view.
+    bool isAlikeInAllViews(const Scene &, int code, const SurfacePlaces &, const Vec3Planes &Ng,
+                           Response &response);
     void look(const Scene &, int code, const SurfacePlaces &, const Vec3Planes &Ng,
               std::array<float, 2> view);
     void addView(Response &, float share);
@@ -44,7 +45,7 @@ private:
     Planes<float> I_, direction_, numbers_, pdf_, response_, ambient_, one_;
     Planes<std::int32_t> answered_;
     std::array<const float *, colorSamples> ambientTable_{}, oneTable_{};
-    Response compared_[2]{Response(capacity), Response(capacity)};
+    Response slanting_{capacity}; ///< To compare with.
 };
 
 } // namespace candela::radiosity

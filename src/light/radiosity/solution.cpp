@@ -16,18 +16,6 @@ namespace {
 /// Sweeps end when exitance changes by no more.
 constexpr double smallestResidual = 1e-4;
 
-/// Calls `serve` with where the values of each node of each root stand, and its area.
-template <class Serve> void forEachRootNode(const Mesh &mesh, const Serve &serve) {
-    for (const Face &face : mesh.faces()) {
-        if (face.root < 0)
-            continue;
-        const std::size_t first = std::size_t(face.root) * std::size_t(mesh.stride());
-        const std::span<const Node> nodes = mesh.nodes(face.root);
-        for (std::size_t i = 0; i < nodes.size(); ++i)
-            serve(first + i, nodes[i].area);
-    }
-}
-
 } // namespace
 
 Solution::Solution(const Scene &scene, const SolverSettings &settings, DiagnosticSink &diagnostics,
@@ -63,7 +51,7 @@ void Solution::solve(const SolverSettings &settings, DiagnosticSink &diagnostics
         shineThrough();
         pullAll(fields_.exitance);
         const double coarser = pass == 0 ? 4 : 1;
-        links.tolerance = settings.epsilon * flux(fields_.exitance) * coarser;
+        links.tolerance = settings.epsilon * flux(mesh_, fields_.exitance) * coarser;
         links.contrast = settings.contrast * evenIrradiance(fields_.exitance) * coarser;
         links_ = refine(mesh_, tree_, links, fields_);
         tell(pass == 0 ? 0.5 : 0.8);
@@ -81,8 +69,8 @@ void Solution::solve(const SolverSettings &settings, DiagnosticSink &diagnostics
     statistics_.elements = std::size_t(mesh_.size());
     statistics_.links = links_.links.size();
     statistics_.clusterLinks = links_.clusters.size();
-    statistics_.directFlux = flux(fields_.direct) + flux(fields_.lamps);
-    statistics_.indirectFlux = flux(fields_.indirect);
+    statistics_.directFlux = flux(mesh_, fields_.direct) + flux(mesh_, fields_.lamps);
+    statistics_.indirectFlux = flux(mesh_, fields_.indirect);
     report(impossible, settings, diagnostics);
     tell(1);
 }
@@ -106,7 +94,7 @@ void Solution::report(const Impossible &impossible, const SolverSettings &settin
 /// Surfaces that shine, as far as links may serve them.
 void Solution::linkLamps(LinkSettings settings, double epsilon, double contrast) {
     settings.sent = &Fields::emission;
-    settings.tolerance = epsilon * flux(fields_.emission);
+    settings.tolerance = epsilon * flux(mesh_, fields_.emission);
     settings.contrast = contrast * evenIrradiance(fields_.emission);
     if (!(settings.tolerance > 0))
         return;
@@ -131,16 +119,9 @@ void Solution::pullSources() {
         pullAll(*field);
 }
 
-double Solution::flux(const std::vector<Color> &field) const {
-    double flux = 0;
-    forEachRootNode(
-        mesh_, [&](std::size_t at, float area) { flux += double(brightest(field[at])) * area; });
-    return flux;
-}
-
 /// As if all that is sent fell on all surfaces alike, on one side each.
 double Solution::evenIrradiance(const std::vector<Color> &sent) const {
-    return 2 * flux(sent) / mesh_.area();
+    return 2 * flux(mesh_, sent) / mesh_.area();
 }
 
 /// A sweep: irradiance from exitance, and back. Returns by how much exitance changed.

@@ -47,7 +47,6 @@ private:
     void pullSources();
     void shineThrough();
     void report(const Impossible &, const SolverSettings &, DiagnosticSink &) const;
-    double flux(const std::vector<Color> &) const;
     double evenIrradiance(const std::vector<Color> &sent) const;
     /// The sum of fields at a place of a face.
     Color at(std::int32_t face, Place, std::initializer_list<const std::vector<Color> *>) const;

@@ -66,17 +66,21 @@ void askBatch(const Mesh &mesh, const std::vector<int> &elements, const SourceSe
     own->direct.ask(mesh.scene(), code, points.places(), points.N(), key.data(), settings.samples,
                     settings.linked, E);
     own->response.ask(mesh.scene(), code, points.places(), points.N(), own->answer);
-    own->emission.ask(mesh.scene(), code, points.places(), points.N(), emission);
+    const auto isLinked = [&](int e) {
+        const int light = mesh.domainOf(e).light;
+        return light > 0 && settings.linked[std::size_t(light) - 1] != 0;
+    };
+    if (std::ranges::any_of(elements, isLinked))
+        own->emission.ask(mesh.scene(), code, points.places(), points.N(), emission);
     int at = 0;
     for (int e : elements) {
-        const int light = mesh.domainOf(e).light;
-        const bool isLinked = light > 0 && settings.linked[std::size_t(light) - 1] != 0;
+        const bool shines = isLinked(e);
         for (int i = 0; i < mesh.basis(e).nodes(); ++i, ++at) {
             const std::size_t place = std::size_t(e) * std::size_t(mesh.stride()) + std::size_t(i);
             for (int c = 0; c < colorSamples; ++c) {
                 const std::size_t k = std::size_t(c);
                 fields.direct[place][k] = E[c][at];
-                fields.emission[place][k] = isLinked ? emission[c][at] : 0;
+                fields.emission[place][k] = shines ? emission[c][at] : 0;
                 fields.reflectance[place][k] = own->answer.reflectance[c][at];
                 fields.transmittance[place][k] = own->answer.transmittance[c][at];
                 fields.ambient[place][k] = own->answer.ambient[c][at];
@@ -136,23 +140,9 @@ void askSources(const Mesh &mesh, int first, const SourceSettings &settings, Fie
                 [&](std::size_t b) { askBatch(mesh, batches[b], settings, fields); });
 }
 
-double directFlux(const Mesh &mesh, const Fields &fields) {
-    double flux = 0;
-    for (const Face &face : mesh.faces()) {
-        if (face.root < 0)
-            continue;
-        const std::span<const Node> nodes = mesh.nodes(face.root);
-        for (std::size_t i = 0; i < nodes.size(); ++i)
-            flux += double(brightest(
-                        fields.direct[std::size_t(face.root) * std::size_t(mesh.stride()) + i])) *
-                    nodes[i].area;
-    }
-    return flux;
-}
-
 void divideByDirectLight(Mesh &mesh, const SourceSettings &settings, Fields &fields) {
     askSources(mesh, 0, settings, fields);
-    double flux = directFlux(mesh, fields);
+    double flux = radiosity::flux(mesh, fields.direct);
     std::vector<int> tried;
     for (const Face &face : mesh.faces())
         if (face.root >= 0)
@@ -169,14 +159,17 @@ void divideByDirectLight(Mesh &mesh, const SourceSettings &settings, Fields &fie
         askSources(mesh, first, settings, fields);
         std::vector<int> next;
         double found = 0;
-        for (int e : tried)
-            found += missedByParent(mesh, e, fields);
+        std::vector<double> missed;
+        for (int e : tried) {
+            missed.push_back(missedByParent(mesh, e, fields));
+            found += missed.back();
+        }
         flux = std::max(flux, found); // Where the roots' nodes have seen nothing of it.
-        for (int e : tried)
-            if (missedByParent(mesh, e, fields) > settings.epsilon * flux ||
-                mesh.element(e).area > coarsest * mesh.area())
+        for (std::size_t k = 0; k < tried.size(); ++k)
+            if (missed[k] > settings.epsilon * flux ||
+                mesh.element(tried[k]).area > coarsest * mesh.area())
                 for (int c = 0; c < Basis::children; ++c)
-                    next.push_back(mesh.element(e).firstChild + c);
+                    next.push_back(mesh.element(tried[k]).firstChild + c);
         tried = std::move(next);
     }
 }

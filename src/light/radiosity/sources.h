@@ -41,7 +41,4 @@ void askSources(const Mesh &, int first, const SourceSettings &, Fields &);
 /// Divides elements where direct light varies, and fills in what is known of them all.
 void divideByDirectLight(Mesh &, const SourceSettings &, Fields &);
 
-/// Mean irradiance of light sources, times area: W.
-double directFlux(const Mesh &, const Fields &);
-
 } // namespace candela::radiosity

@@ -103,8 +103,7 @@ std::array<Sender, 4> quartersOf(const Mesh &mesh, int e) {
     const Sender whole(mesh, e);
     std::array<Sender, 4> quarters{whole, whole, whole, whole};
     const Basis &basis = mesh.basis(e), &shape = shapeOf(mesh, e);
-    constexpr Place square[] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}},
-                    triangle[] = {{0, 0}, {1, 0}, {0, 1}};
+    const std::span<const Place> corner = Basis::corners(basis.isTriangle());
     for (int c = 0; c < Basis::children; ++c) {
         Sender &quarter = quarters[std::size_t(c)];
         const Basis::ChildPlace child = Basis::child(basis.isTriangle(), c);
@@ -115,7 +114,6 @@ std::array<Sender, 4> quartersOf(const Mesh &mesh, int e) {
             node.area *= basis.weight(k) / 4;
             quarter.area += node.area;
         }
-        const Place *corner = basis.isTriangle() ? triangle : square;
         for (std::size_t k = 0; k < whole.sides; ++k) {
             const Place at = inParent(child, corner[k]);
             const std::array<Vec3, 4> &p = whole.corners;
@@ -199,7 +197,7 @@ Transfer transferBetween(const Mesh &mesh, int receiver, int sender) {
     const float atCentre =
         from.factor(a.centre, a.normal, transfer.isNear, row.data(), missedByRule);
     transfer.largest = std::max(transfer.largest, atCentre);
-    missed(basis.isTriangle() ? Place{1.0f / 3, 1.0f / 3} : Place{0.5f, 0.5f}, atCentre);
+    missed(Basis::centre(basis.isTriangle()), atCentre);
     if (mesh.order() == 1)
         for (std::size_t i = 0; i < to.size(); ++i)
             missed(basis.node(int(i)), factor[i]);
@@ -215,13 +213,11 @@ float errorAtCorners(const Mesh &mesh, int receiver, int sender, const Transfer 
         return transfer.receiverError;
     const Sender from(mesh, sender);
     const Basis &basis = mesh.basis(receiver);
-    constexpr Place square[] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}},
-                    triangle[] = {{0, 0}, {1, 0}, {0, 1}};
     const std::span<const Vec3> corners = cornersOf(mesh, receiver);
     float worst = transfer.receiverError, missed = 0;
     std::array<float, mostNodes> row, value;
     for (std::size_t k = 0; k < corners.size(); ++k) {
-        const Place at = basis.isTriangle() ? triangle[k] : square[k];
+        const Place at = Basis::corners(basis.isTriangle())[k];
         basis.values(at, value.data());
         float told = 0;
         for (int i = 0; i < basis.nodes(); ++i)
