@@ -8,7 +8,9 @@
 #include "interface/ri/parameter_list.h"
 
 #include <array>
+#include <cstdint>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -50,6 +52,23 @@ struct BasisRecord {
     int step = 3;
 };
 
+/// Attributes that an object may set for its own shapes.
+namespace own {
+inline constexpr std::uint32_t Color = 1;
+inline constexpr std::uint32_t Opacity = 2;
+inline constexpr std::uint32_t Surface = 4;
+inline constexpr std::uint32_t Displacement = 8;
+inline constexpr std::uint32_t Atmosphere = 16;
+inline constexpr std::uint32_t Interior = 32;
+inline constexpr std::uint32_t Exterior = 64;
+inline constexpr std::uint32_t Deformation = 128;
+inline constexpr std::uint32_t ShadingRate = 256;
+inline constexpr std::uint32_t Interpolation = 512;
+inline constexpr std::uint32_t Matte = 1024;
+inline constexpr std::uint32_t Sides = 2048;
+inline constexpr std::uint32_t Named = 4096; ///< Some of RiAttribute: Attributes::ownNames.
+} // namespace own
+
 struct Attributes {
     Color color{1.0f};
     Color opacity{1.0f};
@@ -58,8 +77,8 @@ struct Attributes {
     std::shared_ptr<const ShaderRecord> surface; ///< Null = "defaultsurface".
     std::shared_ptr<const ShaderRecord> displacement, atmosphere, interior, exterior;
     std::shared_ptr<const ShaderRecord> deformation; ///< Moves points before displacement does.
-    std::shared_ptr<const LightRecord> areaLight; ///< Non-null: the primitive emits.
-    std::vector<int> lightsOn;                    ///< Indices of LightRecord, ascending.
+    std::shared_ptr<const LightRecord> areaLight;    ///< Non-null: the primitive emits.
+    std::vector<int> lightsOn;                       ///< Indices of LightRecord, ascending.
     float shadingRate = 1;
     bool smoothInterpolation = false;
     bool matte = false;
@@ -74,7 +93,14 @@ struct Attributes {
     BasisRecord uBasis, vBasis;
     std::string name;      ///< Attribute "identifier" "name".
     NamedParameters named; ///< RiAttribute.
+
+    /// What has been set in the object that is being defined: bits of `own`, and names of `named`.
+    std::uint32_t ownSet = 0;
+    std::set<std::string> ownNames;
 };
+
+/// Those of a part of an object: what the object has set itself, all else as the instance has it.
+Attributes attributesOfPart(const Attributes &instance, const Attributes &part);
 
 /// Attribute "render" "casts_shadows": what shadow rays find of a primitive. Shader: as opaque as
 /// its surface shader says ("Os" and "shade"), the default.

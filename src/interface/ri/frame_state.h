@@ -22,6 +22,8 @@ struct FrameState {
     std::shared_ptr<Attributes> attributes = std::make_shared<Attributes>();
     TransformState transform;
     std::map<std::string, CurrentTransform> coordinateSystems;
+    /// ScopedCoordinateSystem's, which end with the attribute block; null if there are none.
+    std::shared_ptr<const std::map<std::string, CurrentTransform>> scopedSystems;
     LightList lights;
     ObjectNames objects;
     bool inWorld = false;
@@ -30,6 +32,11 @@ struct FrameState {
     Attributes &edit() {
         if (attributes.use_count() > 1)
             attributes = std::make_shared<Attributes>(*attributes);
+        return *attributes;
+    }
+    /// The same for an attribute that objects may have of their own.
+    Attributes &edit(std::uint32_t ofOwn) {
+        edit().ownSet |= ofOwn;
         return *attributes;
     }
     /// The current transformation as it is handed on.

@@ -33,6 +33,10 @@ std::optional<std::string> GraphicsState::findArchive(const std::string &name,
     return handlers_->findArchive(name, where);
 }
 
+std::optional<StateValue> GraphicsState::valueOf(const std::string &name) const {
+    return handlers_->valueOf(name);
+}
+
 bool GraphicsState::isOpen(BlockKind kind) const {
     return std::ranges::find(blocks_, kind, &Block::kind) != blocks_.end();
 }

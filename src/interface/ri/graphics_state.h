@@ -36,6 +36,7 @@ public:
 
     std::optional<std::string> findArchive(const std::string &name,
                                            const SourceLocation &where) const override;
+    std::optional<StateValue> valueOf(const std::string &name) const override;
     bool stopped() const override { return policy_.stopped(); }
 
     /// After the last request: reports blocks that are still open. A world that was never closed

@@ -47,6 +47,7 @@ class ObjectDefinition {
 public:
     explicit ObjectDefinition(SceneBuilder &builder) : builder_(builder) {}
 
+    bool isOpen() const { return open_.has_value(); }
     void begin(ObjectNames &, const std::string &handle, bool inWorld);
     /// The name means this object from here on. Before, it still means what it meant, so that no
     /// object can contain itself.

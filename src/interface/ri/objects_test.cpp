@@ -60,21 +60,58 @@ TEST_F(State, whatShapesPrimitivesHoldsInDefinitions) {
     sphere();
     state.basis(at, "catmull-rom", 1, "catmull-rom", 1);
     state.textureCoordinates(at, 0, 0, 2, 0, 0, 2, 2, 2);
-    state.color(at, Color(0, 1, 0)); // Not part of the shape.
-    state.sides(at, 1);
     sphere();
     state.objectEnd(at);
     sphere();
-    EXPECT_EQ(warnings(), 2);
-    EXPECT_EQ(errors(), 0);
+    EXPECT_EQ(errors() + warnings(), 0);
     const auto &parts = builder.worlds.back().objects.at(0).primitives;
     EXPECT_EQ(parts[0].attributes->uBasis.step, 1);
     EXPECT_EQ(parts[0].attributes->uBasis.matrix, last().uBasis.matrix);
     EXPECT_NE(parts[1].attributes->uBasis.matrix, last().uBasis.matrix);
     EXPECT_EQ(parts[1].attributes->textureCoordinates[2], 2);
     EXPECT_EQ(last().textureCoordinates[2], 1);
-    EXPECT_EQ(parts[1].attributes->color, Color(1));
-    EXPECT_EQ(parts[1].attributes->sides, 2);
+}
+
+// RI 3.2, 5.6 has all attributes come from the instance; later RenderMan those that the object does
+// not set.
+TEST_F(State, objectsSetAttributesOfTheirOwn) {
+    state.worldBegin(at);
+    state.color(at, Color(1, 0, 0));
+    state.attribute(at, "user", text("string mood", "calm"));
+    state.objectBegin(at, {"o"});
+    sphere();
+    state.attributeBegin(at);
+    state.color(at, Color(0, 1, 0));
+    state.attribute(at, "user", text("string mood", "wild"));
+    sphere();
+    state.attributeEnd(at);
+    state.sides(at, 1);
+    sphere();
+    state.objectEnd(at);
+    const auto &parts = builder.worlds.back().objects.at(0).primitives;
+    ASSERT_EQ(parts.size(), 3u);
+    EXPECT_EQ(parts[0].attributes->ownSet, 0u);
+    EXPECT_EQ(parts[1].attributes->ownSet, own::Color | own::Named);
+    EXPECT_EQ(parts[1].attributes->ownNames, std::set<std::string>{"user:mood"});
+    EXPECT_EQ(parts[2].attributes->ownSet, own::Sides);
+    state.lightSource(at, "pointlight", {"l"}, {});
+    EXPECT_EQ(errors() + warnings(), 0);
+    state.objectBegin(at, {"p"});
+    state.lightSource(at, "pointlight", {"l"}, {}); // Lights belong to the world.
+    state.objectEnd(at);
+    EXPECT_EQ(warnings(), 1);
+
+    Attributes instance;
+    instance.color = Color(0, 0, 1);
+    instance.opacity = Color(.5f);
+    instance.named["user:age"] = {"age", {}, {7}, {}};
+    const Attributes merged = attributesOfPart(instance, *parts[1].attributes);
+    EXPECT_EQ(merged.color, Color(0, 1, 0));
+    EXPECT_EQ(merged.opacity, Color(.5f));
+    EXPECT_EQ(merged.named.string("user:mood", ""), "wild");
+    EXPECT_EQ(merged.named.number("user:age", 0), 7);
+    EXPECT_EQ(attributesOfPart(instance, *parts[0].attributes).color, Color(0, 0, 1));
+    EXPECT_EQ(attributesOfPart(instance, *parts[2].attributes).sides, 1);
 }
 
 TEST_F(State, objectsMayHoldInstancesButNotThemselves) {

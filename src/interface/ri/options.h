@@ -80,6 +80,7 @@ struct Options {
     std::optional<QuantizeRecord> colorQuantize; ///< RiQuantize "rgba"; unset = display's default.
     std::optional<QuantizeRecord> depthQuantize; ///< RiQuantize "z".
     std::vector<DisplayRecord> displays;         ///< Empty = the default display.
+    std::map<std::string, std::string> channels; ///< DisplayChannel: name to what it shows.
     std::string hider = "hidden";
     float relativeDetail = 1;
     int frame = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The requests of the RenderMan Interface as calls: one method each, made from requests.def.
-// Readers (RIB, the C API) call a sink; the graphics state, recorders and writers are sinks.
+// The requests of the RenderMan Interface as calls: one method each, made from requests.def. The
+// graphics state is a sink of them. stream_sink.h adds those that decide what comes.
 #pragma once
 
 #include "interface/ri/request_table.h"
@@ -8,8 +8,12 @@
 
 #include <optional>
 #include <string>
+#include <variant>
 
 namespace candela {
+
+/// Of an option or attribute.
+using StateValue = std::variant<double, std::string>;
 
 class RequestSink {
 public:
@@ -27,6 +31,10 @@ public:
     /// folder of the file that asks for it, the current folder); nothing if nowhere.
     virtual std::optional<std::string> findArchive(const std::string &name,
                                                    const SourceLocation &where) const = 0;
+    /// What conditions call `name`: "Frame", or an attribute or option as "category:name", which
+    /// "Attribute:" or "Option:" before it tell apart; the first value of several. Nothing if it is
+    /// not set.
+    virtual std::optional<StateValue> valueOf(const std::string &name) const = 0;
     /// True after a fatal error, or an error under ErrorHandler "abort": no more requests please.
     virtual bool stopped() const = 0;
 };

@@ -12,7 +12,7 @@ namespace {
 #define REQUEST(Name, handler, scopes, ...) ARGUMENTS_OF(Name, __VA_ARGS__)
 #define REQUEST_LATER(Name, handler, scopes, consequence, ...) ARGUMENTS_OF(Name, __VA_ARGS__)
 #define REQUEST_OF_BLOCKS(Name, handler, scopes, ...) ARGUMENTS_OF(Name, __VA_ARGS__)
-#define REQUEST_OF_READER(Name, handler, scopes, ...) ARGUMENTS_OF(Name, __VA_ARGS__)
+#define REQUEST_OF_STREAM(Name, handler, scopes, ...) ARGUMENTS_OF(Name, __VA_ARGS__)
 #include "interface/ri/requests.def"
 
 template <int N> constexpr auto withoutLast(const std::string_view (&names)[N]) {
@@ -25,7 +25,7 @@ constexpr RequestDescription table[] = {
     {#Name, scopes, withoutLast(argumentsOf##Name)},
 #define REQUEST_OF_BLOCKS(Name, handler, scopes, ...)                                              \
     {#Name, scopes, withoutLast(argumentsOf##Name)},
-#define REQUEST_OF_READER(Name, handler, scopes, ...)                                              \
+#define REQUEST_OF_STREAM(Name, handler, scopes, ...)                                              \
     {#Name, scopes, withoutLast(argumentsOf##Name)},
 #include "interface/ri/requests.def"
 };

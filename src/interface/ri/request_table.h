@@ -43,6 +43,7 @@ inline constexpr unsigned Option = Outside;
 inline constexpr unsigned Attribute = Outside | InWorld;
 inline constexpr unsigned MovingAttribute = Attribute | InMotion;
 inline constexpr unsigned ShapeAttribute = Outside | InWorld | InObject;
+inline constexpr unsigned MovingShapeAttribute = ShapeAttribute | InMotion;
 inline constexpr unsigned Transform = Outside | InWorld | InObject | InMotion;
 inline constexpr unsigned Geometry = InWorld | InObject | InMotion;
 inline constexpr unsigned Block = Outside | InWorld | InObject;
@@ -53,7 +54,7 @@ enum class RequestId {
 #define REQUEST(Name, ...) Name,
 #define REQUEST_LATER(Name, ...) Name,
 #define REQUEST_OF_BLOCKS(Name, ...) Name,
-#define REQUEST_OF_READER(Name, ...) Name,
+#define REQUEST_OF_STREAM(Name, ...) Name,
 #include "interface/ri/requests.def"
 };
 

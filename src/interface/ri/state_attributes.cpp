@@ -15,14 +15,14 @@ void StateHandlers::color(const SourceLocation &where, const Color &value) {
     if (!allFinite(value))
         return diagnostics_.error(where, "Color",
                                   "expected finite numbers; the request is left out");
-    state_.edit().color = value;
+    state_.edit(own::Color).color = value;
 }
 
 void StateHandlers::opacity(const SourceLocation &where, const Color &value) {
     if (!allFinite(value))
         return diagnostics_.error(where, "Opacity",
                                   "expected finite numbers; the request is left out");
-    state_.edit().opacity = value;
+    state_.edit(own::Opacity).opacity = value;
     diagnostics_.clampOpacity(where, "Opacity", state_.edit().opacity.c);
 }
 
@@ -35,18 +35,18 @@ void StateHandlers::textureCoordinates(const SourceLocation &where, float s1, fl
 void StateHandlers::shadingRate(const SourceLocation &where, float size) {
     if (!(size > 0) || !std::isfinite(size))
         return diagnostics_.error(where, "ShadingRate", "expected an area above 0, in pixels");
-    state_.edit().shadingRate = size;
+    state_.edit(own::ShadingRate).shadingRate = size;
 }
 
 void StateHandlers::shadingInterpolation(const SourceLocation &where, const std::string &type) {
     if (type != "constant" && type != "smooth")
         return diagnostics_.error(where, "ShadingInterpolation",
                                   "'" + type + "' is unknown: expected \"constant\" or \"smooth\"");
-    state_.edit().smoothInterpolation = type == "smooth";
+    state_.edit(own::Interpolation).smoothInterpolation = type == "smooth";
 }
 
 void StateHandlers::matte(const SourceLocation &where, bool on) {
-    state_.edit().matte = on;
+    state_.edit(own::Matte).matte = on;
     if (on)
         diagnostics_.warnOnce(where, "Matte",
                               "Matte: this version draws matte objects as all others");
@@ -88,7 +88,7 @@ void StateHandlers::reverseOrientation(const SourceLocation &) {
 void StateHandlers::sides(const SourceLocation &where, int sides) {
     if (sides != 1 && sides != 2)
         return diagnostics_.error(where, "Sides", "expected 1 or 2");
-    state_.edit().sides = sides;
+    state_.edit(own::Sides).sides = sides;
 }
 
 static std::optional<BasisRecord> basisOf(RequestDiagnostics &diagnostics,
@@ -155,7 +155,10 @@ void StateHandlers::attribute(const SourceLocation &where, const std::string &ca
         if (category == "identifier" && parameter.name == "name" && !parameter.strings.empty())
             state_.edit().name = parameter.strings.front();
         std::string name = category + ":" + parameter.name;
-        state_.edit().named[std::move(name)] = std::move(parameter);
+        Attributes &attributes = state_.edit(own::Named);
+        if (object_.isOpen())
+            attributes.ownNames.insert(name);
+        attributes.named[std::move(name)] = std::move(parameter);
     }
 }
 

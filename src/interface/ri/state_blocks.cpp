@@ -58,17 +58,21 @@ void StateHandlers::saveFrame() { savedFrames_.push_back(state_); }
 void StateHandlers::restoreFrame() {
     state_ = std::move(savedFrames_.back());
     savedFrames_.pop_back();
+    ++lightLists_;
 }
 
 void StateHandlers::saveBlock(bool attributes) {
-    savedBlocks_.push_back({state_.transform, attributes ? state_.attributes : nullptr});
+    savedBlocks_.push_back(
+        {state_.transform, attributes ? state_.attributes : nullptr, state_.scopedSystems});
 }
 
 void StateHandlers::restoreBlock() {
     SavedBlock &saved = savedBlocks_.back();
     state_.transform = saved.transform;
-    if (saved.attributes)
+    if (saved.attributes) {
         state_.attributes = std::move(saved.attributes);
+        state_.scopedSystems = std::move(saved.scopedSystems);
+    }
     savedBlocks_.pop_back();
 }
 

@@ -8,7 +8,8 @@
 #include "interface/ri/graphics_state_settings.h"
 #include "interface/ri/parameter_reader.h"
 #include "interface/ri/request_diagnostics.h"
-#include "interface/ri/request_table.h"
+#include "interface/ri/request_sink.h"
+#include "interface/ri/resources.h"
 
 #include <memory>
 #include <optional>
@@ -27,12 +28,14 @@ public:
 
     std::optional<std::string> findArchive(const std::string &name,
                                            const SourceLocation &where) const;
+    std::optional<StateValue> valueOf(const std::string &name) const;
 
 private:
     /// What the blocks inside frames and worlds save.
     struct SavedBlock {
         TransformState transform;
         std::shared_ptr<Attributes> attributes; ///< Null: they go on.
+        std::shared_ptr<const std::map<std::string, CurrentTransform>> scopedSystems;
     };
     void saveBlock(bool attributes);
     void restoreBlock();
@@ -60,6 +63,8 @@ private:
     GraphicsStateSettings settings_;
     ParameterReader parameters_;
     ObjectDefinition object_;
+    Resources resources_;
+    int lightLists_ = 0; ///< Frames and worlds that have ended, with their lights.
 
     FrameState state_;
     std::vector<FrameState> savedFrames_;

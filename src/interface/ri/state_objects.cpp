@@ -9,7 +9,10 @@ void StateHandlers::objectBegin(const SourceLocation &, const Handle &handle) {
     saveBlock(true);
     state_.transform = {};
     // The instance's orientation comes on top of the definition's own.
-    state_.edit().flipNormal = false;
+    Attributes &attributes = state_.edit();
+    attributes.flipNormal = false;
+    attributes.ownSet = 0;
+    attributes.ownNames.clear();
 }
 
 void StateHandlers::objectEnd(const SourceLocation &) {

@@ -185,11 +185,41 @@ static std::optional<QuantizeRecord> displayQuantize(const ParameterList &list) 
     return QuantizeRecord{v[1], v[2], v[3], list.number("dither", v[1] > 0 ? 0.5f : 0.0f)};
 }
 
+/// PRMan's: a channel's declaration, and where it comes from if it is not what its name says.
+void StateHandlers::displayChannel(const SourceLocation &where, const std::string &token,
+                                   const TokenList &tokens) {
+    const auto parsed = parseToken(token);
+    if (!parsed || parsed->name.empty())
+        return diagnostics_.error(where, "DisplayChannel",
+                                  "'" + token +
+                                      "' is no channel: expected its type and name, as in "
+                                      "\"varying color diffuse\"");
+    const ParameterList parameters = parameters_.ofRequest(where, tokens, "DisplayChannel");
+    const std::string source = parameters.string("source", parsed->name);
+    const auto sourceToken = parseToken(source);
+    state_.options.channels[parsed->name] = sourceToken ? sourceToken->name : source;
+}
+
+/// The names of a display's mode, those of channels replaced by what these show.
+static std::string modeOfChannels(const std::string &mode,
+                                  const std::map<std::string, std::string> &channels) {
+    std::string result;
+    for (std::size_t begin = 0; begin <= mode.size();) {
+        const std::size_t end = std::min(mode.find(',', begin), mode.size());
+        const std::string name = mode.substr(begin, end - begin);
+        const auto found = channels.find(name);
+        result += (begin ? "," : "") + (found == channels.end() ? name : found->second);
+        begin = end + 1;
+    }
+    return result;
+}
+
 void StateHandlers::display(const SourceLocation &where, const std::string &name,
                             const std::string &type, const std::string &mode,
                             const TokenList &tokens) {
     bool adds = name.starts_with("+");
-    DisplayRecord record{adds ? name.substr(1) : name, type, mode, std::nullopt,
+    DisplayRecord record{adds ? name.substr(1) : name, type,
+                         modeOfChannels(mode, state_.options.channels), std::nullopt,
                          parameters_.ofRequest(where, tokens, "Display")};
     record.quantize = displayQuantize(record.parameters);
     record.isAdded = adds;

@@ -19,7 +19,7 @@ ShaderRecord StateHandlers::shader(const SourceLocation &where, const char *requ
 
 void StateHandlers::surface(const SourceLocation &where, const std::string &name,
                             const TokenList &tokens) {
-    state_.edit().surface = std::make_shared<const ShaderRecord>(
+    state_.edit(own::Surface).surface = std::make_shared<const ShaderRecord>(
         shader(where, "Surface", ShaderKind::Surface, name, tokens));
 }
 
@@ -36,35 +36,35 @@ std::shared_ptr<const ShaderRecord> StateHandlers::volume(const SourceLocation &
 
 void StateHandlers::atmosphere(const SourceLocation &where, const std::string &name,
                                const TokenList &tokens) {
-    state_.edit().atmosphere = volume(where, "Atmosphere", name, tokens);
+    state_.edit(own::Atmosphere).atmosphere = volume(where, "Atmosphere", name, tokens);
 }
 
 void StateHandlers::interior(const SourceLocation &where, const std::string &name,
                              const TokenList &tokens) {
-    state_.edit().interior = volume(where, "Interior", name, tokens);
+    state_.edit(own::Interior).interior = volume(where, "Interior", name, tokens);
 }
 
 void StateHandlers::exterior(const SourceLocation &where, const std::string &name,
                              const TokenList &tokens) {
-    state_.edit().exterior = volume(where, "Exterior", name, tokens);
+    state_.edit(own::Exterior).exterior = volume(where, "Exterior", name, tokens);
 }
 
 void StateHandlers::displacement(const SourceLocation &where, const std::string &name,
                                  const TokenList &tokens) {
     // RI 3.2, 4.2.1: the null shader is none at all.
     if (name.empty() || name == "null")
-        state_.edit().displacement.reset();
+        state_.edit(own::Displacement).displacement.reset();
     else
-        state_.edit().displacement = std::make_shared<const ShaderRecord>(
+        state_.edit(own::Displacement).displacement = std::make_shared<const ShaderRecord>(
             shader(where, "Displacement", ShaderKind::Displacement, name, tokens));
 }
 
 void StateHandlers::deformation(const SourceLocation &where, const std::string &name,
                                 const TokenList &tokens) {
     if (name.empty() || name == "null")
-        state_.edit().deformation.reset();
+        state_.edit(own::Deformation).deformation.reset();
     else
-        state_.edit().deformation = std::make_shared<const ShaderRecord>(
+        state_.edit(own::Deformation).deformation = std::make_shared<const ShaderRecord>(
             shader(where, "Deformation", ShaderKind::Transformation, name, tokens));
 }
 

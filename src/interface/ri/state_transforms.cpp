@@ -93,7 +93,32 @@ void StateHandlers::coordinateSystem(const SourceLocation &, const std::string &
         builder_.coordinateSystem(name, currentFromSpace);
 }
 
+/// Until the attribute block ends. Shaders know one system of each name in a world, the last one.
+void StateHandlers::scopedCoordinateSystem(const SourceLocation &where, const std::string &name) {
+    const Matrix4 currentFromSpace = state_.transform.current.matrix.rounded();
+    auto scoped =
+        state_.scopedSystems
+            ? std::make_shared<std::map<std::string, CurrentTransform>>(*state_.scopedSystems)
+            : std::make_shared<std::map<std::string, CurrentTransform>>();
+    (*scoped)[name] = state_.transform.current;
+    state_.scopedSystems = std::move(scoped);
+    const auto [known, isNew] =
+        state_.options.coordinateSystems.try_emplace(name, currentFromSpace);
+    if (!isNew && known->second.m != currentFromSpace.m)
+        diagnostics_.warnOnce(where, "scoped system:" + name,
+                              "ScopedCoordinateSystem: there are several systems '" + name +
+                                  "'; shaders that name it are told of the last one everywhere");
+    known->second = currentFromSpace;
+    if (state_.inWorld)
+        builder_.coordinateSystem(name, currentFromSpace);
+}
+
 void StateHandlers::coordSysTransform(const SourceLocation &where, const std::string &name) {
+    if (state_.scopedSystems)
+        if (auto found = state_.scopedSystems->find(name); found != state_.scopedSystems->end()) {
+            state_.transform.current = found->second;
+            return;
+        }
     auto found = state_.coordinateSystems.find(name);
     if (found != state_.coordinateSystems.end())
         state_.transform.current = found->second;

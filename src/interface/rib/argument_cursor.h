@@ -20,6 +20,9 @@ public:
     bool atRequestOrEnd() const { return at(TokenKind::Request) || at(TokenKind::End); }
     void next() { token_ = lexer_.next(); }
 
+    /// Nothing is said of what is wrong, while it is skipped.
+    void setSilent(bool silent) { lexer_.setSilent(silent); }
+
     /// At the name of a request: its arguments come now.
     void begin(const RequestDescription &);
     /// Messages name the argument of that index; -1 for none.

@@ -19,6 +19,8 @@ bool isDigit(int c) { return c >= '0' && c <= '9'; }
 bool isLetter(int c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool isBlank(int c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f'; }
 bool isWordPart(int c) { return isLetter(c) || isDigit(c); }
+/// No part of RIB; some programs write them between numbers or behind requests.
+bool isSeparator(int c) { return c == ',' || c == ';'; }
 /// Ends a word or number.
 bool isDelimiter(int c) {
     return c < 0 || isBlank(c) || c == '[' || c == ']' || c == '"' || c == '#';
@@ -59,6 +61,16 @@ Lexer::Lexer(std::unique_ptr<ByteSource> source, std::string file, DiagnosticSin
     if (peek(0) == 0xEF && peek(1) == 0xBB && peek(2) == 0xBF)
         for (int i = 0; i < 3; ++i)
             source_->skip();
+}
+
+void Lexer::error(const SourceLocation &where, const std::string &message) {
+    if (!silent_)
+        diagnostics_.error(where, message);
+}
+
+void Lexer::forgive(Slip slip, const SourceLocation &where, const std::string &message) {
+    if (!silent_ && !std::exchange(forgiven_[int(slip)], true))
+        diagnostics_.warning(where, message);
 }
 
 /// One byte on; CRLF counts when its LF is passed.
@@ -109,10 +121,21 @@ RibToken Lexer::next() {
         }
         if (c == '"')
             return string(std::move(token));
+        if (c == '\'') {
+            forgive(Slip::Quotes, token.where,
+                    "strings stand in \"double quotes\"; those in 'single "
+                    "ones' are taken for strings, too");
+            return string(std::move(token));
+        }
         if (atNumber()) {
             return number(std::move(token));
         } else if (isLetter(c)) {
             return request(std::move(token));
+        } else if (isSeparator(c)) {
+            forgive(Slip::Separators, token.where,
+                    "',' and ';' separate nothing in RIB; they are "
+                    "taken for blanks");
+            advance();
         } else {
             skipStrayBytes(token.where);
         }
@@ -128,11 +151,11 @@ void Lexer::skipStrayBytes(const SourceLocation &where) {
         advance();
     } while (peek() >= 0 && !isDelimiter(peek()) && !isWordPart(peek()));
     // Once a file: a file that is no RIB at all would say little else.
-    if (std::exchange(strayReported_[binary], true))
+    if (silent_ || std::exchange(strayReported_[binary], true))
         return;
-    diagnostics_.error(where, binary ? "bytes above 127 outside strings and comments are binary "
-                                       "RIB, which this version does not read; they are skipped"
-                                     : "'" + bytes + "' is no part of RIB; it is skipped");
+    error(where, binary ? "bytes above 127 outside strings and comments are binary "
+                          "RIB, which this version does not read; they are skipped"
+                        : "'" + bytes + "' is no part of RIB; it is skipped");
 }
 
 /// A word: the name of a request, or a number that is none.
@@ -153,7 +176,8 @@ RibToken Lexer::request(RibToken token) {
 /// there, so the count of values stays as the user sees it.
 RibToken Lexer::number(RibToken token) {
     token.kind = TokenKind::Number;
-    while (!isDelimiter(peek())) {
+    // A comma within a number may be meant for its point.
+    while (!isDelimiter(peek()) && !(isSeparator(peek()) && !isDigit(peek(1)))) {
         token.text += char(peek());
         advance();
     }
@@ -161,7 +185,7 @@ RibToken Lexer::number(RibToken token) {
         token.number = *value;
         token.whole = token.text.find_first_not_of("+-0123456789") == std::string::npos;
     } else {
-        diagnostics_.error(token.where, "'" + token.text.substr(0, 40) + "' is no number");
+        error(token.where, "'" + token.text.substr(0, 40) + "' is no number");
         token.number = std::numeric_limits<double>::quiet_NaN();
     }
     return token;
@@ -182,13 +206,14 @@ bool Lexer::requestFollowsLineEnd() {
 
 RibToken Lexer::string(RibToken token) {
     token.kind = TokenKind::String;
+    const int quote = peek();
     advance();
-    for (int c = peek(); c != '"'; c = peek()) {
+    for (int c = peek(); c != quote; c = peek()) {
         bool lineEnd = c == '\n' || c == '\r';
         if (c < 0 || (lineEnd && requestFollowsLineEnd())) {
-            diagnostics_.error(token.where, "unterminated string: expected '\"' before the end of "
-                                            "the " +
-                                                std::string(c < 0 ? "file" : "line"));
+            error(token.where, "unterminated string: expected a closing quote before the end of "
+                               "the " +
+                                   std::string(c < 0 ? "file" : "line"));
             return token;
         }
         if (c == '\\') {

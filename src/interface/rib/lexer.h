@@ -29,8 +29,15 @@ public:
     Lexer(std::unique_ptr<ByteSource>, std::string file, DiagnosticSink &);
 
     RibToken next();
+    /// Whether what is wrong is said.
+    void setSilent(bool silent) { silent_ = silent; }
 
 private:
+    /// What older readers took for what it was meant to be.
+    enum class Slip { Quotes, Separators };
+    /// Warns once a file.
+    void forgive(Slip, const SourceLocation &, const std::string &message);
+    void error(const SourceLocation &, const std::string &message);
     int peek(std::size_t ahead = 0) { return source_->peek(ahead); }
     void advance();
     void skipBlanks();
@@ -46,7 +53,8 @@ private:
     std::shared_ptr<const std::string> file_;
     DiagnosticSink &diagnostics_;
     int line_ = 1, column_ = 1;
-    bool strayReported_[2] = {}, failureReported_ = false;
+    bool strayReported_[2] = {}, failureReported_ = false, silent_ = false;
+    bool forgiven_[2] = {};
 };
 
 } // namespace candela

@@ -135,8 +135,9 @@ TEST(Lexer, stringsHaveEscapes) {
 TEST(Lexer, unterminatedStringsEndBeforeTheNextRequest) {
     Lexed lexed("Surface \"matte\nSphere 1 -1 1 360\nSurface \"plastic\"\n");
     EXPECT_EQ(lexed.text(), "R(Surface)S(matte)R(Sphere)IIIIR(Surface)S(plastic)");
-    EXPECT_EQ(lexed.found.text(), "test.rib:1:9: error: unterminated string: expected '\"' before "
-                                  "the end of the line\n");
+    EXPECT_EQ(lexed.found.text(),
+              "test.rib:1:9: error: unterminated string: expected a closing quote before "
+              "the end of the line\n");
     EXPECT_EQ(Lexed("\"\\").found.count(Severity::Error), 1);
     EXPECT_EQ(Lexed("\"abc\n").found.count(Severity::Error), 1);
     EXPECT_EQ(Lexed("\"a\nSphereHead\"").found.count(Severity::Error), 0);

@@ -8,25 +8,35 @@
 
 namespace candela {
 
-RequestReader::RequestReader(Lexer lexer, RequestSink &sink, DiagnosticSink &diagnostics,
-                             ArchiveReader archives)
-    : cursor_(std::move(lexer), diagnostics), sink_(sink), diagnostics_(diagnostics),
-      archives_(std::move(archives)) {}
+/// Heard where a condition does not hold, too.
+static bool isConditional(RequestId id) {
+    return id == RequestId::IfBegin || id == RequestId::ElseIf || id == RequestId::Else ||
+           id == RequestId::IfEnd;
+}
+
+RequestReader::RequestReader(Lexer lexer, StreamSink &sink, DiagnosticSink &diagnostics)
+    : cursor_(std::move(lexer), diagnostics), sink_(sink), diagnostics_(diagnostics) {}
 
 void RequestReader::run() {
-    while (!cursor_.at(TokenKind::End) && !sink_.stopped()) {
-        const RibToken name = cursor_.token();
-        const bool word = cursor_.at(TokenKind::Request);
-        if (const auto id = word ? requestNamed(name.text) : std::nullopt) {
-            cursor_.begin(describe(*id));
-            dispatch(*id, name.where);
-        } else {
-            diagnostics_.error(name.where, word ? "unknown request '" + name.text + "'"
-                                                : "expected the name of a request");
-            cursor_.next();
-            cursor_.skipToRequest();
-        }
+    while (!cursor_.at(TokenKind::End) && !sink_.stopped())
+        readRequest();
+}
+
+void RequestReader::readRequest() {
+    const RibToken name = cursor_.token();
+    const bool word = cursor_.at(TokenKind::Request), skips = sink_.skips();
+    const auto id = word ? requestNamed(name.text) : std::nullopt;
+    const bool heard = id.has_value() && (!skips || isConditional(id.value()));
+    cursor_.setSilent(skips && !heard);
+    if (heard) {
+        cursor_.begin(describe(id.value()));
+        return dispatch(id.value(), name.where);
     }
+    if (!skips)
+        diagnostics_.error(name.where, word ? "unknown request '" + name.text + "'"
+                                            : "expected the name of a request");
+    cursor_.next();
+    cursor_.skipToRequest();
 }
 
 /// Calls the handler of the request.
@@ -34,24 +44,23 @@ void RequestReader::dispatch(RequestId id, const SourceLocation &where) {
     switch (id) {
 #define REQUEST(Name, handler, ...)                                                                \
     case RequestId::Name:                                                                          \
-        return call(sink_, &RequestSink::handler, where);
+        return call(&StreamSink::handler, where);
 #define REQUEST_LATER(Name, handler, ...)                                                          \
     case RequestId::Name:                                                                          \
-        return call(sink_, &RequestSink::handler, where);
+        return call(&StreamSink::handler, where);
 #define REQUEST_OF_BLOCKS(Name, handler, ...)                                                      \
     case RequestId::Name:                                                                          \
-        return call(sink_, &RequestSink::handler, where);
-#define REQUEST_OF_READER(Name, handler, ...)                                                      \
+        return call(&StreamSink::handler, where);
+#define REQUEST_OF_STREAM(Name, handler, ...)                                                      \
     case RequestId::Name:                                                                          \
-        return call(*this, &RequestReader::handler, where);
+        return call(&StreamSink::handler, where);
 #include "interface/ri/requests.def"
     }
 }
 
 /// Reads the arguments of the method by their types, then calls it.
-template <class Receiver, class... Arguments>
-void RequestReader::call(Receiver &receiver,
-                         void (Receiver::*method)(const SourceLocation &, Arguments...),
+template <class Sink, class... Arguments>
+void RequestReader::call(void (Sink::*method)(const SourceLocation &, Arguments...),
                          const SourceLocation &where) {
     std::tuple<std::decay_t<Arguments>...> values;
     bool complete = std::apply(
@@ -61,15 +70,7 @@ void RequestReader::call(Receiver &receiver,
         values);
     if (!complete)
         return cursor_.skipToRequest();
-    std::apply([&](const auto &...value) { (receiver.*method)(where, value...); }, values);
-}
-
-/// RIB 3.03 and its successors differ in nothing that is read here.
-void RequestReader::version(const SourceLocation &, float) {}
-
-void RequestReader::readArchive(const SourceLocation &where, const std::string &name,
-                                const TokenList &) {
-    archives_(where, name);
+    std::apply([&](const auto &...value) { (sink_.*method)(where, value...); }, values);
 }
 
 } // namespace candela

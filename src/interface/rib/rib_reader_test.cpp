@@ -138,15 +138,28 @@ TEST_F(Reading, lineEndsAndAMissingLastOneDoNotMatter) {
     }
 }
 
-TEST_F(Reading, requestsOfOtherRenderersAreWarnedAbout) {
-    read(
-        "DisplayChannel \"varying color albedo\"\nPushFilter \"bloom\" \"radius\" [3]\n"
-        "IfBegin \"$x == 1\"\nElseIf \"$x == 2\"\nElse\nIfEnd\n"
-        "ArchiveBegin \"a\"\nArchiveEnd\n"
-        "WorldBegin\nResourceBegin\nResource \"r\" \"attributes\" \"string operation\" [\"save\"]\n"
-        "ResourceEnd\nScopedCoordinateSystem \"here\"\nWorldEnd\n");
+TEST_F(Reading, requestsOfOtherRenderersAreWarnedAboutOnceAKind) {
+    const ListeningSceneBuilder::World seen = world(
+        "Camera \"main\" \"fov\" [30]\nVolumePixelSamples 2 2\nVolumePixelSamples 4 4\n"
+        "ShaderLayer \"surface\" \"plastic\" \"base\" \"float Kd\" [.5]\n"
+        "Volume \"box\" [-1 1 -1 1 -1 1] [0 0 0] \"float d\" [1]\nBxdf \"PxrDiffuse\" \"b1\"\n"
+        "Pattern \"PxrTexture\" \"t\" \"string filename\" [\"x\"]\nEditBegin "
+        "\"rerender\"\nEditEnd\n"
+        "System \"ls\"\nSphere 1 -1 1 360");
     EXPECT_EQ(errors(), 0) << found.text();
-    EXPECT_EQ(warnings(), 12) << found.text();
+    EXPECT_EQ(warnings(), 9) << found.text();
+    EXPECT_TRUE(says("Camera: this version leaves it out: it belongs to other renderers"));
+    EXPECT_EQ(seen.primitives.size(), 1u);
+}
+
+TEST_F(Reading, slipsThatOldReadersForgaveAreForgivenWithOneWarningAKind) {
+    const ListeningSceneBuilder::World seen =
+        world("Surface 'marble' 'scale' [2];\nColor [1, 0.5, 0];\nSphere 1 -1 1 360;");
+    EXPECT_EQ(errors(), 0) << found.text();
+    EXPECT_EQ(warnings(), 2) << found.text();
+    ASSERT_EQ(seen.primitives.size(), 1u);
+    EXPECT_EQ(seen.primitives[0].attributes->color, Color(1, .5f, 0));
+    EXPECT_EQ(seen.primitives[0].attributes->surface->parameters.number("scale", 0), 2);
 }
 
 } // namespace candela::testing

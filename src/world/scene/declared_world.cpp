@@ -1,28 +1,80 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/scene/declared_world.h"
 
+#include <utility>
+
 namespace candela {
 
-/// Places what the group instances, the group itself standing as `around` says.
-static void place(const DeclaredWorld &declared, const DeclaredGroup &group,
-                  const Placement &around, std::vector<Placement> &placements) {
-    for (const DeclaredInstance &instance : group.instances) {
-        Placement placement = around;
-        placement.object = instance.object;
-        if (!around.attributes)
-            placement.attributes = instance.attributes;
-        placement.turned = around.turned != instance.attributes->flipNormal;
-        placement.currentFromObject = instance.outerFromObject * around.currentFromObject;
-        const DeclaredGroup &object = declared.objects[instance.object];
-        if (!object.primitives.empty() && inverse(placement.currentFromObject))
-            placements.push_back(placement);
-        place(declared, object, placement, placements);
-    }
+void DeclaredWorld::beginObject(int number) {
+    openObject_ = int(objects.size());
+    objects.emplace_back();
+    objectOfNumber[number] = openObject_;
 }
+
+void DeclaredWorld::endObject() {
+    openObject_ = -1;
+    openParts_.clear();
+}
+
+DeclaredGroup &DeclaredWorld::openFor(const std::shared_ptr<const Attributes> &attributes) {
+    if (openObject_ < 0 || attributes->ownSet == 0)
+        return open();
+    const auto [part, isNew] = openParts_.try_emplace(attributes.get(), int(objects.size()));
+    if (isNew) {
+        objects.emplace_back();
+        objects[openObject_].instances.push_back({part->second, attributes, false, Matrix4{}});
+    }
+    return objects[part->second];
+}
+
+namespace {
+
+class Placing {
+public:
+    Placing(const DeclaredWorld &declared, std::vector<Placement> &placements)
+        : declared_(declared), placements_(placements) {}
+
+    /// Places what the group instances, the group itself standing as `around` says.
+    void place(const DeclaredGroup &group, const Placement &around) {
+        for (const DeclaredInstance &instance : group.instances) {
+            Placement placement = around;
+            placement.object = instance.object;
+            placement.attributes = attributesOf(instance, around.attributes);
+            placement.turned = around.turned != instance.turns;
+            placement.currentFromObject = instance.outerFromObject * around.currentFromObject;
+            const DeclaredGroup &object = declared_.objects[instance.object];
+            if (!object.primitives.empty() && inverse(placement.currentFromObject))
+                placements_.push_back(placement);
+            place(object, placement);
+        }
+    }
+
+private:
+    using Shared = std::shared_ptr<const Attributes>;
+
+    /// The instance around it decides, but for what the object has set itself.
+    Shared attributesOf(const DeclaredInstance &instance, const Shared &around) {
+        if (!around)
+            return instance.attributes;
+        if (instance.attributes->ownSet == 0)
+            return around;
+        Shared &merged = merged_[{around.get(), instance.attributes.get()}];
+        if (!merged)
+            merged =
+                std::make_shared<const Attributes>(attributesOfPart(*around, *instance.attributes));
+        return merged;
+    }
+
+    const DeclaredWorld &declared_;
+    std::vector<Placement> &placements_;
+    std::map<std::pair<const Attributes *, const Attributes *>, Shared> merged_;
+};
+
+} // namespace
 
 std::vector<Placement> placementsOf(const DeclaredWorld &declared) {
     std::vector<Placement> placements;
-    place(declared, declared.world, {-1, nullptr, false, Matrix4{}}, placements);
+    Placing(declared, placements).place(declared.world, {-1, nullptr, false, Matrix4{}});
     return placements;
 }
 

@@ -18,8 +18,9 @@ struct DeclaredPrimitive {
 };
 
 struct DeclaredInstance {
-    int object;
+    int object; ///< Index in DeclaredWorld::objects.
     std::shared_ptr<const Attributes> attributes;
+    bool turns; ///< It reverses the orientation.
     Matrix4 outerFromObject;
 };
 
@@ -33,17 +34,28 @@ struct DeclaredWorld {
     Options options;
     std::vector<std::shared_ptr<const LightRecord>> lights;
     DeclaredGroup world;
-    std::vector<DeclaredGroup> objects;
+    std::vector<DeclaredGroup> objects;     ///< And their parts with attributes of their own.
+    std::map<int, int> objectOfNumber;      ///< SceneBuilder's number to the index in `objects`.
     std::map<std::string, Matrix4> systems; ///< Named coordinate systems: currentFromSpace.
-    int openObject = -1;                    ///< Which one is being defined; -1 = none.
 
-    DeclaredGroup &open() { return openObject < 0 ? world : objects[openObject]; }
+    /// The object of that number is being defined, up to endObject.
+    void beginObject(int number);
+    void endObject();
+    /// Where instances belong: the object that is being defined, else the world.
+    DeclaredGroup &open() { return openObject_ < 0 ? world : objects[openObject_]; }
+    /// Where primitives with these attributes do. What sets attributes of its own in an object is
+    /// an object in it.
+    DeclaredGroup &openFor(const std::shared_ptr<const Attributes> &);
+
+private:
+    int openObject_ = -1;
+    std::map<const Attributes *, int> openParts_; ///< Of the open object, by their attributes.
 };
 
 /// An object where it stands, with all objects around it resolved.
 struct Placement {
     int object;
-    std::shared_ptr<const Attributes> attributes; ///< Of the outermost instance.
+    std::shared_ptr<const Attributes> attributes; ///< The outermost instance's, and objects' own.
     bool turned; ///< The instances around it reverse the orientation an odd number of times.
     Matrix4 currentFromObject;
 };

@@ -46,22 +46,20 @@ void SceneCompiler::light(std::shared_ptr<const LightRecord> record) {
 void SceneCompiler::primitive(std::shared_ptr<const PrimitiveRecord> record,
                               std::shared_ptr<const Attributes> attributes,
                               const MotionTransform &currentFromObject) {
-    state_->declared.open().primitives.push_back(
-        {std::move(record), std::move(attributes), currentFromObject.atOpen()});
+    state_->declared.openFor(attributes)
+        .primitives.push_back({std::move(record), attributes, currentFromObject.atOpen()});
 }
 
-void SceneCompiler::objectBegin(int object) {
-    auto &objects = state_->declared.objects;
-    state_->declared.openObject = object;
-    objects.resize(std::max<std::size_t>(objects.size(), object + 1));
-}
+void SceneCompiler::objectBegin(int object) { state_->declared.beginObject(object); }
 
-void SceneCompiler::objectEnd() { state_->declared.openObject = -1; }
+void SceneCompiler::objectEnd() { state_->declared.endObject(); }
 
 void SceneCompiler::instance(int object, std::shared_ptr<const Attributes> attributes,
                              const MotionTransform &currentFromObject) {
-    state_->declared.open().instances.push_back(
-        {object, std::move(attributes), currentFromObject.atOpen()});
+    DeclaredWorld &declared = state_->declared;
+    const bool turns = attributes->flipNormal;
+    declared.open().instances.push_back({declared.objectOfNumber.at(object), std::move(attributes),
+                                         turns, currentFromObject.atOpen()});
 }
 
 void SceneCompiler::coordinateSystem(const std::string &name, const Matrix4 &currentFromSpace) {
