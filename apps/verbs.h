@@ -21,6 +21,8 @@ void addCompile(CLI::App &, int &status);
 void addTex(CLI::App &, int &status);
 /// `candela probe scene.rib points`
 void addProbe(CLI::App &, int &status);
+/// `candela cat in.rib -o out.rib`
+void addCat(CLI::App &, int &status);
 
 /// `candela info shader ...`
 void addInfo(CLI::App &, int &status);

@@ -3,7 +3,7 @@
 """Renders mutated scenes and shaders: none may crash candela, hang it or flood the terminal.
 
 An input is made of its seed alone: a file of corpus/ whose tokens are changed, dropped, doubled and
-swapped. What fails is kept with the command that repeats it. Exit status: 0 none failed, 1 some
+swapped; RIB is then put into its other forms, too, and their bytes changed (encodings_of_rib.py). What fails is kept with the command that repeats it. Exit status: 0 none failed, 1 some
 did, 2 there is no program to try."""
 import argparse
 import concurrent.futures
@@ -18,6 +18,8 @@ import sys
 import tempfile
 import threading
 from pathlib import Path
+
+from encodings_of_rib import encode
 
 HERE = Path(__file__).resolve().parent
 SOURCE = HERE.parent.parent
@@ -114,14 +116,16 @@ def scene_of(path):
 
 
 def make_input(seed, corpus):
-    """The file of the corpus that a seed changes, and its text then."""
+    """The file of the corpus that a seed changes, and its bytes then."""
     chance = random.Random(seed)
     origin = chance.choice(corpus)
     tokens = TOKEN.findall(origin.read_text())
     for _ in range(chance.choice([1, 1, 2, 3, 5])):
         if tokens:
             mutate(tokens, chance)
-    return origin, "".join(tokens)
+    if origin.suffix == ".sl":
+        return origin, "".join(tokens).encode("utf-8", "replace")
+    return origin, encode(tokens, chance)
 
 
 class Renderer:
@@ -178,7 +182,7 @@ class Trial:
 
     def attempt(self, seed):
         """What is wrong with a seed in the latest process, or none."""
-        origin, text = make_input(seed, self.corpus)
+        origin, content = make_input(seed, self.corpus)
         of_shader = origin.suffix == ".sl"  # Found by its name, however it is changed.
         name = origin.name if of_shader else "scene.rib"
         with tempfile.TemporaryDirectory(prefix="candela-fuzz-") as folder:
@@ -186,15 +190,15 @@ class Trial:
                 shutil.copy(shader, folder)
             if of_shader:
                 Path(folder, "scene.rib").write_text(scene_of(origin))
-            Path(folder, name).write_text(text, errors="replace")
-            if of_shader and LOOP.search(text):
+            Path(folder, name).write_bytes(content)
+            if of_shader and LOOP.search(content.decode("utf-8", "replace")):
                 problem = self.render_loop(folder, origin.stem)
             else:
                 problem = self.render(folder)
         if problem:
             kept = Path(self.options.keep, f"{seed}-{name}")
             kept.parent.mkdir(parents=True, exist_ok=True)
-            kept.write_text(text, errors="replace")
+            kept.write_bytes(content)
             return f"seed {seed} ({kept}): {problem}\n    again: {sys.argv[0]} --program " \
                    f"{self.options.program} --memory {self.options.memory} --first {seed} --count 1"
         return None

@@ -3,12 +3,20 @@
 
 #include "interface/rib/request_names.h"
 
+#include <array>
+#include <charconv>
+
 namespace candela {
+
+static std::string numberText(double number) {
+    std::array<char, 32> digits;
+    return {digits.data(), std::to_chars(digits.begin(), digits.end(), number).ptr};
+}
 
 std::string describe(const RibToken &token) {
     switch (token.kind) {
     case TokenKind::Request: return "'" + token.text + "'";
-    case TokenKind::Number: return "the number " + token.text;
+    case TokenKind::Number: return "the number " + numberText(token.number);
     case TokenKind::String: return "the string \"" + token.text.substr(0, 40) + "\"";
     case TokenKind::ArrayBegin: return "'['";
     case TokenKind::ArrayEnd: return "']'";

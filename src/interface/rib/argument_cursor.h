@@ -6,22 +6,39 @@
 #include "interface/ri/request_table.h"
 #include "interface/rib/lexer.h"
 
+#include <span>
 #include <string>
+#include <vector>
 
 namespace candela {
 
 class ArgumentCursor {
 public:
     ArgumentCursor(Lexer lexer, DiagnosticSink &diagnostics)
-        : lexer_(std::move(lexer)), diagnostics_(diagnostics), token_(lexer_.next()) {}
+        : lexer_(std::move(lexer)), diagnostics_(diagnostics) {
+        next();
+    }
 
     const RibToken &token() const { return token_; }
     bool at(TokenKind kind) const { return token_.kind == kind; }
     bool atRequestOrEnd() const { return at(TokenKind::Request) || at(TokenKind::End); }
-    void next() { token_ = lexer_.next(); }
+    void next() { lexer_.next(token_); }
+    // At '[' or a number of an array, which is passed: the numbers behind it are put there, as many
+    // as can be had at once, and the token behind those comes next.
+    template <class Value> void nextNumbers(std::vector<Value> &values) {
+        lexer_.takeNumbers(values);
+        next();
+    }
+    std::size_t nextNumbers(std::span<float> room) {
+        const std::size_t count = lexer_.takeNumbers(room);
+        next();
+        return count;
+    }
 
     /// Nothing is said of what is wrong, while it is skipped.
     void setSilent(bool silent) { lexer_.setSilent(silent); }
+    /// Those passed so far, if the lexer keeps them.
+    std::vector<RibComment> takeComments() { return lexer_.takeComments(); }
 
     /// At the name of a request: its arguments come now.
     void begin(const RequestDescription &);

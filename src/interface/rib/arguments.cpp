@@ -1,37 +1,50 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "interface/rib/arguments.h"
 
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <span>
 
 namespace candela {
 
-static bool take(ArgumentCursor &cursor, float &value) {
+// The value of the token that stands here.
+static bool valueHere(ArgumentCursor &cursor, float &value) {
     if (!cursor.at(TokenKind::Number))
         return cursor.expected("a number");
     value = float(cursor.token().number);
-    cursor.next();
     return true;
 }
 
-static bool take(ArgumentCursor &cursor, int &value) {
+static bool valueHere(ArgumentCursor &cursor, int &value) {
     double number = cursor.token().number;
     if (!cursor.at(TokenKind::Number) || number != std::floor(number) ||
         std::fabs(number) > std::numeric_limits<int>::max())
         return cursor.expected("a whole number");
     value = int(number);
+    return true;
+}
+
+static bool valueHere(ArgumentCursor &cursor, std::string &value) {
+    if (!cursor.at(TokenKind::String))
+        return cursor.expected("a string");
+    value = cursor.token().text;
+    return true;
+}
+
+template <class Value> static bool take(ArgumentCursor &cursor, Value &value) {
+    if (!valueHere(cursor, value))
+        return false;
     cursor.next();
     return true;
 }
 
-static bool take(ArgumentCursor &cursor, std::string &value) {
-    if (!cursor.at(TokenKind::String))
-        return cursor.expected("a string");
-    value = cursor.token().text;
-    cursor.next();
-    return true;
+/// The next token of an array.
+template <class Value> static void nextOf(ArgumentCursor &cursor, std::vector<Value> &values) {
+    cursor.nextNumbers(values);
 }
+static void nextOf(ArgumentCursor &cursor, Strings &) { cursor.next(); }
 
 /// Arguments of fixed number.
 template <class Values> static bool takeAll(ArgumentCursor &cursor, Values &&values) {
@@ -39,6 +52,18 @@ template <class Values> static bool takeAll(ArgumentCursor &cursor, Values &&val
     for (auto &value : values)
         if (!take(cursor, value))
             return false;
+    cursor.closeBracket();
+    return true;
+}
+
+static bool takeAll(ArgumentCursor &cursor, std::span<float> values) {
+    cursor.openBracket();
+    for (std::size_t i = 0; i < values.size();) {
+        if (!valueHere(cursor, values[i]))
+            return false;
+        ++i;
+        i += cursor.nextNumbers(values.subspan(i));
+    }
     cursor.closeBracket();
     return true;
 }
@@ -52,8 +77,8 @@ static bool takeArray(ArgumentCursor &cursor, std::vector<Value> &values, TokenK
         return cursor.expected(std::string("'[' and ") + several);
     if (!array)
         return take(cursor, values.emplace_back());
-    for (cursor.next(); cursor.at(kind);)
-        if (!take(cursor, values.emplace_back()))
+    for (nextOf(cursor, values); cursor.at(kind); nextOf(cursor, values))
+        if (!valueHere(cursor, values.emplace_back()))
             return false;
     if (!cursor.at(TokenKind::ArrayEnd))
         return cursor.expected(std::string(one) + " or ']'");
@@ -75,22 +100,32 @@ bool read(ArgumentCursor &cursor, std::string &value) {
     return takeAll(cursor, std::span(&value, 1));
 }
 
+static std::string wholeText(double number) {
+    std::array<char, 512> digits;
+    return {digits.data(),
+            std::to_chars(digits.begin(), digits.end(), number, std::chars_format::fixed).ptr};
+}
+
 bool read(ArgumentCursor &cursor, Handle &handle) {
     bool whole = cursor.at(TokenKind::Number) && cursor.token().whole;
     if (!whole && !cursor.at(TokenKind::String))
         return cursor.expected("a handle (a whole number or a string)");
-    handle.text = cursor.token().text;
+    handle.text = whole ? wholeText(cursor.token().number) : cursor.token().text;
     cursor.next();
     return true;
 }
 
-bool read(ArgumentCursor &cursor, Color &color) { return takeAll(cursor, color.c); }
-bool read(ArgumentCursor &cursor, Matrix4 &matrix) { return takeAll(cursor, matrix.m); }
+bool read(ArgumentCursor &cursor, Color &color) {
+    return takeAll(cursor, std::span<float>(color.c));
+}
+bool read(ArgumentCursor &cursor, Matrix4 &matrix) {
+    return takeAll(cursor, std::span<float>(matrix.m));
+}
 
 bool read(ArgumentCursor &cursor, BasisArgument &basis) {
     if (cursor.at(TokenKind::String))
         return take(cursor, basis.emplace<std::string>());
-    return takeAll(cursor, basis.emplace<std::array<float, 16>>());
+    return takeAll(cursor, std::span<float>(basis.emplace<std::array<float, 16>>()));
 }
 
 bool read(ArgumentCursor &cursor, Floats &values) {

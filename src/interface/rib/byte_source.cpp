@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <system_error>
 #include <unistd.h>
+#include <utility>
 #include <zlib.h>
 
 namespace candela {
@@ -41,8 +42,8 @@ std::unique_ptr<ByteSource> ByteSource::open(const std::string &path, std::strin
 
 std::unique_ptr<ByteSource> ByteSource::fromMemory(std::string bytes) {
     std::unique_ptr<ByteSource> result(new ByteSource);
-    result->window_.assign(bytes.begin(), bytes.end());
-    result->end_ = bytes.size();
+    result->window_ = std::move(bytes);
+    result->end_ = result->window_.size();
     return result;
 }
 
@@ -52,6 +53,7 @@ bool ByteSource::fill(std::size_t ahead) {
         return false;
     std::copy(window_.begin() + next_, window_.begin() + end_, window_.begin());
     end_ -= next_;
+    before_ += next_;
     next_ = 0;
     while (end_ <= ahead) {
         int count = gzread(file_->handle, window_.data() + end_, unsigned(window_.size() - end_));

@@ -4,10 +4,10 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace candela {
 
@@ -22,7 +22,11 @@ public:
     int peek(std::size_t ahead = 0) {
         return next_ + ahead < end_ || fill(ahead) ? (unsigned char)window_[next_ + ahead] : -1;
     }
-    void skip() { ++next_; }
+    void skip(std::size_t count = 1) { next_ += count; }
+    /// What is at hand of the bytes that come; peek() brings more once they have been skipped.
+    std::string_view window() const { return {window_.data() + next_, end_ - next_}; }
+    /// Bytes passed so far.
+    std::uint64_t position() const { return before_ + next_; }
     /// What went wrong while reading, as a damaged compressed file; empty if nothing did.
     const std::string &failure() const { return failure_; }
 
@@ -32,8 +36,9 @@ private:
     bool fill(std::size_t ahead);
 
     std::unique_ptr<File> file_;
-    std::vector<char> window_;
+    std::string window_;
     std::size_t next_ = 0, end_ = 0;
+    std::uint64_t before_ = 0; ///< Bytes that have left the window.
     std::string failure_;
 };
 

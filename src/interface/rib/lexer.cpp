@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "interface/rib/lexer.h"
 
+#include "interface/rib/number_text.h"
 #include "interface/rib/request_names.h"
 
 #include <algorithm>
-#include <cctype>
-#include <charconv>
-#include <cstdlib>
+#include <cmath>
 #include <limits>
-#include <optional>
+#include <type_traits>
 #include <utility>
 
 namespace candela {
@@ -23,33 +22,7 @@ bool isWordPart(int c) { return isLetter(c) || isDigit(c); }
 bool isSeparator(int c) { return c == ',' || c == ';'; }
 /// Ends a word or number.
 bool isDelimiter(int c) {
-    return c < 0 || isBlank(c) || c == '[' || c == ']' || c == '"' || c == '#';
-}
-
-/// "nan", "inf" and "infinity", which programs print for numbers that are none.
-std::optional<double> specialNumber(std::string text) {
-    double sign = 1;
-    if (text.starts_with('-') || text.starts_with('+')) {
-        sign = text.front() == '-' ? -1 : 1;
-        text.erase(0, 1);
-    }
-    std::ranges::transform(text, text.begin(), [](char c) { return char(std::tolower(c)); });
-    if (text == "nan")
-        return std::numeric_limits<double>::quiet_NaN();
-    if (text == "inf" || text == "infinity")
-        return sign * std::numeric_limits<double>::infinity();
-    return std::nullopt;
-}
-
-std::optional<double> parseNumber(const std::string &text) {
-    const char *begin = text.data() + text.starts_with('+'), *end = text.data() + text.size();
-    double value = 0;
-    auto [stop, error] = std::from_chars(begin, end, value);
-    if (stop != end || begin == end || (text.starts_with('+') && *begin == '-'))
-        return specialNumber(text);
-    if (error == std::errc::result_out_of_range)
-        return std::strtod(text.c_str(), nullptr); // Infinity or zero, as it may be.
-    return error == std::errc() ? std::optional(value) : std::nullopt;
+    return c < 0 || isBlank(c) || c == '[' || c == ']' || c == '"' || c == '#' || c >= 0200;
 }
 
 } // namespace
@@ -59,8 +32,7 @@ Lexer::Lexer(std::unique_ptr<ByteSource> source, std::string file, DiagnosticSin
       diagnostics_(diagnostics) {
     // Editors of other systems begin UTF-8 with a byte order mark.
     if (peek(0) == 0xEF && peek(1) == 0xBB && peek(2) == 0xBF)
-        for (int i = 0; i < 3; ++i)
-            source_->skip();
+        source_->skip(3);
 }
 
 void Lexer::error(const SourceLocation &where, const std::string &message) {
@@ -72,6 +44,13 @@ void Lexer::forgive(Slip slip, const SourceLocation &where, const std::string &m
     if (!silent_ && !std::exchange(forgiven_[int(slip)], true))
         diagnostics_.warning(where, message);
 }
+
+/// Binary files may be one long line.
+int Lexer::column() const {
+    return int(std::min<std::int64_t>(column_, std::numeric_limits<int>::max()));
+}
+
+SourceLocation Lexer::here() const { return {file_, line_, column()}; }
 
 /// One byte on; CRLF counts when its LF is passed.
 void Lexer::advance() {
@@ -85,14 +64,31 @@ void Lexer::advance() {
     }
 }
 
+void Lexer::skip(std::size_t count) {
+    source_->skip(count);
+    column_ += std::int64_t(count);
+}
+
 void Lexer::skipBlanks() {
-    for (int c = peek(); isBlank(c) || c == '#'; c = peek()) {
+    for (int c = peek(); isBlank(c) || c == '#'; c = peek())
         if (c == '#')
-            while (peek() >= 0 && peek() != '\n' && peek() != '\r')
-                advance();
+            comment();
         else
             advance();
+}
+
+void Lexer::comment() {
+    const SourceLocation where = keepsComments_ ? here() : SourceLocation{};
+    std::string text;
+    while (peek() >= 0 && peek() != '\n' && peek() != '\r') {
+        const std::string_view window = source_->window();
+        const std::size_t length = std::min(window.find_first_of("\n\r"), window.size());
+        if (keepsComments_)
+            text += window.substr(0, length);
+        skip(length);
     }
+    if (keepsComments_)
+        comments_.push_back({where, text.substr(1)});
 }
 
 bool Lexer::atNumber() {
@@ -102,48 +98,58 @@ bool Lexer::atNumber() {
     return isDigit(c) || c == '.';
 }
 
-RibToken Lexer::next() {
-    for (;;) {
-        skipBlanks();
-        RibToken token;
-        token.where = {file_, line_, column_};
-        int c = peek();
-        if (c < 0) {
-            if (!source_->failure().empty() && !std::exchange(failureReported_, true))
-                diagnostics_.error(token.where,
-                                   "the file cannot be read further: " + source_->failure());
-            return token;
-        }
-        if (c == '[' || c == ']') {
-            advance();
-            token.kind = c == '[' ? TokenKind::ArrayBegin : TokenKind::ArrayEnd;
-            return token;
-        }
-        if (c == '"')
-            return string(std::move(token));
-        if (c == '\'') {
-            forgive(Slip::Quotes, token.where,
-                    "strings stand in \"double quotes\"; those in 'single "
-                    "ones' are taken for strings, too");
-            return string(std::move(token));
-        }
-        if (atNumber()) {
-            return number(std::move(token));
-        } else if (isLetter(c)) {
-            return request(std::move(token));
-        } else if (isSeparator(c)) {
-            forgive(Slip::Separators, token.where,
-                    "',' and ';' separate nothing in RIB; they are "
-                    "taken for blanks");
-            advance();
-        } else {
-            skipStrayBytes(token.where);
-        }
+void Lexer::next(RibToken &token) {
+    while (!readToken(token)) {
     }
 }
 
+/// False if what stood here was none.
+bool Lexer::readToken(RibToken &token) {
+    if (inArray_)
+        return inBinaryArray(token);
+    skipBlanks();
+    if (!token.where.file)
+        token.where.file = file_;
+    token.where.line = line_, token.where.column = column();
+    token.text.clear();
+    const int c = ended_ ? -1 : peek();
+    if (c < 0) {
+        token.kind = TokenKind::End;
+        end(token.where);
+    } else if (c >= 0200) {
+        return binary(token);
+    } else if (c == '[' || c == ']') {
+        skip(1);
+        token.kind = c == '[' ? TokenKind::ArrayBegin : TokenKind::ArrayEnd;
+    } else if (c == '"') {
+        string(token);
+    } else if (c == '\'') {
+        forgive(Slip::Quotes, token.where,
+                "strings stand in \"double quotes\"; those in 'single ones' are taken for strings, "
+                "too");
+        string(token);
+    } else if (atNumber()) {
+        number(token);
+    } else if (isLetter(c)) {
+        request(token);
+    } else if (isSeparator(c)) {
+        forgive(Slip::Separators, token.where,
+                "',' and ';' separate nothing in RIB; they are taken for blanks");
+        skip(1);
+        return false;
+    } else {
+        skipStrayBytes(token.where);
+        return false;
+    }
+    return true;
+}
+
+void Lexer::end(const SourceLocation &where) {
+    if (!source_->failure().empty() && !std::exchange(failureReported_, true))
+        error(where, "the file cannot be read further: " + source_->failure());
+}
+
 void Lexer::skipStrayBytes(const SourceLocation &where) {
-    bool binary = peek() >= 0200;
     std::string bytes;
     do {
         if (bytes.size() < 20)
@@ -151,44 +157,141 @@ void Lexer::skipStrayBytes(const SourceLocation &where) {
         advance();
     } while (peek() >= 0 && !isDelimiter(peek()) && !isWordPart(peek()));
     // Once a file: a file that is no RIB at all would say little else.
-    if (silent_ || std::exchange(strayReported_[binary], true))
-        return;
-    error(where, binary ? "bytes above 127 outside strings and comments are binary "
-                          "RIB, which this version does not read; they are skipped"
-                        : "'" + bytes + "' is no part of RIB; it is skipped");
+    if (!silent_ && !std::exchange(strayReported_, true))
+        error(where, "'" + bytes + "' is no part of RIB; it is skipped");
 }
 
 /// A word: the name of a request, or a number that is none.
-RibToken Lexer::request(RibToken token) {
+void Lexer::request(RibToken &token) {
     while (isWordPart(peek())) {
-        token.text += char(peek());
-        advance();
+        const std::string_view window = source_->window();
+        std::size_t length = 1;
+        while (length < window.size() && isWordPart((unsigned char)window[length]))
+            ++length;
+        token.text += window.substr(0, length);
+        skip(length);
     }
     token.kind = TokenKind::Request;
-    if (auto special = specialNumber(token.text)) {
+    constexpr std::size_t longest = std::string_view("infinity").size();
+    const auto special =
+        token.text.size() <= longest ? parseNumber(token.text) : std::optional<TextNumber>();
+    if (special) {
         token.kind = TokenKind::Number;
-        token.number = *special;
+        token.number = special->value;
+        token.whole = false;
     }
-    return token;
 }
 
 /// What begins as a number and is none is reported and counts as not-a-number: something stands
 /// there, so the count of values stays as the user sees it.
-RibToken Lexer::number(RibToken token) {
+void Lexer::number(RibToken &token) {
     token.kind = TokenKind::Number;
+    const std::string_view window = source_->window();
+    TextNumber plain;
+    const char *stop = parsePlainNumber(window.data(), window.data() + window.size(), plain);
+    if (stop && isDelimiter((unsigned char)*stop)) {
+        token.number = plain.value, token.whole = plain.whole;
+        return skip(std::size_t(stop - window.data()));
+    }
     // A comma within a number may be meant for its point.
     while (!isDelimiter(peek()) && !(isSeparator(peek()) && !isDigit(peek(1)))) {
         token.text += char(peek());
-        advance();
+        skip(1);
     }
-    if (auto value = parseNumber(token.text)) {
-        token.number = *value;
-        token.whole = token.text.find_first_not_of("+-0123456789") == std::string::npos;
+    if (const auto number = parseNumber(token.text)) {
+        token.number = number->value;
+        token.whole = number->whole;
     } else {
         error(token.where, "'" + token.text.substr(0, 40) + "' is no number");
         token.number = std::numeric_limits<double>::quiet_NaN();
+        token.whole = false;
     }
-    return token;
+}
+
+namespace {
+
+// Where numbers are taken to.
+template <class Value> struct VectorRoom {
+    std::vector<Value> &values;
+    static bool isFull() { return false; }
+    void put(double value) { values.push_back(Value(value)); }
+    static bool takes(const TextNumber &number) {
+        return std::is_same_v<Value, float> ||
+               (number.whole && std::fabs(number.value) <= std::numeric_limits<int>::max());
+    }
+};
+
+struct SpanRoom {
+    std::span<float> values;
+    std::size_t count = 0;
+    bool isFull() const { return count == values.size(); }
+    void put(double value) { values[count++] = float(value); }
+    static bool takes(const TextNumber &) { return true; }
+};
+
+/// Of integers in binary, whole ones: as parsePlainNumber() does.
+const char *parseBinaryInteger(const char *begin, const char *end, TextNumber &number) {
+    const int size = (*begin & 3) + 1;
+    if (end - begin <= size)
+        return nullptr;
+    std::int32_t value = (signed char)begin[1];
+    for (int i = 2; i <= size; ++i)
+        value = std::int32_t(std::uint32_t(value) << 8 | (unsigned char)begin[i]);
+    number = {double(value), true};
+    return begin + size + 1;
+}
+
+} // namespace
+
+template <class Room> void Lexer::takePlainNumbers(Room &room) {
+    const std::string_view window = source_->window();
+    const char *const begin = window.data(), *const end = begin + window.size();
+    const char *at = begin;
+    std::int64_t lineStart = 1 - column_; // From the window's beginning.
+    while (!room.isFull()) {
+        const char *word = at;
+        int line = line_;
+        std::int64_t start = lineStart;
+        for (; word != end && (*word == ' ' || *word == '\n' || *word == '\t'); ++word)
+            if (*word == '\n')
+                ++line, start = word + 1 - begin;
+        TextNumber number;
+        const bool binary = word != end && ((unsigned char)*word & 0374) == 0200;
+        const char *stop =
+            binary ? parseBinaryInteger(word, end, number) : parsePlainNumber(word, end, number);
+        if (!stop || !(binary || isDelimiter((unsigned char)*stop)) || !Room::takes(number))
+            break;
+        room.put(number.value);
+        at = stop, line_ = line, lineStart = start;
+    }
+    column_ = at - begin - lineStart + 1;
+    source_->skip(std::size_t(at - begin));
+}
+
+void Lexer::takeNumbers(std::vector<float> &values) {
+    VectorRoom<float> room{values};
+    if (!inArray_)
+        return takePlainNumbers(room);
+    const std::size_t old = values.size();
+    values.resize(old + floatsAtHand());
+    takeBinaryFloats(std::span(values).subspan(old));
+}
+
+void Lexer::takeNumbers(std::vector<int> &values) {
+    VectorRoom<int> room{values};
+    if (!inArray_)
+        takePlainNumbers(room);
+}
+
+std::size_t Lexer::takeNumbers(std::span<float> values) {
+    SpanRoom room{values};
+    if (!inArray_) {
+        takePlainNumbers(room);
+        return room.count;
+    }
+    values = values.first(std::min(values.size(), floatsAtHand()));
+    takeBinaryFloats(values);
+    return values.size();
 }
 
 /// A string may hold line ends. One that is followed by a line beginning with a request has lost
@@ -204,18 +307,24 @@ bool Lexer::requestFollowsLineEnd() {
     return requestNamed(word) && (isBlank(after) || after < 0);
 }
 
-RibToken Lexer::string(RibToken token) {
+void Lexer::string(RibToken &token) {
     token.kind = TokenKind::String;
     const int quote = peek();
-    advance();
+    skip(1);
+    const char special[] = {char(quote), '\\', '\n', '\r', 0};
     for (int c = peek(); c != quote; c = peek()) {
-        bool lineEnd = c == '\n' || c == '\r';
-        if (c < 0 || (lineEnd && requestFollowsLineEnd())) {
-            error(token.where, "unterminated string: expected a closing quote before the end of "
-                               "the " +
-                                   std::string(c < 0 ? "file" : "line"));
-            return token;
+        const std::string_view window = source_->window();
+        if (const std::size_t plain = std::min(window.find_first_of(special), window.size())) {
+            token.text += window.substr(0, plain);
+            skip(plain);
+            continue;
         }
+        bool lineEnd = c == '\n' || c == '\r';
+        if (c < 0 || (lineEnd && requestFollowsLineEnd()))
+            return error(token.where,
+                         "unterminated string: expected a closing quote before the end "
+                         "of the " +
+                             std::string(c < 0 ? "file" : "line"));
         if (c == '\\') {
             escape(token.text);
             continue;
@@ -224,8 +333,7 @@ RibToken Lexer::string(RibToken token) {
             token.text += lineEnd ? '\n' : char(c);
         advance();
     }
-    advance();
-    return token;
+    skip(1);
 }
 
 /// After a backslash: a control character, an octal code, or a line end that is not there.

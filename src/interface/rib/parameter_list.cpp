@@ -15,13 +15,15 @@ static void skipArray(ArgumentCursor &cursor) {
 
 /// Numbers or strings in brackets; false, reported and passed, if they are anything else.
 static bool readValues(ArgumentCursor &cursor, TokenValue &value) {
-    cursor.next();
-    for (; !cursor.at(TokenKind::ArrayEnd); cursor.next()) {
+    cursor.nextNumbers(value.floats);
+    while (!cursor.at(TokenKind::ArrayEnd)) {
         const RibToken &token = cursor.token();
         if (cursor.at(TokenKind::Number) && value.strings.empty()) {
             value.floats.push_back(float(token.number));
+            cursor.nextNumbers(value.floats);
         } else if (cursor.at(TokenKind::String) && value.floats.empty()) {
             value.strings.push_back(token.text);
+            cursor.next();
         } else {
             bool mixed = cursor.at(TokenKind::Number) || cursor.at(TokenKind::String);
             cursor.error(token.where, "parameter '" + value.token + "': " +

@@ -14,12 +14,27 @@ static bool isConditional(RequestId id) {
            id == RequestId::IfEnd;
 }
 
+static Lexer prepared(Lexer lexer, const StreamSink &sink) {
+    if (sink.wantsComments())
+        lexer.keepComments();
+    return lexer;
+}
+
 RequestReader::RequestReader(Lexer lexer, StreamSink &sink, DiagnosticSink &diagnostics)
-    : cursor_(std::move(lexer), diagnostics), sink_(sink), diagnostics_(diagnostics) {}
+    : cursor_(prepared(std::move(lexer), sink), diagnostics), sink_(sink),
+      diagnostics_(diagnostics) {}
 
 void RequestReader::run() {
-    while (!cursor_.at(TokenKind::End) && !sink_.stopped())
+    tellComments();
+    while (!cursor_.at(TokenKind::End) && !sink_.stopped()) {
         readRequest();
+        tellComments();
+    }
+}
+
+void RequestReader::tellComments() {
+    for (const RibComment &comment : cursor_.takeComments())
+        sink_.comment(comment.where, comment.text);
 }
 
 void RequestReader::readRequest() {

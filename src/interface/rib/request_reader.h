@@ -16,6 +16,7 @@ public:
 
 private:
     void readRequest();
+    void tellComments();
     void dispatch(RequestId, const SourceLocation &);
     template <class Sink, class... Arguments>
     void call(void (Sink::*)(const SourceLocation &, Arguments...), const SourceLocation &);

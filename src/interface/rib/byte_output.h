@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where written RIB goes.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace candela {
+
+class ByteOutput {
+public:
+    enum class Packing { Plain, Gzip };
+
+    /// A file, or the standard output ("-"). Nothing if it cannot be opened; `why` then says so.
+    static std::unique_ptr<ByteOutput> open(const std::string &path, Packing, std::string &why);
+    /// Ends up in `text`, which must outlive it.
+    static std::unique_ptr<ByteOutput> toMemory(std::string &text);
+    ~ByteOutput();
+
+    /// Nothing is written any more once it has failed.
+    void write(std::string_view);
+    bool failed() const { return !failure_.empty(); }
+    /// After the last byte: what went wrong, now or earlier; empty if nothing did.
+    std::string close();
+
+private:
+    struct File;
+    ByteOutput();
+
+    std::unique_ptr<File> file_;
+    std::string *text_ = nullptr;
+    std::string failure_;
+};
+
+} // namespace candela
