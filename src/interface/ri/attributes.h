@@ -6,6 +6,7 @@
 #include "foundation/base/matrix4.h"
 #include "foundation/units/color.h"
 #include "interface/ri/parameter_list.h"
+#include "interface/ri/transform_motion.h"
 
 #include <array>
 #include <cstdint>
@@ -16,16 +17,15 @@
 
 namespace candela {
 
-/// A transformation in time: knots in increasing order; one knot = static.
+/// A transformation in time.
 struct MotionTransform {
-    struct Knot {
-        float time = 0;
-        Matrix4 matrix;
-    };
-    std::vector<Knot> knots{Knot{}};
+    Matrix4 matrix; ///< When the shutter opens.
+    /// Null: it stands still. Of objects that are defined outside of worlds this alone counts, as
+    /// the shutter may be set after them.
+    TransformMotion::Shared motion;
 
-    bool moving() const { return knots.size() > 1; }
-    const Matrix4 &atOpen() const { return knots.front().matrix; }
+    bool moving() const { return motion != nullptr; }
+    const Matrix4 &atOpen() const { return matrix; }
 };
 
 /// A shader as bound in the RIB: where its "shader" space stood then, and its parameters.

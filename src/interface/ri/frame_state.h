@@ -41,7 +41,7 @@ struct FrameState {
     }
     /// The current transformation as it is handed on.
     MotionTransform currentFromObject() const {
-        return {{{options.camera.shutterOpen, transform.current.matrix.rounded()}}};
+        return {transform.current.matrix.rounded(), transform.current.motion};
     }
 };
 

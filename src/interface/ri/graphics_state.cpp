@@ -20,6 +20,20 @@ const char *beginOf(int kind) {
 
 } // namespace
 
+bool isTransformation(RequestId id) {
+    switch (id) {
+    case RequestId::Identity:
+    case RequestId::Transform:
+    case RequestId::ConcatTransform:
+    case RequestId::Perspective:
+    case RequestId::Translate:
+    case RequestId::Rotate:
+    case RequestId::Scale:
+    case RequestId::Skew: return true;
+    default: return false;
+    }
+}
+
 GraphicsState::GraphicsState(SceneBuilder &builder, ShaderLookup &shaders, ErrorPolicy &policy,
                              GraphicsStateSettings settings)
     : policy_(policy), diagnostics_(policy),
@@ -79,24 +93,14 @@ void GraphicsState::reportScope(RequestId id, const SourceLocation &where, unsig
                                      "has frozen the options");
 }
 
-/// Only the first sample of a motion block counts; the others must be of the same kind.
-bool GraphicsState::isLaterMotionSample(RequestId id, const SourceLocation &where) {
-    bool inMotion = !blocks_.empty() && blocks_.back().kind == BlockKind::Motion;
-    if (!inMotion || describe(id).name.ends_with("End"))
-        return false;
-    if (!motionRequest_) {
-        motionRequest_ = id;
-        return false;
-    }
-    if (*motionRequest_ != id)
-        policy_.error(where, "a motion block holds requests of one kind: expected " +
-                                 std::string(describe(*motionRequest_).name) + ", found " +
-                                 std::string(describe(id).name));
-    return true;
+bool GraphicsState::isMotionSample(RequestId id) const {
+    return !blocks_.empty() && blocks_.back().kind == BlockKind::Motion &&
+           (isTransformation(id) || describe(id).legalScopes != scope::Everywhere);
 }
 
 bool GraphicsState::admit(RequestId id, const SourceLocation &where) {
-    return !stopped() && isLegal(id, where) && !isLaterMotionSample(id, where) && nest(id, where);
+    return !stopped() && isLegal(id, where) &&
+           (!isMotionSample(id) || takeMotionSample(id, where)) && nest(id, where);
 }
 
 bool GraphicsState::nest(RequestId id, const SourceLocation &where) {
@@ -171,7 +175,10 @@ void GraphicsState::endInnermost(const SourceLocation &where) {
     case BlockKind::Transform: return transformEnd(where);
     case BlockKind::Solid: return solidEnd(where);
     case BlockKind::Object: return objectEnd(where);
-    case BlockKind::Motion: return motionEnd(where);
+    case BlockKind::Motion: // That requests are missing has been said by now.
+        handlers_->endMotion(where);
+        motion_.request.reset();
+        return motionEnd(where);
     }
 }
 

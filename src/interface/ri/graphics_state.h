@@ -19,6 +19,9 @@ namespace candela {
 
 class StateHandlers;
 
+/// Transform, Translate and their like: what motion blocks may say in time.
+bool isTransformation(RequestId);
+
 class GraphicsState final : public RequestSink {
 public:
     /// All three must outlive it. Who else finds something wrong in the user's files is to report
@@ -53,7 +56,8 @@ private:
     bool admit(RequestId, const SourceLocation &);
     bool isLegal(RequestId, const SourceLocation &);
     void reportScope(RequestId, const SourceLocation &, unsigned place);
-    bool isLaterMotionSample(RequestId, const SourceLocation &);
+    bool isMotionSample(RequestId) const;
+    bool takeMotionSample(RequestId, const SourceLocation &);
     unsigned place() const;
     bool isOpen(BlockKind) const;
     /// Keeps the stack of open blocks in step with a legal request; false if it must be dropped.
@@ -65,7 +69,12 @@ private:
     RequestDiagnostics diagnostics_;
     std::unique_ptr<StateHandlers> handlers_;
     std::vector<Block> blocks_;
-    std::optional<RequestId> motionRequest_; ///< What the open motion block is about.
+    /// The open motion block.
+    struct MotionSoFar {
+        std::vector<double> times; ///< Empty: it is faulty.
+        std::optional<RequestId> request;
+        int samples = 0;
+    } motion_;
 };
 
 } // namespace candela

@@ -5,6 +5,8 @@
 #include "interface/ri/state_handlers.h"
 
 #include <algorithm>
+#include <string>
+#include <utility>
 
 namespace candela {
 
@@ -24,17 +26,49 @@ namespace candela {
 void GraphicsState::motionBegin(const SourceLocation &where, const LooseFloats &times) {
     if (!admit(RequestId::MotionBegin, where))
         return;
-    motionRequest_.reset();
-    if (!std::ranges::is_sorted(times.values) || times.values.empty())
-        policy_.error(where, "MotionBegin: expected times in increasing order");
-    diagnostics_.warnOnce(where, "MotionBegin",
-                          "MotionBegin: this version draws moving things where they are at the "
-                          "first time");
+    motion_ = {};
+    const auto later = [](float a, float b) { return !(a < b); };
+    if (times.values.empty() ||
+        std::ranges::adjacent_find(times.values, later) != times.values.end())
+        policy_.error(where, "MotionBegin: expected times in increasing order; what moves is drawn "
+                             "where it is at the first of them");
+    else
+        motion_.times.assign(times.values.begin(), times.values.end());
 }
 
 void GraphicsState::motionEnd(const SourceLocation &where) {
-    if (admit(RequestId::MotionEnd, where))
-        motionRequest_.reset();
+    if (!admit(RequestId::MotionEnd, where))
+        return;
+    const MotionSoFar motion = std::exchange(motion_, {});
+    if (!motion.request)
+        return;
+    const std::string name(describe(*motion.request).name);
+    if (!motion.times.empty() && std::size_t(motion.samples) != motion.times.size())
+        policy_.error(where, "MotionEnd: expected a " + name + " for each of the " +
+                                 std::to_string(motion.times.size()) + " times, found " +
+                                 std::to_string(motion.samples));
+    handlers_->endMotion(where);
+}
+
+/// The first sample tells what the block is about; the others must be of the same kind. False for
+/// those that do nothing.
+bool GraphicsState::takeMotionSample(RequestId id, const SourceLocation &where) {
+    if (motion_.request && *motion_.request != id) {
+        policy_.error(where, "a motion block holds requests of one kind: expected " +
+                                 std::string(describe(*motion_.request).name) + ", found " +
+                                 std::string(describe(id).name));
+        return false;
+    }
+    const bool moves = isTransformation(id) && !motion_.times.empty();
+    const bool isFirst = motion_.samples++ == 0;
+    motion_.request = id;
+    if (isFirst && moves)
+        handlers_->beginMotion(motion_.times);
+    if (isFirst && !moves && !motion_.times.empty())
+        diagnostics_.warnOnce(where, "MotionBegin",
+                              "MotionBegin: this version moves transformations alone; other "
+                              "requests are done as they are at the first time");
+    return isFirst || moves;
 }
 
 } // namespace candela

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Object definitions, their instances, and motion blocks.
+// Object definitions and their instances.
 #include "interface/ri/graphics_state_fixture.h"
 
 namespace candela::testing {
@@ -296,47 +296,6 @@ TEST_F(State, instancesShareTheirAttributes) {
     ASSERT_EQ(instances.size(), 10000u);
     for (const auto &instance : instances)
         EXPECT_EQ(instance.attributes, instances[0].attributes);
-}
-
-TEST_F(State, motionBlocksShowTheFirstTime) {
-    state.worldBegin(at);
-    state.motionBegin(at, {{0, 1}});
-    state.translate(at, 1, 0, 0);
-    state.translate(at, 9, 0, 0);
-    state.motionEnd(at);
-    sphere();
-    EXPECT_EQ(primitives()[0].place(0, 0, 0).x, 1);
-    EXPECT_EQ(warnings(), 1);
-    state.motionBegin(at, {{0, 1}});
-    state.translate(at, 1, 0, 0);
-    state.rotate(at, 9, 0, 0, 1);
-    state.motionEnd(at);
-    EXPECT_TRUE(says("expected Translate, found Rotate"));
-    EXPECT_EQ(errors(), 1);
-}
-
-TEST_F(State, motionInObjectsIsTheFirstTimeToo) {
-    state.worldBegin(at);
-    state.objectBegin(at, {"o"});
-    state.motionBegin(at, {{0, 1}});
-    state.translate(at, 1, 0, 0);
-    state.translate(at, 9, 0, 0);
-    state.motionEnd(at);
-    sphere();
-    state.objectEnd(at);
-    state.objectInstance(at, {"o"});
-    const auto &parts = builder.worlds.back().objects.at(0).primitives;
-    ASSERT_EQ(parts.size(), 1u);
-    EXPECT_EQ(parts[0].place(0, 0, 0).x, 1);
-}
-
-TEST_F(State, unclosedMotionBlocksDoNotSwallowTheWorld) {
-    state.worldBegin(at);
-    state.motionBegin(at, {{0, 1}});
-    state.translate(at, 1, 0, 0);
-    state.worldEnd(at);
-    EXPECT_EQ(errors(), 1);
-    EXPECT_TRUE(builder.worlds.back().ended);
 }
 
 } // namespace candela::testing

@@ -41,9 +41,10 @@ struct CameraRecord {
     bool perspective = false;
     float fieldOfView = 90; ///< Degrees across the narrower axis of the default screen window.
     float near = 1e-10f, far = 1e30f;
-    Matrix4 cameraFromWorld; ///< The CTM at WorldBegin.
+    Matrix4 cameraFromWorld; ///< The CTM at WorldBegin, when the shutter opens.
     Matrix4d
         exactCameraFromWorld; ///< The same before it was rounded: for points of far-off worlds.
+    TransformMotion::Shared motion; ///< cameraFromWorld in time; null: the camera stands still.
     /// What stood before Projection (RI 3.2, 4.1.1): moves the projected picture, where the screen
     /// window is, and its depth. Affine, invertible, and x and y do not depend on z.
     Matrix4 screenFromProjected;

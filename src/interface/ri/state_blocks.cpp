@@ -92,6 +92,11 @@ void StateHandlers::worldBegin(const SourceLocation &where) {
             "is seen without it");
         state_.transform.current = {};
     }
+    // Current space is the camera's when the shutter opens; what moves is the camera in it.
+    state_.options.camera.motion = std::move(state_.transform.current.motion);
+    if (state_.options.camera.motion)
+        assign(state_.transform.current,
+               state_.options.camera.motion->at(state_.options.camera.shutterOpen));
     const Matrix4 cameraFromWorld = state_.transform.current.matrix.rounded();
     state_.options.camera.cameraFromWorld = cameraFromWorld;
     state_.options.camera.exactCameraFromWorld = state_.transform.current.matrix;

@@ -26,11 +26,21 @@ public:
     void handler(const SourceLocation &where CANDELA_PARAMETERS(__VA_ARGS__));
 #include "interface/ri/requests.def"
 
+    /// Around the requests of a motion block about transformations; times in increasing order.
+    void beginMotion(const std::vector<double> &times);
+    void endMotion(const SourceLocation &);
+
     std::optional<std::string> findArchive(const std::string &name,
                                            const SourceLocation &where) const;
     std::optional<StateValue> valueOf(const std::string &name) const;
 
 private:
+    /// A motion block about the transformation.
+    struct OpenMotion {
+        std::vector<double> times;
+        std::vector<TransformSample> samples;
+        bool fromBase = false; ///< Transform, Identity: they replace what there is.
+    };
     /// What the blocks inside frames and worlds save.
     struct SavedBlock {
         TransformState transform;
@@ -42,8 +52,10 @@ private:
     void saveFrame();
     void restoreFrame();
 
-    void setTransform(const SourceLocation &, const char *request, const Matrix4d &);
-    void concatenate(const SourceLocation &, const char *request, const Matrix4d &);
+    void report(const SourceLocation &, const char *request, TransformDefect);
+    /// In motion blocks these are samples, which endMotion() puts to use.
+    void concatenate(const SourceLocation &, const char *request, const TransformSample &);
+    void replace(const SourceLocation &, const char *request, const TransformSample &);
     /// True, and a warning, if the current transformation is singular.
     bool isFlat(const SourceLocation &, const char *request, const char *what);
     ShaderRecord shader(const SourceLocation &, const char *request, ShaderKind,
@@ -67,6 +79,7 @@ private:
     int lightLists_ = 0; ///< Frames and worlds that have ended, with their lights.
 
     FrameState state_;
+    std::optional<OpenMotion> motion_;
     std::vector<FrameState> savedFrames_;
     std::vector<SavedBlock> savedBlocks_;
 };

@@ -6,9 +6,10 @@
 
 namespace candela {
 
-void StateHandlers::setTransform(const SourceLocation &where, const char *request,
-                                 const Matrix4d &matrix) {
-    const TransformDefect defect = assign(state_.transform.current, matrix);
+using Kind = TransformSample::Kind;
+
+void StateHandlers::report(const SourceLocation &where, const char *request,
+                           TransformDefect defect) {
     if (defect == TransformDefect::Projective)
         diagnostics_.warnOnce(where, "projective",
                               std::string(request) +
@@ -21,8 +22,20 @@ void StateHandlers::setTransform(const SourceLocation &where, const char *reques
 }
 
 void StateHandlers::concatenate(const SourceLocation &where, const char *request,
-                                const Matrix4d &matrix) {
-    setTransform(where, request, matrix * state_.transform.current.matrix);
+                                const TransformSample &sample) {
+    if (motion_)
+        return motion_->samples.push_back(sample);
+    report(where, request, candela::concatenate(state_.transform.current, sample.factor()));
+}
+
+void StateHandlers::replace(const SourceLocation &where, const char *request,
+                            const TransformSample &sample) {
+    if (motion_) {
+        motion_->fromBase = true;
+        return motion_->samples.push_back(sample);
+    }
+    report(where, request,
+           assign(state_.transform.current, sample.factor() * state_.transform.base.matrix));
 }
 
 bool StateHandlers::isFlat(const SourceLocation &where, const char *request, const char *what) {
@@ -34,27 +47,25 @@ bool StateHandlers::isFlat(const SourceLocation &where, const char *request, con
     return flat;
 }
 
-void StateHandlers::identity(const SourceLocation &) {
-    state_.transform.current = state_.transform.base;
-}
+void StateHandlers::identity(const SourceLocation &where) { replace(where, "Identity", {}); }
 
 void StateHandlers::transform(const SourceLocation &where, const Matrix4 &matrix) {
-    setTransform(where, "Transform", inDouble(matrix) * state_.transform.base.matrix);
+    replace(where, "Transform", {Kind::Matrix, inDouble(matrix), 0, {}, {}});
 }
 
 void StateHandlers::concatTransform(const SourceLocation &where, const Matrix4 &matrix) {
-    concatenate(where, "ConcatTransform", inDouble(matrix));
+    concatenate(where, "ConcatTransform", {Kind::Matrix, inDouble(matrix), 0, {}, {}});
 }
 
 void StateHandlers::perspective(const SourceLocation &where, float fieldOfView) {
     if (!(fieldOfView > 0 && fieldOfView < 180))
         return diagnostics_.error(where, "Perspective",
                                   "expected an angle between 0 and 180 degrees");
-    concatenate(where, "Perspective", perspectiveInDouble(fieldOfView));
+    concatenate(where, "Perspective", {Kind::Matrix, perspectiveInDouble(fieldOfView), 0, {}, {}});
 }
 
 void StateHandlers::translate(const SourceLocation &where, float dx, float dy, float dz) {
-    concatenate(where, "Translate", translationInDouble(dx, dy, dz));
+    concatenate(where, "Translate", {Kind::Translation, {}, 0, {dx, dy, dz}, {}});
 }
 
 void StateHandlers::rotate(const SourceLocation &where, float angle, float dx, float dy, float dz) {
@@ -63,11 +74,11 @@ void StateHandlers::rotate(const SourceLocation &where, float angle, float dx, f
     if (length({dx, dy, dz}) == 0)
         return diagnostics_.error(where, "Rotate",
                                   "the axis has no length; the request is left out");
-    concatenate(where, "Rotate", rotationInDouble(angle, {dx, dy, dz}));
+    concatenate(where, "Rotate", {Kind::Rotation, {}, angle, {dx, dy, dz}, {}});
 }
 
 void StateHandlers::scale(const SourceLocation &where, float sx, float sy, float sz) {
-    concatenate(where, "Scale", scalingInDouble(sx, sy, sz));
+    concatenate(where, "Scale", {Kind::Scaling, {}, 0, {sx, sy, sz}, {}});
 }
 
 void StateHandlers::skew(const SourceLocation &where, float angle, float dx1, float dy1, float dz1,
@@ -82,7 +93,31 @@ void StateHandlers::skew(const SourceLocation &where, float angle, float dx1, fl
         return diagnostics_.error(where, "Skew",
                                   "expected an angle below the one between the axes and above "
                                   "that minus 180 degrees");
-    concatenate(where, "Skew", skewInDouble(angle, turned, towards));
+    concatenate(where, "Skew", {Kind::Skew, {}, angle, turned, towards});
+}
+
+void StateHandlers::beginMotion(const std::vector<double> &times) {
+    motion_ = OpenMotion{times, {}, false};
+}
+
+void StateHandlers::endMotion(const SourceLocation &where) {
+    if (!motion_)
+        return;
+    const OpenMotion motion = std::move(*motion_);
+    motion_.reset();
+    if (motion.samples.empty())
+        return;
+    CurrentTransform around = motion.fromBase ? state_.transform.base : state_.transform.current;
+    MotionBlock block{motion.times, motion.samples};
+    const std::size_t samples = std::min(block.times.size(), block.samples.size());
+    block.times.resize(samples), block.samples.resize(samples);
+    const TransformDefect defect =
+        samples == 1 ? candela::concatenate(around, block.samples.front().factor())
+                     : candela::concatenate(around, std::make_shared<const MotionBlock>(block),
+                                            state_.options.camera.shutterOpen);
+    report(where, "MotionEnd", defect);
+    if (defect == TransformDefect::None)
+        state_.transform.current = around;
 }
 
 void StateHandlers::coordinateSystem(const SourceLocation &, const std::string &name) {

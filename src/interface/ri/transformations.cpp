@@ -42,7 +42,38 @@ TransformDefect assign(CurrentTransform &transform, const Matrix4d &matrix) {
         return TransformDefect::Projective;
     if (!kept || !isFiniteAsFloats(*kept))
         return TransformDefect::NotFinite;
-    transform = {*kept, flattens(*kept)};
+    transform = {*kept, nullptr, flattens(*kept)};
+    return TransformDefect::None;
+}
+
+TransformDefect concatenate(CurrentTransform &transform, const Matrix4d &inner) {
+    const TransformMotion::Shared motion = transform.motion;
+    const bool flat = motion && transform.flat;
+    const TransformDefect defect = assign(transform, inner * transform.matrix);
+    if (motion && defect == TransformDefect::None) {
+        transform.motion = motion->after(inner);
+        transform.flat |= flat;
+    }
+    return defect;
+}
+
+TransformDefect concatenate(CurrentTransform &transform, std::shared_ptr<const MotionBlock> block,
+                            double open) {
+    const auto around = transform.motion;
+    const auto motion = around ? std::make_shared<const TransformMotion>(block, around)
+                               : std::make_shared<const TransformMotion>(block, transform.matrix);
+    bool flat = transform.flat;
+    CurrentTransform moved;
+    for (const double time : block->times) {
+        if (const TransformDefect defect = assign(moved, motion->at(time));
+            defect != TransformDefect::None)
+            return defect;
+        flat |= moved.flat;
+    }
+    if (const TransformDefect defect = assign(moved, motion->at(open));
+        defect != TransformDefect::None)
+        return defect;
+    transform = {moved.matrix, motion, moved.flat || flat};
     return TransformDefect::None;
 }
 

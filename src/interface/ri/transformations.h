@@ -2,14 +2,15 @@
 // The current transformation (RI 3.2, section 4.3), composed in double. Private to the room.
 #pragma once
 
-#include "foundation/base/matrix4d.h"
+#include "interface/ri/transform_motion.h"
 
 namespace candela {
 
 /// Current (camera) from object space.
 struct CurrentTransform {
-    Matrix4d matrix;
-    bool flat = false; ///< It is singular: what stands under it is left out.
+    Matrix4d matrix;                ///< When the shutter opens.
+    TransformMotion::Shared motion; ///< Null: it stands still.
+    bool flat = false;              ///< It is singular: what stands under it is left out.
 };
 
 /// What TransformBegin saves.
@@ -25,7 +26,11 @@ enum class TransformDefect {
     NotFinite,  ///< Or a projection onto a plane; also where the world's floats could not hold it.
 };
 
-/// The matrix becomes the transformation unless it has a defect.
+/// The matrix becomes the transformation, which stands still, unless it has a defect.
 TransformDefect assign(CurrentTransform &, const Matrix4d &);
+/// What goes through `inner` before; likewise.
+TransformDefect concatenate(CurrentTransform &, const Matrix4d &inner);
+/// What goes through the block before; likewise, at all of the block's times.
+TransformDefect concatenate(CurrentTransform &, std::shared_ptr<const MotionBlock>, double open);
 
 } // namespace candela

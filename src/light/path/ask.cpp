@@ -61,6 +61,7 @@ private:
 
 void seeFirstSurface(PathWave &wave) {
     VertexChunk &chunk = wave.chunk;
+    const Camera &camera = wave.frame.scene.camera();
     ToldInputs told(wave);
     std::array<const float *, colorSamples> albedo{};
     if (wantsAlbedo(wave))
@@ -72,6 +73,10 @@ void seeFirstSurface(PathWave &wave) {
         for (int i = 0; i < chunk.count(); ++i) {
             if (from.id)
                 values[chunk.paths.slot[i]] = float(chunk.vertices.points.id[i]);
+            else if (from.depth && camera.moves())
+                values[chunk.paths.slot[i]] = camera.depth(
+                    {chunk.vertices.P()[0][i], chunk.vertices.P()[1][i], chunk.vertices.P()[2][i]},
+                    chunk.vertices.points.input(int(ShaderInput::time))[i]);
             else if (from.albedo >= 0)
                 values[chunk.paths.slot[i]] = albedo[from.albedo][i];
             else if (input)

@@ -79,6 +79,7 @@ void emit(PathWave &wave) {
     asked.P = {emission.origin[0], emission.origin[1], emission.origin[2]};
     asked.N = {left.N[0], left.N[1], left.N[2]};
     asked.lightSet = left.lightSet;
+    asked.time = points.input(int(ShaderInput::time));
     markHeard(wave.frame.scene, count, left, emission.heard[0]);
     asked.scattered = emission.heard[0];
     const MutableVec3Planes met{emission.met[0], emission.met[1], emission.met[2]};

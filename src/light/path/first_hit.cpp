@@ -18,7 +18,7 @@ struct Source {
 constexpr float farAway = 1e30f; ///< RI_INFINITY: the depth of the background.
 
 constexpr Source sources[] = {
-    {"z", 1, {int(ShaderInput::P) + 2, false, farAway}},
+    {"z", 1, {int(ShaderInput::P) + 2, false, farAway, -1, true}},
     {"P", 3, {int(ShaderInput::P), false, 0}},
     {"N", 3, {int(ShaderInput::N), false, 0}},
     {"Ng", 3, {int(ShaderInput::Ng), false, 0}},

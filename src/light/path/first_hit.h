@@ -17,6 +17,7 @@ struct FirstHitPlane {
     bool id = false;
     float background = 0; ///< Where nothing is hit.
     int albedo = -1;      ///< Which of its colour samples (path/albedo.h), -1 = not that.
+    bool depth = false;   ///< From the camera at the path's time.
 };
 
 /// The planes of all channels after Ci and Oi, in their order. Channels of unknown name stay 0.

@@ -87,13 +87,33 @@ void onDisc(float u, float v, float radius, float &x, float &y) {
 
 constexpr int chunk = 256;
 
+/// Of a camera that moves: where points of the space that is current when the shutter opens are for
+/// it. One step if it stands still.
+std::vector<Matrix4> stepsOf(const CameraRecord &record, const Shutter &shutter, bool inverted) {
+    std::vector<double> times;
+    record.motion->addTimes(times);
+    const Matrix4d atOpen = record.motion->at(shutter.open);
+    const auto cameraFromCurrent = [&](double time) {
+        const Matrix4d moved = record.motion->at(time);
+        const Matrix4d &from = inverted ? moved : atOpen, &to = inverted ? atOpen : moved;
+        return inverse(from).value_or(Matrix4d{}) * to;
+    };
+    return motionSteps(cameraFromCurrent, times, shutter);
+}
+
 } // namespace
 
 Camera::Camera(const Options &options) {
     const CameraRecord &record = options.camera;
     perspective_ = record.perspective;
     near_ = record.near, far_ = record.far;
-    shutterOpen_ = record.shutterOpen, shutterClose_ = record.shutterClose;
+    shutter_ = {record.shutterOpen, record.shutterClose};
+    if (record.motion && shutter_.hasInterval()) {
+        cameraFromCurrent_ = stepsOf(record, shutter_, false);
+        currentFromCamera_ = stepsOf(record, shutter_, true);
+        if (cameraFromCurrent_.size() == 1)
+            cameraFromCurrent_.clear(), currentFromCamera_.clear();
+    }
     focal_ = 1;
     if (perspective_)
         focal_ = float(1 / std::tan(double(record.fieldOfView) * std::numbers::pi / 360));
@@ -154,10 +174,35 @@ void Camera::rays(int count, const float *x, const float *y, const float *lensU,
     }
     lanes::fill(count, perspective_ ? 0 : pixelSize(0), batch.width);
     lanes::fill(count, perspective_ ? pixelSize(1) : 0, batch.spread);
-    lanes::fill(count, shutterOpen_, batch.time);
+    lanes::fill(count, shutter_.open, batch.time);
     if (hasShutterInterval())
         for (int i = 0; i < count; ++i)
-            batch.time[i] += time01[i] * (shutterClose_ - shutterOpen_);
+            batch.time[i] += time01[i] * (shutter_.close - shutter_.open);
+    if (moves())
+        moveWithCamera(batch);
+}
+
+/// From camera space at the rays' times to current space.
+void Camera::moveWithCamera(RayBatch &batch) const {
+    for (int i = 0; i < batch.count; ++i) {
+        const Matrix4 moved = matrixAt(currentFromCamera_, shutter_.share(batch.time[i]));
+        const Vec3 origin{batch.origin[0][i], batch.origin[1][i], batch.origin[2][i]};
+        const Vec3 direction{batch.direction[0][i], batch.direction[1][i], batch.direction[2][i]};
+        const Vec3 from = transformPoint(moved, origin), way = transformVector(moved, direction);
+        const float stretch = length(way);
+        for (int c = 0; c < 3; ++c)
+            batch.origin[c][i] = from[c], batch.direction[c][i] = way[c] / stretch;
+        batch.tMin[i] *= stretch, batch.tMax[i] *= stretch;
+    }
+}
+
+Vec3 Camera::eye(float time) const {
+    return moves() ? transformPoint(matrixAt(currentFromCamera_, shutter_.share(time)), {})
+                   : Vec3{};
+}
+
+float Camera::depth(Vec3 P, float time) const {
+    return moves() ? transformPoint(matrixAt(cameraFromCurrent_, shutter_.share(time)), P).z : P.z;
 }
 
 float Camera::pdf(float cosine) const {

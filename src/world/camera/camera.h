@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// From raster positions to rays. Current space is camera space, so the camera stands at the
-// origin and looks along +z (perspective), or looks along +z from the screen window's plane
-// (orthographic).
+// From raster positions to rays. Current space is camera space when the shutter opens, so the
+// camera stands at the origin and looks along +z (perspective), or looks along +z from the screen
+// window's plane (orthographic); what moves is the camera, afterwards.
 #pragma once
 
 #include "foundation/base/box3.h"
 #include "foundation/base/matrix4.h"
+#include "foundation/base/motion_steps.h"
 #include "interface/ri/options.h"
 #include "world/rays/ray_batch.h"
 
 #include <array>
 #include <optional>
+#include <span>
+#include <vector>
 
 namespace candela {
 
@@ -45,10 +48,21 @@ public:
     float pdf(float cosine) const;
     /// All rays have one direction.
     bool isParallel() const { return !perspective_; }
-    float shutterOpen() const { return shutterOpen_; }
+    float shutterOpen() const { return shutter_.open; }
+    const Shutter &shutter() const { return shutter_; }
 
     bool hasLens() const { return lensRadius_ > 0; }
-    bool hasShutterInterval() const { return shutterClose_ != shutterOpen_; }
+    bool hasShutterInterval() const { return shutter_.hasInterval(); }
+
+    /// It moves while the shutter is open. What see() and the matrices below tell is when it opens.
+    bool moves() const { return !cameraFromCurrent_.empty(); }
+    /// Where points of current space are for it, at even steps over the shutter's interval; empty
+    /// if it stands still.
+    std::span<const Matrix4> cameraFromCurrent() const { return cameraFromCurrent_; }
+    /// The middle of the lens.
+    Vec3 eye(float time) const;
+    /// z in the space of the camera at that time.
+    float depth(Vec3 P, float time) const;
 
     /// "screen", "NDC" and "raster" seen from camera space (homogeneous; RI 3.2, 4.1.1).
     const Matrix4 &screenFromCamera() const { return screenFromCamera_; }
@@ -65,6 +79,7 @@ public:
 
 private:
     float atDepth(float z) const { return perspective_ ? z : 1; }
+    void moveWithCamera(RayBatch &) const;
 
     Matrix4 screenFromCamera_, ndcFromCamera_, rasterFromCamera_;
     bool perspective_ = false;
@@ -74,10 +89,11 @@ private:
     float origin_[2] = {-1, 1}, xStep_[2] = {}, yStep_[2] = {};
     float low_[2] = {}, high_[2] = {}; ///< Bounds of the frame on that plane.
     float lensRadius_ = 0, focalDistance_ = 0;
-    float shutterOpen_ = 0, shutterClose_ = 0;
-    float pixelArea_ = 1;  ///< On that plane,
-    double frameArea_ = 1; ///< and of the whole frame.
-    float focal_ = 1;      ///< Distance of the screen plane for which the screen window is stated.
+    Shutter shutter_;
+    std::vector<Matrix4> cameraFromCurrent_, currentFromCamera_; ///< See cameraFromCurrent().
+    float pixelArea_ = 1;                                        ///< On that plane,
+    double frameArea_ = 1;                                       ///< and of the whole frame.
+    float focal_ = 1; ///< Distance of the screen plane for which the screen window is stated.
 };
 
 } // namespace candela

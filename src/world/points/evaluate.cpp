@@ -61,7 +61,8 @@ void takeInstances(const PointTables &tables, const SurfaceCode &code, ShadingPo
         points.objectIndex[i] = 0;
         if (!code.readsObjectSpace)
             continue;
-        const Matrix4 currentFromShape = tables.currentFromShape(number, points.shape[i]);
+        const Matrix4 currentFromShape =
+            tables.currentFromShape(number, points.shape[i], points.input(ShaderInput::time, 0)[i]);
         const Matrix4 shapeFromCurrent = inverse(currentFromShape).value_or(Matrix4{});
         points.objectIndex[i] = -1 - std::int32_t(points.objectMatrices.size() / 32);
         for (const Matrix4 *matrix : {&currentFromShape, &shapeFromCurrent})
@@ -221,14 +222,26 @@ void evaluatePoints(const PointTables &tables, const Camera &camera, const Surfa
     addRounding(points.count, vec3(points, ShaderInput::P), pointRounding, points.offset);
     if (code.wanted.footprint)
         fillFootprints(camera, rays, points);
+    if (code.code)
+        points.parameters.take(*code.code, tables.shutter, points.count, points.parameterOffset,
+                               points.input(ShaderInput::time, 0));
 }
 
 void placeElementNormals(const PointTables &tables, int count, const std::uint32_t *instance,
-                         float *const *Ng) {
-    for (int i = 0; i < count; ++i)
-        if (instance[i] != noHit)
-            transformNormalsEach(1, tables.instanceMatrices.data(), instance + i,
-                                 {Ng[0] + i, Ng[1] + i, Ng[2] + i});
+                         const float *time, float *const *Ng) {
+    for (int i = 0; i < count; ++i) {
+        if (instance[i] == noHit)
+            continue;
+        const Vec3Planes normal{Ng[0] + i, Ng[1] + i, Ng[2] + i};
+        if (tables.instances[instance[i]].steps == 0) {
+            transformNormalsEach(1, tables.instanceMatrices.data(), instance + i, normal);
+            continue;
+        }
+        float matrices[32];
+        tables.placeAt(instance[i], time[i], matrices);
+        const std::uint32_t row = 0;
+        transformNormalsEach(1, matrices, &row, normal);
+    }
 }
 
 void bindPoints(const PointTables &tables, int code, const ShadingPoints &points,
@@ -242,6 +255,7 @@ void bindPoints(const PointTables &tables, int code, const ShadingPoints &points
         points.objectMatrices.empty() ? tables.shapeMatrices.data() : points.objectMatrices.data();
     args.variables = points.variableTable.data();
     tables.codes[code].code->bind(args);
+    points.parameters.bind(args);
 }
 
 } // namespace candela

@@ -203,7 +203,7 @@ private:
     /// Primitive variables that override parameters.
     void variables() {
         const std::int32_t appearance =
-            run_.tables.appearanceOf(run_.instance[0], points_.shape[run_.order[0]]);
+            run_.tables.appearanceOf(points_.instance[run_.order[0]], points_.shape[run_.order[0]]);
         const std::vector<int> &overriding = run_.tables.details[appearance].overriding;
         for (std::size_t name = 0; name < code_.variableNames.size(); ++name) {
             const int variable = overriding[name];

@@ -73,13 +73,23 @@ void WantedInputs::add(const std::vector<bool> &inputsRead) {
     dPd |= footprint;
 }
 
-Matrix4 PointTables::currentFromShape(std::uint32_t instance, std::uint32_t shape) const {
+Matrix4 PointTables::currentFromShape(std::uint32_t instance, std::uint32_t shape,
+                                      float time) const {
     const Matrix4 &outerFromShape = shapes[shape].outerFromShape;
     if (instance == noHit)
         return outerFromShape;
+    if (instances[instance].steps > 0)
+        return outerFromShape * matrixAt(stepsOf(instance), shutter.share(time));
     Matrix4 currentFromOuter;
     std::copy_n(matricesOf(instance), 16, currentFromOuter.m.begin());
     return outerFromShape * currentFromOuter;
+}
+
+void PointTables::placeAt(std::uint32_t instance, float time, float *matrices) const {
+    if (instances[instance].steps > 0)
+        matricesAt(stepsOf(instance), shutter.share(time), matrices);
+    else
+        std::copy_n(matricesOf(instance), 32, matrices);
 }
 
 } // namespace candela

@@ -3,6 +3,7 @@
 // codes that shade them.
 #pragma once
 
+#include "foundation/base/motion_steps.h"
 #include "foundation/units/color.h"
 #include "interface/ri/attributes.h"
 #include "world/camera/camera.h"
@@ -41,13 +42,15 @@ struct AppearanceDetail {
     std::vector<int> overriding;
 };
 
-/// A placed object. Its shapes are consecutive, and so are their appearances.
+/// A placed object, or what moves together in the world. Its shapes are consecutive, and so are
+/// their appearances.
 struct Instance {
     std::uint32_t firstShape = 0, shapes = 0;
     std::int32_t firstAppearance = 0;
     std::int32_t firstId = 0;
-    float stretch = 1;    ///< The largest factor by which it stretches lengths.
-    float handedness = 1; ///< -1: it mirrors.
+    float stretch = 1;                      ///< The largest factor by which it stretches lengths.
+    float handedness = 1;                   ///< -1: it mirrors.
+    std::uint32_t firstStep = 0, steps = 0; ///< In PointTables::steps; none where it stands still.
 };
 
 /// Inputs that evaluation may leave out.
@@ -93,7 +96,10 @@ struct PointTables {
     std::uint32_t worldShapes = 0;
     std::vector<float> shapeMatrices; ///< Of the world's shapes: 32 floats each, see ShaderArgs.
     std::vector<Instance> instances;
-    std::vector<float> instanceMatrices; ///< currentFromObject and its inverse: 32 floats each.
+    /// currentFromObject and its inverse, when the shutter opens: 32 floats each.
+    std::vector<float> instanceMatrices;
+    std::vector<Matrix4> steps; ///< Where moving instances are over the shutter's interval.
+    Shutter shutter;
     std::vector<Appearance> appearances; ///< Those of the world's shapes first, in their order.
     std::vector<AppearanceDetail> details;
     std::vector<SurfaceCode> codes;
@@ -105,7 +111,15 @@ struct PointTables {
         return instances[instance].firstAppearance +
                std::int32_t(shape - instances[instance].firstShape);
     }
-    Matrix4 currentFromShape(std::uint32_t instance, std::uint32_t shape) const;
+    Matrix4 currentFromShape(std::uint32_t instance, std::uint32_t shape, float time) const;
+    /// False where all stands still: times need not be looked at.
+    bool anythingMoves() const { return !steps.empty(); }
+    std::span<const Matrix4> stepsOf(std::uint32_t instance) const {
+        const Instance &placed = instances[instance];
+        return {steps.data() + placed.firstStep, placed.steps};
+    }
+    /// currentFromObject and its inverse at that time: 32 floats.
+    void placeAt(std::uint32_t instance, float time, float *matrices) const;
     const float *matricesOf(std::uint32_t instance) const {
         return instanceMatrices.data() + 32 * std::size_t(instance);
     }

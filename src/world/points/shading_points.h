@@ -5,6 +5,7 @@
 
 #include "foundation/base/planes.h"
 #include "language/runtime/shader_abi.h"
+#include "world/shading/moving_parameters.h"
 
 #include <cstdint>
 #include <vector>
@@ -39,7 +40,8 @@ struct ShadingPoints {
     /// v).
     bool named = false;
     Planes<float> floats;
-    Planes<float> variables; ///< Planes that override parameters.
+    Planes<float> variables;     ///< Planes that override parameters.
+    MovingParameters parameters; ///< At the points' times, where the shader's change.
     std::vector<float *> variableTable;
     /// "object" space of points on instances, if the code reads it: see objectIndex.
     std::vector<float> objectMatrices;

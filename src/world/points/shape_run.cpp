@@ -19,7 +19,8 @@ void nameOnSphere(const ShapeRun &run, ShadingPoints &points, RunScratch &own) {
                       planes + c * run.stride);
     for (int k = 0; run.placed && k < run.count; ++k) {
         Matrix4 objectFromCurrent;
-        std::copy_n(run.tables.matricesOf(run.instance[k]) + 16, 16, objectFromCurrent.m.begin());
+        std::copy_n(run.matrices + 32 * std::size_t(run.row[k]) + 16, 16,
+                    objectFromCurrent.m.begin());
         P.set(k, transformPoint(objectFromCurrent, P.get(k)));
     }
     transformPoints(run.count, run.shape.shapeFromOuter, P);
@@ -41,6 +42,26 @@ void name(const ShapeRun &run, ShadingPoints &points, RunScratch &own) {
     }
 }
 
+/// Where the points' instances stand: of those that move, at the points' times.
+void place(ShapeRun &run, const ShadingPoints &points, std::uint32_t *row, RunScratch &own) {
+    const PointTables &tables = run.tables;
+    run.matrices = tables.instanceMatrices.data(), run.row = row;
+    bool moves = false;
+    for (int k = 0; k < run.count; ++k) {
+        row[k] = points.instance[run.order[k]];
+        moves |= run.placed && tables.instances[row[k]].steps > 0;
+    }
+    if (!moves)
+        return;
+    float *matrices = own.matrices.get(32 * std::size_t(run.count));
+    const float *time = points.inputTable[std::size_t(ShaderInput::time)];
+    for (int k = 0; k < run.count; ++k) {
+        tables.placeAt(row[k], time[run.order[k]], matrices + 32 * std::size_t(k));
+        row[k] = std::uint32_t(k);
+    }
+    run.matrices = matrices;
+}
+
 } // namespace
 
 ShapeRun makeRun(const PointTables &tables, ShadingPoints &points, const std::int32_t *order,
@@ -48,24 +69,26 @@ ShapeRun makeRun(const PointTables &tables, ShadingPoints &points, const std::in
     const int stride = paddedLanes(count);
     float *names = own.names.get(3 * std::size_t(stride));
     std::uint32_t *integers = own.integers.get(3 * std::size_t(stride));
-    const ShapeRun run{tables,
-                       tables.shapes[points.shape[order[0]]],
-                       order,
-                       count,
-                       stride,
-                       points.instance[order[0]] != noHit,
-                       names,
-                       names + stride,
-                       names + 2 * stride,
-                       integers,
-                       integers + stride,
-                       integers + 2 * stride};
+    ShapeRun run{tables,
+                 tables.shapes[points.shape[order[0]]],
+                 order,
+                 count,
+                 stride,
+                 points.instance[order[0]] != noHit,
+                 nullptr,
+                 nullptr,
+                 names,
+                 names + stride,
+                 names + 2 * stride,
+                 integers,
+                 integers + stride};
     for (int k = 0; k < count; ++k) {
         const int i = order[k];
         run.sign[k] = normalSign ? normalSign[i] : 1;
-        run.instance[k] = points.instance[i], run.element[k] = points.element[i];
+        run.element[k] = points.element[i];
         run.u[k] = points.u[i], run.v[k] = points.v[i];
     }
+    place(run, points, integers + 2 * stride, own);
     name(run, points, own);
     return run;
 }
@@ -73,19 +96,19 @@ ShapeRun makeRun(const PointTables &tables, ShadingPoints &points, const std::in
 void placeVectors(const ShapeRun &run, Vec3Planes planes) {
     transformVectors(run.count, run.shape.outerFromShape, planes);
     if (run.placed)
-        transformVectorsEach(run.count, run.tables.instanceMatrices.data(), run.instance, planes);
+        transformVectorsEach(run.count, run.matrices, run.row, planes);
 }
 
 void placePoints(const ShapeRun &run, Vec3Planes planes) {
     transformPoints(run.count, run.shape.outerFromShape, planes);
     if (run.placed)
-        transformPointsEach(run.count, run.tables.instanceMatrices.data(), run.instance, planes);
+        transformPointsEach(run.count, run.matrices, run.row, planes);
 }
 
 void placeNormals(const ShapeRun &run, Vec3Planes planes) {
     transformNormals(run.count, run.shape.shapeFromOuter, planes);
     if (run.placed)
-        transformNormalsEach(run.count, run.tables.instanceMatrices.data(), run.instance, planes);
+        transformNormalsEach(run.count, run.matrices, run.row, planes);
 }
 
 void deliver(const ShapeRun &run, const float *from, float *to) {

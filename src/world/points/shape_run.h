@@ -14,9 +14,11 @@ struct ShapeRun {
     const Shape &shape;
     const std::int32_t *order; ///< Where the points stand in the batch.
     int count, stride;         ///< Stride: of planes that hold as many.
-    bool placed;               ///< By instances.
+    bool placed;               ///< By instances:
+    const float *matrices;     ///< 32 floats a row, a matrix and its inverse,
+    const std::uint32_t *row;  ///< which of them places each point.
     float *u, *v, *sign;       ///< Sign: of normals against the natural ones.
-    std::uint32_t *instance, *element, *piece;
+    std::uint32_t *element, *piece;
 
     SurfaceQuery query() const { return {count, piece, u, v}; }
 };
@@ -24,7 +26,7 @@ struct ShapeRun {
 /// Storage of a thread's runs.
 struct RunScratch {
     Scratch<std::uint32_t> integers;
-    Scratch<float> names, planes;
+    Scratch<float> names, planes, matrices;
     Scratch<float *> variablePlanes;
 };
 

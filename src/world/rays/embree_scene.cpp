@@ -149,15 +149,19 @@ RTCScene makeScene(const EmbreeDevice &device, const RayObject &object) {
 }
 
 void attachInstance(const EmbreeDevice &device, RTCScene world, unsigned id, RTCScene object,
-                    unsigned mask, const Matrix4 &currentFromObject) {
+                    unsigned mask, const RayInstance &placed) {
     RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_INSTANCE);
     if (!geometry)
         return;
     rtcSetGeometryInstancedScene(geometry, object);
     rtcSetGeometryMask(geometry, mask);
+    const std::span<const Matrix4> steps =
+        placed.steps.empty() ? std::span(&placed.currentFromObject, 1) : placed.steps;
+    rtcSetGeometryTimeStepCount(geometry, unsigned(steps.size()));
     // Rows of ours are the columns of theirs: points are row vectors here.
-    rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR,
-                            currentFromObject.m.data());
+    for (std::size_t step = 0; step < steps.size(); ++step)
+        rtcSetGeometryTransform(geometry, unsigned(step), RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR,
+                                steps[step].m.data());
     rtcCommitGeometry(geometry);
     rtcAttachGeometryByID(world, geometry, id);
     rtcReleaseGeometry(geometry);

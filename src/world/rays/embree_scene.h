@@ -42,7 +42,7 @@ private:
 RTCScene makeScene(const EmbreeDevice &, const RayObject &);
 /// Adds a placement of a committed scene, whose shapes have one of the bits of `mask`.
 void attachInstance(const EmbreeDevice &, RTCScene world, unsigned geometry, RTCScene object,
-                    unsigned mask, const Matrix4 &currentFromObject);
+                    unsigned mask, const RayInstance &);
 /// The bits that rays must carry to meet anything of the object.
 unsigned maskOf(const RayObject &);
 

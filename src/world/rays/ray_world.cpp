@@ -17,6 +17,7 @@ namespace {
 
 struct RayPlanes {
     const float *ox, *oy, *oz, *dx, *dy, *dz, *tMin, *tMax;
+    const float *time;
 };
 
 /// A packet in memory as Embree has it, whatever its width: planes of rays, then of hits.
@@ -77,7 +78,7 @@ struct JudgedRays {
     explicit JudgedRays(const RayBatch &rays)
         : count(rays.count), from{rays.origin[0],    rays.origin[1],    rays.origin[2],
                                   rays.direction[0], rays.direction[1], rays.direction[2],
-                                  rays.tMin,         rays.tMax} {
+                                  rays.tMin,         rays.tMax,         rays.time} {
         thread_local Scratch<int> own;
         const int padded = paddedLanes(count);
         int *judged = own.get(padded);
@@ -130,9 +131,18 @@ template <int width> void prime(unsigned mask, Packet<width> &packet) {
         ray.id[i] = unsigned(i);
 }
 
+/// Where something moves rays have times. Those that are too short get theirs, too.
 template <int width>
-void traceNearest(RTCScene scene, RTCIntersectContext &context, unsigned mask, const RayBatch &rays,
-                  HitBatch &hits) {
+void tellTimes(const JudgedRays &rays, int first, const Shutter &shutter, Packet<width> &packet) {
+    const int count = std::min(width, rays.count - first);
+    for (int i = 0; i < count; ++i)
+        packet.bundle.ray.time[i] = shutter.share(rays.from.time[first + i]);
+}
+
+/// `shutter`: null where nothing moves.
+template <int width>
+void traceNearest(RTCScene scene, RTCIntersectContext &context, unsigned mask,
+                  const Shutter *shutter, const RayBatch &rays, HitBatch &hits) {
     alignas(64) Packet<width> packet;
     alignas(64) int valid[width];
     prime(mask, packet);
@@ -140,6 +150,8 @@ void traceNearest(RTCScene scene, RTCIntersectContext &context, unsigned mask, c
     auto &hit = packet.bundle.hit;
     for (int first = 0; first < rays.count; first += width) {
         load(judged, first, packet, valid);
+        if (shutter)
+            tellTimes(judged, first, *shutter, packet);
         std::fill_n(hit.geomID, width, noHit);
         std::fill_n(hit.instID[0], width, noHit);
         packet.intersect(valid, scene, &context);
@@ -161,8 +173,8 @@ CANDELA_HOT void tellBlocked(int count, const int *__restrict valid, const float
 }
 
 template <int width>
-void traceShadows(RTCScene scene, RTCIntersectContext &context, const RayBatch &rays,
-                  std::uint8_t *blocked) {
+void traceShadows(RTCScene scene, RTCIntersectContext &context, const Shutter *shutter,
+                  const RayBatch &rays, std::uint8_t *blocked) {
     alignas(64) Packet<width> packet;
     alignas(64) int valid[width];
     prime(opaqueBit, packet);
@@ -171,6 +183,8 @@ void traceShadows(RTCScene scene, RTCIntersectContext &context, const RayBatch &
     float *end = own.get(paddedLanes(rays.count));
     for (int first = 0; first < rays.count; first += width) {
         load(judged, first, packet, valid);
+        if (shutter)
+            tellTimes(judged, first, *shutter, packet);
         packet.occluded(valid, scene, &context);
         std::memcpy(end + first, packet.bundle.ray.tfar, width * sizeof(float));
     }
@@ -223,8 +237,9 @@ struct RayWorld::Handles {
 };
 
 RayWorld::RayWorld(const RayObject &world, std::span<const RayObject> objects,
-                   std::span<const RayInstance> instances)
-    : handles_(std::make_unique<Handles>()), worldShapes_(std::uint32_t(world.size())) {
+                   std::span<const RayInstance> instances, const Shutter &shutter)
+    : handles_(std::make_unique<Handles>()), worldShapes_(std::uint32_t(world.size())),
+      shutter_(shutter) {
     FlushDenormals guard;
     auto failed = [&] { return !failure().empty(); };
     if (failed())
@@ -245,7 +260,8 @@ RayWorld::RayWorld(const RayObject &world, std::span<const RayObject> objects,
         const unsigned own = maskOf(objects[instance.object]);
         attachInstance(handles_->device, handles_->scene,
                        worldShapes_ + unsigned(firstShapeOfInstance_.size()),
-                       handles_->objects[instance.object], own, instance.currentFromObject);
+                       handles_->objects[instance.object], own, instance);
+        moves_ |= !instance.steps.empty();
         firstShapeOfInstance_.push_back(instance.firstShape);
         mask |= own;
     }
@@ -276,10 +292,11 @@ void RayWorld::intersect(const RayBatch &rays, HitBatch &hits, Which which, bool
     const unsigned mask =
         which == Which::All ? opaqueBit | transparentBit | shadowlessBit : transparentBit;
     RTCScene scene = handles_->scene;
+    const Shutter *shutter = moves_ ? &shutter_ : nullptr;
     switch (handles_->width) {
-    case 16: traceNearest<16>(scene, context, mask, rays, hits); break;
-    case 8: traceNearest<8>(scene, context, mask, rays, hits); break;
-    default: traceNearest<4>(scene, context, mask, rays, hits);
+    case 16: traceNearest<16>(scene, context, mask, shutter, rays, hits); break;
+    case 8: traceNearest<8>(scene, context, mask, shutter, rays, hits); break;
+    default: traceNearest<4>(scene, context, mask, shutter, rays, hits);
     }
     if (!firstShapeOfInstance_.empty())
         nameInstances(rays.count, worldShapes_, firstShapeOfInstance_.data(), hits.instance,
@@ -295,10 +312,11 @@ void RayWorld::occluded(const RayBatch &rays, std::uint8_t *blocked) const {
     rtcInitIntersectContext(&context);
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
     RTCScene scene = handles_->scene;
+    const Shutter *shutter = moves_ ? &shutter_ : nullptr;
     switch (handles_->width) {
-    case 16: traceShadows<16>(scene, context, rays, blocked); break;
-    case 8: traceShadows<8>(scene, context, rays, blocked); break;
-    default: traceShadows<4>(scene, context, rays, blocked);
+    case 16: traceShadows<16>(scene, context, shutter, rays, blocked); break;
+    case 8: traceShadows<8>(scene, context, shutter, rays, blocked); break;
+    default: traceShadows<4>(scene, context, shutter, rays, blocked);
     }
 }
 

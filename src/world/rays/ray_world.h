@@ -3,6 +3,7 @@
 #pragma once
 
 #include "foundation/base/matrix4.h"
+#include "foundation/base/shutter.h"
 #include "world/rays/ray_batch.h"
 
 #include <array>
@@ -37,6 +38,8 @@ struct RayInstance {
     std::uint32_t object = 0;     ///< Index into the objects.
     std::uint32_t firstShape = 0; ///< HitBatch::shape of the object's first shape.
     Matrix4 currentFromObject;
+    /// It moves: its matrices at even steps over the shutter's interval. Else empty.
+    std::span<const Matrix4> steps;
 };
 
 /// Flush-to-zero and denormals-are-zero for as long as it lives, as Embree wants them.
@@ -54,7 +57,7 @@ class RayWorld {
 public:
     /// world[i] is shape i of the scene, in current space. What is given is not needed afterwards.
     RayWorld(const RayObject &world, std::span<const RayObject> objects,
-             std::span<const RayInstance> instances);
+             std::span<const RayInstance> instances, const Shutter & = {});
     explicit RayWorld(const RayObject &world) : RayWorld(world, {}, {}) {}
     ~RayWorld();
     RayWorld(const RayWorld &) = delete;
@@ -77,6 +80,8 @@ private:
     std::vector<std::uint32_t> firstShapeOfInstance_;
     std::uint32_t worldShapes_ = 0;
     bool hasTransparent_ = false;
+    bool moves_ = false;
+    Shutter shutter_;
     mutable std::atomic<std::uint64_t> nanoseconds_{0};
 };
 

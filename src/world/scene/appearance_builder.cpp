@@ -84,6 +84,10 @@ std::int32_t AppearanceBuilder::mediumOf(const ShaderRecord *record, const Other
         library_.instance(ShaderKind::Volume, *record, state_.options, rule, {}, others);
     if (!instance || int(state_.media.size()) > mostMedia)
         return 0;
+    if (instance->code->stepsOf(instance->parameterOffset) > 1) { // Like no other.
+        state_.media.push_back(*instance);
+        return place->second = std::int32_t(state_.media.size()) - 1;
+    }
     const std::span<const float> block = instance->code->block(instance->parameterOffset);
     auto [same, isOther] = sameMedia_.try_emplace(
         {instance->code.get(), {block.begin(), block.end()}}, int(state_.media.size()));

@@ -2,6 +2,7 @@
 // What the graphics state has said of a world, kept until worldEnd.
 #pragma once
 
+#include "foundation/base/shutter.h"
 #include "interface/ri/scene_builder.h"
 
 #include <map>
@@ -14,7 +15,8 @@ namespace candela {
 struct DeclaredPrimitive {
     std::shared_ptr<const PrimitiveRecord> record;
     std::shared_ptr<const Attributes> attributes;
-    Matrix4 outerFromPrimitive; ///< Outer: current space, or the space of the object around it.
+    Matrix4 outerFromPrimitive;     ///< Outer: current space, or the space of the object around it.
+    TransformMotion::Shared motion; ///< Null: it stands still while the shutter is open.
 };
 
 struct DeclaredInstance {
@@ -22,6 +24,7 @@ struct DeclaredInstance {
     std::shared_ptr<const Attributes> attributes;
     bool turns; ///< It reverses the orientation.
     Matrix4 outerFromObject;
+    TransformMotion::Shared motion; ///< As of primitives.
 };
 
 /// The world itself, or an object.
@@ -37,6 +40,7 @@ struct DeclaredWorld {
     std::vector<DeclaredGroup> objects;     ///< And their parts with attributes of their own.
     std::map<int, int> objectOfNumber;      ///< SceneBuilder's number to the index in `objects`.
     std::map<std::string, Matrix4> systems; ///< Named coordinate systems: currentFromSpace.
+    Shutter shutter;
 
     /// The object of that number is being defined, up to endObject.
     void beginObject(int number);
@@ -57,7 +61,9 @@ struct Placement {
     int object;
     std::shared_ptr<const Attributes> attributes; ///< The outermost instance's, and objects' own.
     bool turned; ///< The instances around it reverse the orientation an odd number of times.
-    Matrix4 currentFromObject;
+    Matrix4 currentFromObject; ///< When the shutter opens.
+    /// The same at even steps over the shutter's interval; empty where it stands still.
+    std::vector<Matrix4> steps;
 };
 
 /// Where objects with primitives of their own stand. Singular instances are left out.

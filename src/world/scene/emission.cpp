@@ -122,7 +122,7 @@ void Lights::ambient(int count, const std::array<const float *, 3> &P, const std
             for (int c = 0; c < 3; ++c)
                 std::copy_n(P[c] + first, batch->count, batch->input(ShaderInput::Ps, c));
             for (int i = 0; i < batch->count; ++i) {
-                placePointLight(*batch, i, light);
+                placePointLight(*batch, i, light, state_->points.shutter);
                 batch->parameterOffset[i] = light.shader.parameterOffset;
             }
             batch->ask(*state_, *light.shader.code);

@@ -29,7 +29,7 @@ std::optional<StatedEmission> statedEmission(const SceneState &state, const Scen
     const QuestionCode &question = code.question(ir::Question::Emission);
     LightBatch batch(1);
     batch.count = 1;
-    placePointLight(batch, 0, light);
+    placePointLight(batch, 0, light, state.points.shutter);
     batch.parameterOffset[0] = light.shader.parameterOffset;
     batch.objectIndex[0] = 0;
     Planes<float> answers(int(question.function.outputs.size()), 1);

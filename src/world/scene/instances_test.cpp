@@ -53,7 +53,7 @@ std::shared_ptr<const PrimitiveRecord> unitSphere() {
 
 MotionTransform still(const Matrix4 &matrix) {
     MotionTransform motion;
-    motion.knots[0].matrix = matrix;
+    motion.matrix = matrix;
     return motion;
 }
 

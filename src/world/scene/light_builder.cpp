@@ -91,6 +91,21 @@ bool bringsShadows(const ShaderCode &code) {
     });
 }
 
+/// "shader" space, and where it goes.
+void placeShader(const MotionTransform &currentFromShader, const Shutter &shutter,
+                 SceneLight &light) {
+    light.currentFromShader = currentFromShader.atOpen();
+    if (!currentFromShader.motion)
+        return;
+    std::vector<double> times;
+    currentFromShader.motion->addTimes(times);
+    light.steps = motionSteps([&](double time) { return currentFromShader.motion->at(time); },
+                              times, shutter);
+    light.currentFromShader = light.steps.front();
+    if (light.steps.size() == 1)
+        light.steps.clear();
+}
+
 } // namespace
 
 LightBuilder::LightBuilder(SceneState &state, ShaderLibrary &library)
@@ -113,7 +128,7 @@ void LightBuilder::declare(const std::vector<std::shared_ptr<const LightRecord>>
         light.si = record->units == LightUnits::Si;
         light.castsShadow =
             (!state_.classic || record->shadows) && !(instance && bringsShadows(*instance->code));
-        light.currentFromShader = record->shader.currentFromShader.atOpen();
+        placeShader(record->shader.currentFromShader, state_.points.shutter, light);
         state_.lights.lights.push_back(std::move(light));
         tags_.push_back(std::move(tags));
     }
@@ -202,8 +217,11 @@ void LightBuilder::addElements(int index, const PlacedShape &placed) {
 void LightBuilder::addSources(int index, const PlacedShape &placed, std::int32_t first) {
     const std::vector<LightElement> &elements = state_.lights.elements;
     const std::span own(elements.begin() + first, elements.end());
-    const bool pair =
-        isPlain(state_.lights.lights[index], state_.points.appearances[placed.appearance].code);
+    // What turns is no rectangle between the steps of its motion.
+    const bool moves =
+        placed.instance != noHit && state_.points.instances[placed.instance].steps > 0;
+    const bool pair = !moves && isPlain(state_.lights.lights[index],
+                                        state_.points.appearances[placed.appearance].code);
     if (own.size() == 1 || state_.points.shapes[placed.shape].surface->isFlat())
         if (addSingly(index, first, pair))
             return;
@@ -402,12 +420,18 @@ std::vector<std::uint8_t> wideSources(const LightTable &table,
 
 /// The sphere within which the eye and all other sources that have a place are, if scattered rays
 /// can meet it as a light; -1 = none.
-std::int32_t surroundingSource(const LightTable &table, std::span<const EmitterBound> bounds) {
+std::int32_t surroundingSource(const LightTable &table, const PointTables &points,
+                               std::span<const EmitterBound> bounds) {
+    const auto moves = [&](const LightElement &element) {
+        return element.instance != noHit && points.instances[element.instance].steps > 0;
+    };
     const auto radiusOf = [&](std::size_t k) {
         const LightSource &source = table.sources[k];
         const bool isSingle = source.members == 1 && table.lights[source.light].finite();
         const LightElement *element = isSingle ? &table.firstElementOf(source) : nullptr;
-        return element && element->form == LightElement::Form::Sphere ? element->edgeA.x : 0.0f;
+        return element && element->form == LightElement::Form::Sphere && !moves(*element)
+                   ? element->edgeA.x
+                   : 0.0f;
     };
     std::int32_t dome = -1;
     float largest = 0;
@@ -435,7 +459,7 @@ void LightBuilder::prepareChoices() {
     estimateLights(state_);
     table.number(state_.points);
     const std::vector<EmitterBound> bounds = boundsOfSources();
-    const std::int32_t dome = surroundingSource(table, bounds);
+    const std::int32_t dome = surroundingSource(table, state_.points, bounds);
     const std::vector<std::uint8_t> wide = wideSources(table, bounds);
     for (std::size_t set = 0; set < state_.lightSets.size(); ++set)
         table.choices.push_back({choiceOf(int(set), lampGroup, bounds, wide, dome),
@@ -473,11 +497,21 @@ std::vector<EmitterBound> LightBuilder::boundsOfSources() const {
             const Appearance &appearance =
                 points.appearances[points.appearanceOf(element.instance, element.shape)];
             bound = boundOf(table, source, light.sides, appearance.elementSign);
+            if (element.instance != noHit) {
+                Matrix4 objectFromOpen;
+                std::copy_n(points.matricesOf(element.instance) + 16, 16, objectFromOpen.m.begin());
+                spreadByMotion(points.stepsOf(element.instance), objectFromOpen, bound);
+            }
             share = source.area / light.area;
         } else if (light.kind == LightKind::Point) {
             bound.box = light.place;
             bound.axis = light.axis;
             bound.emissionSpread = light.spread, bound.isLoose = true;
+            if (!light.steps.empty()) {
+                spreadByMotion(light.steps, inverse(light.currentFromShader).value_or(Matrix4{}),
+                               bound);
+                bound.axis = {}, bound.emissionSpread = std::numbers::pi_v<float>;
+            }
         }
         // Black `constant` surfaces, most of all.
         const bool black =

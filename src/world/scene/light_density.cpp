@@ -46,6 +46,7 @@ void Lights::density(const LightQuery &query, const ShadingPoints &points,
     sourceProbabilities(*state_, query, source, probability);
     ElementRows &rows = elementRows(count);
     rows.take(state_->lights, count, element);
+    rows.moveTo(state_->points, query.time);
     elementDensities(rows, query.P.data(), elementPoint.data(), pdf);
     lanes::multiply(count, probability, pdf);
 }
@@ -59,6 +60,7 @@ void Lights::densityOf(const LightQuery &query, const std::int32_t *source,
     sourceProbabilities(*state_, query, source, probability);
     ElementRows &rows = elementRows(count);
     rows.take(state_->lights, count, element);
+    rows.moveTo(state_->points, query.time);
     elementDensities(rows, query.P.data(), elementPoint.data(), pdf);
     for (int i = 0; i < count; ++i)
         pdf[i] = element[i] < 0 ? probability[i] : pdf[i] * probability[i];

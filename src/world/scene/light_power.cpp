@@ -114,6 +114,7 @@ struct PlacedSamples {
         for (ShaderInput input : {ShaderInput::I, ShaderInput::E})
             for (int c = 0; c < 3; ++c)
                 std::fill_n(points.input(input, c), count, 0.0f);
+        std::fill_n(points.input(ShaderInput::time, 0), count, state.camera.shutterOpen());
         evaluatePoints(state.points, state.camera, code, nullptr, points);
     }
 
@@ -167,7 +168,8 @@ private:
     void prepare(int samples) {
         batch_.count = samples * lights();
         forLanes(samples, [&](int k, int i, int lane) {
-            placePointLight(batch_, lane, light(k));
+            batch_.input(ShaderInput::time)[lane] = state_.camera.shutterOpen();
+            placePointLight(batch_, lane, light(k), state_.points.shutter);
             batch_.parameterOffset[lane] = light(k).shader.parameterOffset;
             batch_.objectIndex[lane] = 0;
             for (int c = 0; c < 2; ++c)

@@ -43,12 +43,19 @@ void LightBatch::ask(const SceneState &state, const ShaderCode &code, const std:
     args.objectIndex = objectIndex;
     args.outputs = outputs.data();
     code.bind(args, prints);
+    parameters.take(code, state.points.shutter, count, parameterOffset,
+                    inputTable[int(ShaderInput::time)], active);
+    parameters.bind(args);
     question.code(&args);
 }
 
-void placePointLight(LightBatch &batch, int lane, const SceneLight &light) {
-    Vec3 axis = normalize(transformVector(light.currentFromShader, {0, 0, 1}));
-    Vec3 origin = transformPoint(light.currentFromShader, {0, 0, 0});
+void placePointLight(LightBatch &batch, int lane, const SceneLight &light, const Shutter &shutter) {
+    const Matrix4 currentFromShader =
+        light.steps.empty()
+            ? light.currentFromShader
+            : matrixAt(light.steps, shutter.share(batch.input(ShaderInput::time)[lane]));
+    Vec3 axis = normalize(transformVector(currentFromShader, {0, 0, 1}));
+    Vec3 origin = transformPoint(currentFromShader, {0, 0, 0});
     for (int c = 0; c < 3; ++c) {
         batch.input(ShaderInput::P, c)[lane] = origin[c];
         batch.input(ShaderInput::N, c)[lane] = batch.input(ShaderInput::Ng, c)[lane] = axis[c];

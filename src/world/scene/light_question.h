@@ -19,6 +19,7 @@ struct LightBatch {
     std::vector<const float *> inputTable;
     Planes<std::int32_t> integers;
     std::int32_t *parameterOffset, *objectIndex;
+    MovingParameters parameters; ///< At the times of the last question.
     /// From the light to Ps and what arrives; zero where the light doesn't shine.
     std::array<float *, 3> L;
     std::array<float *, colorSamples> Cl;
@@ -34,7 +35,8 @@ struct LightBatch {
 
 inline constexpr int lightBatchSize = 512;
 
-/// P, N and Ng of lights without a surface: the origin and z axis of "shader" space.
-void placePointLight(LightBatch &, int lane, const SceneLight &);
+/// P, N and Ng of lights without a surface: the origin and z axis of "shader" space, at the lane's
+/// time.
+void placePointLight(LightBatch &, int lane, const SceneLight &, const Shutter &);
 
 } // namespace candela

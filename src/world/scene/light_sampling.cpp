@@ -248,8 +248,8 @@ void meetSources(const SceneState &state, const Block &block, const SurfaceCode 
         subtract(block.count, own.drawn.point[c], block.P[c], points.input(ShaderInput::I, c));
         std::fill_n(points.input(ShaderInput::E, c), block.count, 0.0f);
     }
-    evaluatePoints(state.points, state.camera, code, nullptr, points);
     std::copy_n(block.time, block.count, points.input(ShaderInput::time, 0));
+    evaluatePoints(state.points, state.camera, code, nullptr, points);
 }
 
 /// Samples on surfaces of one code that shine: radiance, with a density.
@@ -328,6 +328,7 @@ void sampleDelta(const SceneState &state, const SourceBin &bin, const Block &blo
     LightBatch &batch = own.batch;
     const int count = block.count;
     batch.readFrom(ShaderInput::P, int(ShaderInput::Count), nullptr);
+    std::copy_n(block.time, count, batch.input(ShaderInput::time));
     if (bin.asked == SourceBin::Asked::ClassicArea) {
         // The geometry alone matters; the shapes may have any surface shaders.
         SurfaceCode geometryOnly;
@@ -340,14 +341,13 @@ void sampleDelta(const SceneState &state, const SourceBin &bin, const Block &blo
         batch.readFrom(ShaderInput::rayOffset, 1, nullptr);
     } else {
         for (int k = 0; k < count; ++k)
-            placePointLight(batch, k, state.lights.lights[own.rows.light[k]]);
+            placePointLight(batch, k, state.lights.lights[own.rows.light[k]], state.points.shutter);
     }
     for (int c = 0; c < 3; ++c)
         std::copy_n(block.Ps[c], count, batch.input(ShaderInput::Ps, c));
     fillRayOffsets(count, block.P.data(), block.Ps.data(), batch.input(ShaderInput::rayOffset));
     std::copy_n(block.u, count, batch.input(ShaderInput::lightSample, 0));
     std::copy_n(block.v, count, batch.input(ShaderInput::lightSample, 1));
-    std::copy_n(block.time, count, batch.input(ShaderInput::time));
     takeLights(state, own.rows, batch);
     batch.ask(state, *bin.shader);
     const LightSamples &out = block.out;
@@ -367,6 +367,7 @@ void sampleDelta(const SceneState &state, const SourceBin &bin, const Block &blo
 void sampleBlock(const SceneState &state, const SourceBin &bin, const Block &block,
                  SamplingScratch &own) {
     own.rows.draw(state.lights, block.count, block.source, block.u);
+    own.rows.moveTo(state.points, block.time);
     if (bin.asked == SourceBin::Asked::ClassicArea)
         placeOnElements(own.rows, own.rows.u, block.v, own.drawn);
     else if (bin.asked != SourceBin::Asked::PointShader)

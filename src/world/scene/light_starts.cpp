@@ -218,7 +218,7 @@ private:
 
     void prepare(int i, int lane) {
         const SceneLight &light = state_.lights.lights[out_.light[i] - 1];
-        placePointLight(batch_, lane, light);
+        placePointLight(batch_, lane, light, state_.points.shutter);
         batch_.parameterOffset[lane] = light.shader.parameterOffset;
         batch_.objectIndex[lane] = 0;
         for (int c = 0; c < 3; ++c)
@@ -267,8 +267,8 @@ private:
         for (ShaderInput input : {ShaderInput::I, ShaderInput::E})
             for (int c = 0; c < 3; ++c)
                 std::fill_n(points.input(input, c), count, 0.0f);
-        evaluatePoints(state_.points, state_.camera, state_.points.codes[code], nullptr, points);
         std::fill_n(points.input(ShaderInput::time, 0), count, state_.options.camera.shutterOpen);
+        evaluatePoints(state_.points, state_.camera, state_.points.codes[code], nullptr, points);
         for (int k = 0; k < count; ++k)
             sendFrom(own, k, lane[k]);
         float *radiance[colorSamples];

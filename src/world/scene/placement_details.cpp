@@ -33,6 +33,9 @@ std::vector<PlacementDetail> detailsOf(std::span<const Placement> placements,
         if (timesPlaced[placement.object] <= 1)
             continue;
         details[i].pixel = plan.nearestPixel(bounds[placement.object], placement.currentFromObject);
+        for (const Matrix4 &step : placement.steps)
+            details[i].pixel =
+                std::min(details[i].pixel, plan.nearestPixel(bounds[placement.object], step));
         finest[placement.object] = std::min(finest[placement.object], details[i].pixel);
     }
     for (std::size_t i = 0; i < placements.size(); ++i) {

@@ -52,8 +52,9 @@ RayGeometry arrange(std::vector<RayShape> meshes, std::span<const std::uint32_t>
             }
             geometry.objects.push_back(std::move(object));
         }
-        RayInstance placed{place->second, instance.firstShape, {}};
+        RayInstance placed{place->second, instance.firstShape, {}, {}};
         std::copy_n(points.matricesOf(std::uint32_t(i)), 16, placed.currentFromObject.m.begin());
+        placed.steps = points.stepsOf(std::uint32_t(i));
         geometry.instances.push_back(placed);
     }
     return geometry;
@@ -75,11 +76,13 @@ void measure(const std::vector<RayShape> &meshes, std::span<const std::uint32_t>
             box.add(own[i]);
     }
     for (std::size_t i = 0; i < points.instances.size(); ++i) {
-        Matrix4 currentFromObject;
-        std::copy_n(points.matricesOf(std::uint32_t(i)), 16, currentFromObject.m.begin());
-        for (std::uint32_t k = 0; k < shapeCounts[i]; ++k)
-            if (const Box3 &part = own[points.instances[i].firstShape + k]; !part.empty())
-                box.add(transformBox(currentFromObject, part));
+        Matrix4 still;
+        std::copy_n(points.matricesOf(std::uint32_t(i)), 16, still.m.begin());
+        const std::span<const Matrix4> steps = points.stepsOf(std::uint32_t(i));
+        for (const Matrix4 &currentFromObject : steps.empty() ? std::span(&still, 1) : steps)
+            for (std::uint32_t k = 0; k < shapeCounts[i]; ++k)
+                if (const Box3 &part = own[points.instances[i].firstShape + k]; !part.empty())
+                    box.add(transformBox(currentFromObject, part));
     }
     state.statistics.primitives = meshes.size();
     state.statistics.instances = points.instances.size();

@@ -69,7 +69,7 @@ void meetElements(const PointTables &tables, const RayBatch &rays, const HitBatc
                  {rays.time, input(ShaderInput::time)}});
     walk(count, t, {P[0], P[1], P[2]}, {I[0], I[1], I[2]});
     if (!tables.instances.empty())
-        placeElementNormals(tables, count, points.instance, Ng);
+        placeElementNormals(tables, count, points.instance, input(ShaderInput::time), Ng);
 }
 
 /// How wide the rays' cones are where they have met something.
@@ -163,6 +163,17 @@ void SceneState::findMediaOfLights() {
             mediaOfLight[std::size_t(light) - 1] = mediaOfAppearance[k].atmosphere;
 }
 
+/// E of points whose time is known.
+static void placeEye(const Camera &camera, ShadingPoints &points) {
+    for (int c = 0; c < 3; ++c)
+        std::fill_n(points.input(ShaderInput::E, c), points.count, 0.0f);
+    for (int i = 0; camera.moves() && i < points.count; ++i) {
+        const Vec3 eye = camera.eye(points.input(ShaderInput::time, 0)[i]);
+        for (int c = 0; c < 3; ++c)
+            points.input(ShaderInput::E, c)[i] = eye[c];
+    }
+}
+
 /// Valid until the thread's next call.
 static RayFootprints footprintsOf(const RayBatch &rays, const HitBatch &hits, const int *order,
                                   int count) {
@@ -202,8 +213,8 @@ void Scene::shadingPoints(const RayBatch &rays, const HitBatch &hits, const int 
                 {points.input(ShaderInput::I, 0), points.input(ShaderInput::I, 1),
                  points.input(ShaderInput::I, 2)},
                 4 * 0x1p-24f, points.offset);
-    for (int c = 0; c < 3 && code.wanted.E; ++c)
-        std::fill_n(points.input(ShaderInput::E, c), count, 0.0f);
+    if (code.wanted.E)
+        placeEye(state_->camera, points);
     if (code.code->reads(ShaderInput::rayOffset))
         std::copy_n(points.offset, count, points.input(ShaderInput::rayOffset, 0));
     if (code.code->reads(ShaderInput::rayDepth)) // Paths say more.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/scene/heard_lights.h"
 #include "world/scene/light_builder.h"
+#include "world/scene/moving_parts.h"
 #include "world/scene/scene.h"
 #include "world/scene/scene_state.h"
 #include "world/scene/shader_rays.h"
@@ -36,7 +37,16 @@ SceneCompiler::~SceneCompiler() = default;
 void SceneCompiler::worldBegin(const Options &options) {
     state_->declared = {};
     state_->declared.options = options;
+    state_->declared.shutter = {options.camera.shutterOpen, options.camera.shutterClose};
     state_->declared.systems = options.coordinateSystems;
+}
+
+/// Where it is when the shutter opens, and its motion if it may move before it closes.
+static MotionTransform whileOpen(const MotionTransform &transform, const Shutter &shutter) {
+    if (!transform.motion)
+        return transform;
+    return {transform.motion->at(shutter.open).rounded(),
+            shutter.hasInterval() ? transform.motion : nullptr};
 }
 
 void SceneCompiler::light(std::shared_ptr<const LightRecord> record) {
@@ -46,8 +56,9 @@ void SceneCompiler::light(std::shared_ptr<const LightRecord> record) {
 void SceneCompiler::primitive(std::shared_ptr<const PrimitiveRecord> record,
                               std::shared_ptr<const Attributes> attributes,
                               const MotionTransform &currentFromObject) {
+    const auto [matrix, motion] = whileOpen(currentFromObject, state_->declared.shutter);
     state_->declared.openFor(attributes)
-        .primitives.push_back({std::move(record), attributes, currentFromObject.atOpen()});
+        .primitives.push_back({std::move(record), attributes, matrix, motion});
 }
 
 void SceneCompiler::objectBegin(int object) { state_->declared.beginObject(object); }
@@ -58,8 +69,9 @@ void SceneCompiler::instance(int object, std::shared_ptr<const Attributes> attri
                              const MotionTransform &currentFromObject) {
     DeclaredWorld &declared = state_->declared;
     const bool turns = attributes->flipNormal;
-    declared.open().instances.push_back({declared.objectOfNumber.at(object), std::move(attributes),
-                                         turns, currentFromObject.atOpen()});
+    const auto [matrix, motion] = whileOpen(currentFromObject, declared.shutter);
+    declared.open().instances.push_back(
+        {declared.objectOfNumber.at(object), std::move(attributes), turns, matrix, motion});
 }
 
 void SceneCompiler::coordinateSystem(const std::string &name, const Matrix4 &currentFromSpace) {
@@ -134,10 +146,29 @@ static void prepareMirrors(PointTables &points) {
         }
 }
 
+/// Paths from lights and from the camera meet at one time only: where things move, those from the
+/// camera do alone. Radiosity is solved for one instant.
+static void keepToOneTime(SceneState &state, DiagnosticSink &sink) {
+    const bool lightsMove = std::ranges::any_of(
+        state.lights.lights, [](const SceneLight &light) { return !light.steps.empty(); });
+    if (!state.points.anythingMoves() && !state.camera.moves() && !lightsMove)
+        return;
+    if (state.bidirectional)
+        sink.warning({}, "things move while the shutter is open: all paths begin at the camera, as "
+                         "under \"path\"");
+    state.bidirectional = false;
+    if (state.options.named.string("render:integrator", "") == "radiosity")
+        sink.warning({},
+                     "things move while the shutter is open: radiosity is solved for the instant "
+                     "when it opens");
+}
+
 void SceneCompiler::worldEnd() {
     DeclaredWorld declared = std::move(state_->declared);
     state_->declared = {};
+    separateMovingParts(declared);
     auto state = std::make_unique<SceneState>(declared.options);
+    state->points.shutter = declared.shutter;
     state->classic = isClassic(declared);
     state->bidirectional = !state->classic && isBidirectional(declared.options);
 
@@ -154,13 +185,15 @@ void SceneCompiler::worldEnd() {
     start = std::chrono::steady_clock::now();
     LightBuilder lights(*state, state_->library);
     lights.declare(declared.lights);
+    keepToOneTime(*state, state_->sink);
     makeReady(state_->library, state->points);
     prepareMirrors(state->points);
     lights.attachShapes(geometry);
     lights.bindCategories(state_->library);
     state->findMediaOfLights();
     leaveOutRefusedLights(*state);
-    state->rays = std::make_unique<RayWorld>(geometry.world, geometry.objects, geometry.instances);
+    state->rays = std::make_unique<RayWorld>(geometry.world, geometry.objects, geometry.instances,
+                                             state->points.shutter);
     geometry = {};
     if (std::string failure = state->rays->failure(); !failure.empty()) {
         state_->sink.error({}, failure + "; the frame is not rendered");

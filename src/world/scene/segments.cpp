@@ -51,6 +51,7 @@ std::vector<Segments::Group> Segments::begin(const Scene &scene) {
         lanes::fill(count, 0.0f, answers_.CiOfOi[c]);
         lanes::fill(count, 1.0f, answers_.OiOfOi[c]);
     }
+    shutter_ = scene.camera().shutter();
     std::vector<Group> groups;
     std::int32_t *parameterOffset = integers_[1];
     for (int i = 0; i < count; ++i) {
@@ -105,6 +106,9 @@ void Segments::run(const Group &group, ir::Question which, VolumeLights *lights,
     args.volumeLights = lights;
     args.ambient = ambient;
     group.code->bind(args, prints);
+    moving_.take(*group.code, shutter_, count, integers_[1],
+                 inputTable_[std::size_t(ShaderInput::time)], group.active.data());
+    moving_.bind(args);
     question.code(&args);
 }
 

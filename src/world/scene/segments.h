@@ -79,6 +79,8 @@ private:
     std::vector<float *> outputs_;
     std::vector<const float *> inputTable_;
     Planes<std::int32_t> integers_;
+    MovingParameters moving_; ///< Of the group that is asked.
+    Shutter shutter_;
     const std::int32_t *objectIndex_ = nullptr;
     const float *objectMatrices_ = nullptr;
     Answers answers_;

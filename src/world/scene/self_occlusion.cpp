@@ -27,6 +27,7 @@ struct Blocked {
             for (int c = 0; c < 3; ++c)
                 rays.origin[c][k] = query.P[c][i], rays.direction[c][k] = samples.L[c][i];
             rays.tMin[k] = 0, rays.tMax[k] = 1 - 4 * 0x1p-23f;
+            rays.time[k] = query.time[i];
             lane.push_back(i);
         }
         rays.count = int(lane.size());
@@ -42,6 +43,7 @@ struct Blocked {
                 rays.origin[c][kept] = rays.origin[c][k],
                 rays.direction[c][kept] = rays.direction[c][k];
             rays.tMin[kept] = rays.tMin[k], rays.tMax[kept] = rays.tMax[k];
+            rays.time[kept] = rays.time[k];
             lane[kept++] = lane[k];
         }
         rays.count = kept;

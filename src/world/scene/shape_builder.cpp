@@ -3,6 +3,7 @@
 
 #include "world/displacement/displacement_builder.h"
 #include "world/scene/appearance_builder.h"
+#include "world/scene/moving_parts.h"
 #include "world/scene/placement_details.h"
 #include "world/scene/ray_geometry.h"
 #include "world/shapes/dicing_plan.h"
@@ -36,12 +37,19 @@ public:
         for (const Placement &placement : placements_)
             ++timesPlaced_[placement.object];
         for (const DeclaredPrimitive &primitive : declared_.world.primitives)
-            addToWorld(primitive, primitive.outerFromPrimitive, primitive.attributes,
-                       primitive.attributes->flipNormal);
+            if (!primitive.motion)
+                addAsDeclared(primitive);
+        const std::vector<MovingGroup> groups = movingGroupsOf(declared_);
+        for (const MovingGroup &group : groups)
+            if (group.steps.size() == 1)
+                addGroup(group);
         for (const Placement &placement : placements_)
-            if (timesPlaced_[placement.object] == 1)
+            if (timesPlaced_[placement.object] == 1 && placement.steps.empty())
                 addSinglePlacement(placement);
+        for (std::uint32_t shape = 0; shape < points_.shapes.size(); ++shape)
+            addShapeMatrices(points_.shapes[shape]);
         points_.worldShapes = std::uint32_t(points_.shapes.size());
+        addMovingThings(groups);
         details_ = detailsOf(placements_, timesPlaced_, declared_, plan_);
         addInstances();
         markShining();
@@ -97,14 +105,48 @@ private:
         addShapes(primitive, currentFromPrimitive, surfaces, displacing, [&](std::uint32_t shape) {
             if (!looks_.add(shape, attributes, turned))
                 return false;
-            plan_.add(points_.shapes[shape], attributes->shadingRate);
+            plan_.add(points_.shapes[shape], attributes->shadingRate, steps_);
             points_.appearances.back().id = std::int32_t(shape) + 1;
-            const Shape &added = points_.shapes[shape];
-            for (const Matrix4 *matrix : {&added.outerFromShape, &added.shapeFromOuter})
-                points_.shapeMatrices.insert(points_.shapeMatrices.end(), matrix->m.begin(),
-                                             matrix->m.end());
             return true;
         });
+    }
+
+    void addShapeMatrices(const Shape &shape) {
+        for (const Matrix4 *matrix : {&shape.outerFromShape, &shape.shapeFromOuter})
+            points_.shapeMatrices.insert(points_.shapeMatrices.end(), matrix->m.begin(),
+                                         matrix->m.end());
+    }
+
+    void addAsDeclared(const DeclaredPrimitive &primitive) {
+        addToWorld(primitive, primitive.outerFromPrimitive, primitive.attributes,
+                   primitive.attributes->flipNormal);
+    }
+
+    void addGroup(const MovingGroup &group) {
+        for (const DeclaredPrimitive *primitive : group.primitives)
+            addAsDeclared(*primitive);
+    }
+
+    /// What moves in the world stands as it is when the shutter opens, in a space that moves: it is
+    /// an instance like others.
+    void addMovingThings(const std::vector<MovingGroup> &groups) {
+        for (const MovingGroup &group : groups)
+            if (group.steps.size() > 1)
+                addMoving(group.steps, [&] { addGroup(group); });
+        for (const Placement &placement : placements_)
+            if (timesPlaced_[placement.object] == 1 && !placement.steps.empty())
+                addMoving(stepsFromOpen(placement.steps), [&] { addSinglePlacement(placement); });
+    }
+
+    template <class Add> void addMoving(const std::vector<Matrix4> &steps, Add addShapesOfIt) {
+        const auto first = std::uint32_t(points_.shapes.size());
+        const auto firstAppearance = std::int32_t(points_.appearances.size());
+        steps_ = steps;
+        addShapesOfIt();
+        steps_ = {};
+        const auto count = std::uint32_t(points_.shapes.size()) - first;
+        if (count > 0)
+            addInstance({}, steps, {first, count}, firstAppearance, 0);
     }
 
     /// What stands but once needs no instance.
@@ -207,7 +249,7 @@ private:
     void addInstances() {
         // Appearances are shared by what looks alike; shapes that shine are lights of their own.
         std::map<std::tuple<std::uint32_t, const Attributes *, bool>, std::int32_t> known;
-        std::int32_t nextId = std::int32_t(points_.worldShapes);
+        std::int32_t nextId = std::int32_t(points_.shapes.size());
         for (std::size_t i = 0; i < placements_.size(); ++i) {
             const Placement &placement = placements_[i];
             if (timesPlaced_[placement.object] <= 1)
@@ -219,27 +261,47 @@ private:
                 place->second = addAppearances(shapes, placement);
             if (place->second == noAppearance)
                 continue;
-            Instance instance;
-            instance.firstShape = shapes.first, instance.shapes = shapes.count;
-            instance.firstAppearance = place->second;
-            instance.firstId = nextId;
-            instance.stretch = largestStretch(placement.currentFromObject);
-            instance.handedness = flipsHandedness(placement.currentFromObject) ? -1 : 1;
+            const std::int32_t firstAppearance = place->second;
+            addInstance(placement.currentFromObject, placement.steps, shapes, firstAppearance,
+                        nextId);
             nextId += std::int32_t(shapes.count);
-            points_.instances.push_back(instance);
-            shapeCounts_.push_back(shapes.count);
-            const Matrix4 inverted = inverse(placement.currentFromObject).value_or(Matrix4{});
-            for (const Matrix4 *matrix : {&placement.currentFromObject, &inverted})
-                points_.instanceMatrices.insert(points_.instanceMatrices.end(), matrix->m.begin(),
-                                                matrix->m.end());
-            if (shinesFrom(instance.firstAppearance, shapes.count)) {
+            if (shinesFrom(firstAppearance, shapes.count))
                 known.erase({shapes.first, placement.attributes.get(), placement.turned});
-                // Lights of this form can't be sampled but by triangles.
-                if (!keepsSpheres(placement.currentFromObject))
-                    for (std::uint32_t k = 0; k < shapes.count; ++k)
-                        points_.shapes[shapes.first + k].mayBeSphere = false;
-            }
         }
+    }
+
+    /// `steps`: empty where it stands still.
+    void addInstance(const Matrix4 &currentFromObject, std::span<const Matrix4> steps,
+                     const ObjectShapes &shapes, std::int32_t firstAppearance,
+                     std::int32_t firstId) {
+        Instance instance;
+        instance.firstShape = shapes.first, instance.shapes = shapes.count;
+        instance.firstAppearance = firstAppearance;
+        instance.firstId = firstId;
+        instance.stretch = largestStretch(currentFromObject);
+        for (const Matrix4 &step : steps)
+            instance.stretch = std::max(instance.stretch, largestStretch(step));
+        instance.handedness = flipsHandedness(currentFromObject) ? -1 : 1;
+        instance.firstStep = std::uint32_t(points_.steps.size());
+        instance.steps = std::uint32_t(steps.size());
+        points_.steps.insert(points_.steps.end(), steps.begin(), steps.end());
+        points_.instances.push_back(instance);
+        shapeCounts_.push_back(shapes.count);
+        const Matrix4 inverted = inverse(currentFromObject).value_or(Matrix4{});
+        for (const Matrix4 *matrix : {&currentFromObject, &inverted})
+            points_.instanceMatrices.insert(points_.instanceMatrices.end(), matrix->m.begin(),
+                                            matrix->m.end());
+        // Lights of this form can't be sampled but by triangles.
+        if (shinesFrom(firstAppearance, shapes.count) &&
+            (!keepsSpheres(currentFromObject) || turns(steps)))
+            for (std::uint32_t k = 0; k < shapes.count; ++k)
+                points_.shapes[shapes.first + k].mayBeSphere = false;
+    }
+
+    static bool turns(std::span<const Matrix4> steps) {
+        return std::ranges::any_of(steps, [&](const Matrix4 &step) {
+            return !std::equal(step.m.begin(), step.m.begin() + 12, steps.front().m.begin());
+        });
     }
 
     static constexpr std::int32_t noAppearance = -1;
@@ -281,6 +343,7 @@ private:
     std::vector<int> timesPlaced_;           ///< By object.
     std::vector<PlacementDetail> details_;   ///< By placement.
     std::vector<std::uint32_t> shapeCounts_; ///< By instance.
+    std::span<const Matrix4> steps_;         ///< Of what is added to the world now, if it moves.
     std::vector<bool> turnedShapes_;         ///< By shape: its definition reverses the orientation.
     std::vector<DisplacedStages> displaced_; ///< By shape.
     std::map<const DeclaredPrimitive *, Surfaces> surfaces_;              ///< Of objects.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/scene/source_geometry.h"
 
+#include "world/shapes/dice_rate.h"
 #include "world/shapes/shape.h"
 
 #include <algorithm>
@@ -91,6 +92,21 @@ EmitterBound boundOf(const LightTable &table, const LightSource &source, LightSi
     if (source.members > 1) // Of floats: a little wider than it seems.
         bound.normalSpread = std::min(float(std::acos(std::max(least, -1.0))) + 1e-3f, pi);
     return bound;
+}
+
+void spreadByMotion(std::span<const Matrix4> steps, const Matrix4 &objectFromOpen,
+                    EmitterBound &bound) {
+    if (steps.empty() || bound.box.empty())
+        return;
+    Box3 swept = bound.box; // Between two steps every point goes straight.
+    bool turns = false;
+    for (const Matrix4 &step : steps) {
+        swept.add(transformBox(objectFromOpen * step, bound.box));
+        turns |= !std::equal(step.m.begin(), step.m.begin() + 12, steps.front().m.begin());
+    }
+    bound.box = swept;
+    if (turns)
+        bound.normalSpread = pi;
 }
 
 void setTriangle(LightElement &element, const RayShape &mesh, std::uint32_t number,

@@ -17,6 +17,9 @@ double solidAngleOf(const LightElement &);
 /// What the tree is to know of a source with geometry; its power is left out. `elementSign` as in
 /// Appearance.
 EmitterBound boundOf(const LightTable &, const LightSource &, LightSides, float elementSign);
+/// Grown to all that it bounds where its space goes these steps (none: it stands still).
+/// `objectFromOpen`: the inverse of where it stands when the shutter opens.
+void spreadByMotion(std::span<const Matrix4> steps, const Matrix4 &objectFromOpen, EmitterBound &);
 /// Corner and edges of element `number` in current space.
 void setTriangle(LightElement &, const RayShape &, std::uint32_t number,
                  const Matrix4 &currentFromOuter);

@@ -238,6 +238,38 @@ void ElementRows::draw(const LightTable &table, int lanes, const std::int32_t *s
     take(table, lanes, drawn);
 }
 
+void ElementRows::moveTo(const PointTables &tables, const float *time) {
+    if (!tables.anythingMoves())
+        return;
+    for (int i = 0; i < count; ++i) {
+        if (Form(form[i]) == Form::NoShape || instance[i] == noHit)
+            continue;
+        const std::span<const Matrix4> steps = tables.stepsOf(instance[i]);
+        if (steps.empty())
+            continue;
+        filledLanes_ = 0;
+        Matrix4 objectFromOpen;
+        std::copy_n(tables.matricesOf(instance[i]) + 16, 16, objectFromOpen.m.begin());
+        const Matrix4 moved = objectFromOpen * matrixAt(steps, tables.shutter.share(time[i]));
+        const auto get = [i](const auto &planes) {
+            return Vec3{planes[0][i], planes[1][i], planes[2][i]};
+        };
+        const auto set = [i](const auto &planes, Vec3 to) {
+            for (int c = 0; c < 3; ++c)
+                planes[c][i] = to[c];
+        };
+        set(corner, transformPoint(moved, get(corner)));
+        if (Form(form[i]) == Form::Sphere) // Such do not turn.
+            continue;
+        // What is drawn by area keeps its share, whatever it becomes.
+        const float before = length(cross(get(edgeA), get(edgeB)));
+        set(edgeA, transformVector(moved, get(edgeA)));
+        set(edgeB, transformVector(moved, get(edgeB)));
+        if (before > 0)
+            area[i] *= length(cross(get(edgeA), get(edgeB))) / before;
+    }
+}
+
 SourcePoints::SourcePoints(int capacity) : floats(9, capacity) {
     for (int c = 0; c < 3; ++c)
         point[c] = floats[c], normal[c] = floats[3 + c];

@@ -19,6 +19,9 @@ struct ElementRows {
     /// what is left of it.
     void draw(const LightTable &, int count, const std::int32_t *source, const float *u);
 
+    /// Brings elements that move to where they are at the lanes' times.
+    void moveTo(const PointTables &, const float *time);
+
     int count = 0;
     Planes<float> planes;
     Planes<int> row;

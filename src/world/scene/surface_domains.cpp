@@ -44,7 +44,8 @@ void SurfaceDomains::frames(const SurfacePlaces &places, const Vec3Planes &P, co
         answer.areaScale = areaScale + first;
         tables.shapes[shape].surface->evaluate(
             {last - first, places.piece + first, places.u + first, places.v + first}, answer);
-        const Matrix4 currentFromShape = tables.currentFromShape(instance, shape);
+        const Matrix4 currentFromShape =
+            tables.currentFromShape(instance, shape, state_->camera.shutterOpen());
         const Matrix4 shapeFromCurrent = inverse(currentFromShape).value_or(Matrix4{});
         const float volume = float(std::fabs(determinant3(currentFromShape)));
         const Appearance &appearance =
@@ -86,8 +87,8 @@ void SurfaceDomains::shadingPoints(const SurfacePlaces &places, const Vec3Planes
         std::copy_n(from[c], count, points.input(ShaderInput::I, c));
     }
     const SurfaceCode &code = tables.codes[std::size_t(tables.appearances[rowOf(0)].code)];
-    evaluatePoints(tables, state_->camera, code, nullptr, points);
     std::fill_n(points.input(ShaderInput::time, 0), count, time);
+    evaluatePoints(tables, state_->camera, code, nullptr, points);
     for (int c = 0; c < 3 && code.wanted.E; ++c)
         std::fill_n(points.input(ShaderInput::E, c), count, 0.0f);
     if (code.code->reads(ShaderInput::rayOffset))

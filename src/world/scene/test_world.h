@@ -87,7 +87,7 @@ public:
             compiler.light(light);
         for (auto &[record, state, matrix] : primitives) {
             MotionTransform motion;
-            motion.knots[0].matrix = matrix;
+            motion.matrix = matrix;
             compiler.primitive(record, state, motion);
         }
         for (int i = 0; i < int(objects.size()); ++i) {
@@ -96,7 +96,7 @@ public:
             compiler.objectEnd();
             for (const Matrix4 &matrix : objects[i].placements) {
                 MotionTransform motion;
-                motion.knots[0].matrix = matrix;
+                motion.matrix = matrix;
                 compiler.instance(i, objects[i].attributes, motion);
             }
         }

@@ -16,6 +16,7 @@
 #include "world/shading/shader_spaces.h"
 
 #include <array>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <span>
@@ -81,6 +82,14 @@ public:
     std::span<const float> block(std::int32_t offset) const {
         return std::span(blocks_).subspan(std::size_t(offset), shader_.whole.parameters.size());
     }
+    /// The block at `offset` is the first of so many, one after the other, between which parameters
+    /// go straight while the shutter is open.
+    void setSteps(std::int32_t offset, int steps) { steps_[offset] = steps; }
+    bool hasMotion() const { return !steps_.empty(); }
+    int stepsOf(std::int32_t offset) const {
+        const auto found = steps_.find(offset);
+        return found == steps_.end() ? 1 : found->second;
+    }
     /// Named coordinate systems; with a warning for those that are not there.
     void bindSpaces(const std::map<std::string, Matrix4> &systems, DiagnosticSink &);
     /// As LightCategories::bind().
@@ -113,6 +122,7 @@ private:
     std::shared_ptr<const ShaderMessages> messages_;
     std::shared_ptr<const ShaderAnswers> answers_;
     std::vector<float> blocks_;
+    std::map<std::int32_t, int> steps_; ///< Of the blocks that move.
     ShaderSpaces spaces_;
     LightCategories categories_;
     mutable std::array<CompiledQuestion, ir::questionCount> questions_;

@@ -4,11 +4,13 @@
 #include "language/ir/transform/fold.h"
 #include "language/ir/transform/light_rule.h"
 
+#include "foundation/base/motion_steps.h"
 #include "foundation/base/parallel.h"
 #include "interface/ri/search_path.h"
 #include "world/shading/instance_values.h"
 #include "world/shading/shader_source.h"
 
+#include <algorithm>
 #include <cstring>
 #include <utility>
 
@@ -205,6 +207,24 @@ ToldValues ShaderLibrary::State::askOthers(const OtherShaders &others, const Opt
     return told;
 }
 
+/// The record at the steps of its motion after the first one; none if it stands still.
+static std::vector<ShaderRecord> recordsInTime(const ShaderRecord &record, const Options &options) {
+    const TransformMotion::Shared &motion = record.currentFromShader.motion;
+    const Shutter shutter{options.camera.shutterOpen, options.camera.shutterClose};
+    if (!motion || !shutter.hasInterval())
+        return {};
+    std::vector<double> times;
+    motion->addTimes(times);
+    const std::vector<Matrix4> steps =
+        motionSteps([&](double time) { return motion->at(time); }, times, shutter);
+    std::vector<ShaderRecord> records;
+    for (std::size_t step = 1; step < steps.size(); ++step) {
+        records.push_back(record);
+        records.back().currentFromShader = {steps[step], nullptr};
+    }
+    return records;
+}
+
 std::optional<ShaderInstance> ShaderLibrary::instance(ShaderKind kind, const ShaderRecord &record,
                                                       const Options &options, ir::LightRule rule,
                                                       const std::set<std::string> &variables,
@@ -243,7 +263,28 @@ std::optional<ShaderInstance> ShaderLibrary::instance(ShaderKind kind, const Sha
                                             state_->messages, state_->answers);
         state_->inOrder.push_back(code);
     }
-    return ShaderInstance{code, code->addBlock(block)};
+    const ShaderInstance made{code, code->addBlock(block)};
+    const std::vector<ShaderRecord> moved = recordsInTime(record, options);
+    std::vector<std::vector<float>> blocks;
+    DiagnosticList heard; // It has been said of the first block.
+    for (const ShaderRecord &later : moved)
+        blocks.push_back(parameterBlock(*lowered, later, options, told, heard, attributes));
+    const auto isSteady = [&](const std::vector<float> &later) {
+        return std::ranges::all_of(controlRelevant->second,
+                                   [&](int slot) { return later[slot] == block[slot]; });
+    };
+    if (!std::ranges::all_of(blocks, isSteady)) {
+        state_->diagnostics.warning(record.parameters.where,
+                                    "shader \"" + record.name +
+                                        "\": parameters that change with time decide what it does; "
+                                        "they stay as they are when the shutter opens");
+        return made;
+    }
+    for (const std::vector<float> &later : blocks)
+        code->addBlock(later);
+    if (!blocks.empty())
+        code->setSteps(made.parameterOffset, int(blocks.size()) + 1);
+    return made;
 }
 
 std::vector<ToldParameter> ShaderLibrary::parametersTold(ShaderKind kind,

@@ -58,10 +58,17 @@ float unseenPixel(const Box3 &box) {
     return std::max({extent.x, extent.y, extent.z}) / pixelsAcross;
 }
 
-float viewingPixel(const Camera &camera, const Box3 &box) {
+static float stillPixel(const Camera &camera, const Box3 &box) {
     const std::optional<float> shown = camera.shownDepth(box);
     const float pixel = camera.pixelSize(std::max(viewingDepth(box), shown.value_or(0)));
     return shown ? pixel : std::max(pixel, unseenPixel(box));
+}
+
+float viewingPixel(const Camera &camera, const Box3 &box) {
+    float least = stillPixel(camera, box);
+    for (const Matrix4 &step : camera.cameraFromCurrent())
+        least = std::min(least, stillPixel(camera, transformBox(step, box)));
+    return least;
 }
 
 } // namespace candela

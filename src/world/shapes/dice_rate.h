@@ -22,7 +22,8 @@ float largestStretch(const Matrix4 &);
 float viewingDepth(const Box3 &);
 /// What the camera does not show is diced as if a pixel were so large: by its size.
 float unseenPixel(const Box3 &);
-/// The edge of a pixel at that depth, or of one that does not show the box.
+/// The edge of a pixel at that depth, or of one that does not show the box; of a camera that moves,
+/// the least that it comes to.
 float viewingPixel(const Camera &, const Box3 &);
 
 } // namespace candela

@@ -45,15 +45,19 @@ float DicingPlan::nearestPixel(const Box3 &bound, const Matrix4 &currentFromObje
 /// Its triangles depend on the rate.
 static bool isCurved(const Shape &shape) { return !shape.surface->isFlat() && !outerSphere(shape); }
 
-void DicingPlan::add(const Shape &shape, float shadingRate) {
+void DicingPlan::add(const Shape &shape, float shadingRate, std::span<const Matrix4> steps) {
     const Box3 box = transformBox(shape.outerFromShape, shape.surface->bound());
     const Vec3 extent = box.extent();
-    const float guess = viewingPixel(camera_, box);
-    const bool isNear = box.high.z > 0 && box.low.z < std::max({extent.x, extent.y, extent.z});
+    float guess = viewingPixel(camera_, box);
+    for (const Matrix4 &step : steps)
+        guess = std::min(guess, nearestPixel(box, step));
+    const bool isNear =
+        steps.empty() && box.high.z > 0 && box.low.z < std::max({extent.x, extent.y, extent.z});
     const float known = isNear && isCurved(shape) ? pixelOfParts(shape, box) : guess;
     add(shape, shadingRate, std::max(guess, known), 0);
     Wish &wish = wishes_.back();
     wish.edge = displacedEdgePixels * squareRootOf(shadingRate);
+    wish.moves = !steps.empty();
     if (box.low.z <= 0)
         wish.pixel *= leniency(shape, wish, known / std::max(guess, known));
 }
@@ -172,12 +176,13 @@ std::vector<RayShape> DicingPlan::dice(std::vector<Shape> &shapes) const {
     std::vector<DicedMesh> begun(shapes.size());
     parallelFor(shapes.size(), [&](std::size_t i) {
         const DiceRate rate = rateOf(shapes[i], wishes_[i], pixels[i], coarsening);
-        // Instances stand anywhere: what an object holds is not cut for the eye.
+        // Instances stand anywhere, and so does what moves: that is not cut for the eye.
         const Vec3 eye{};
         if (shapes[i].displacement)
             begun[i] = shapes[i].surface->dice(rate);
         else
-            meshes[i] = candela::dice(shapes[i], rate, wishes_[i].inWorld() ? &eye : nullptr);
+            meshes[i] = candela::dice(shapes[i], rate,
+                                      wishes_[i].inWorld() && !wishes_[i].moves ? &eye : nullptr);
     });
     diceDisplaced(shapes, std::move(begun), meshes);
     return meshes;

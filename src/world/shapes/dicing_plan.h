@@ -6,6 +6,7 @@
 #include "world/shapes/dice_rate.h"
 #include "world/shapes/shape.h"
 
+#include <span>
 #include <vector>
 
 namespace candela {
@@ -17,8 +18,8 @@ class DicingPlan {
 public:
     explicit DicingPlan(const Camera &);
 
-    /// The next shape stands in the world.
-    void add(const Shape &, float shadingRate);
+    /// The next shape stands in the world, or moves there (`steps` from where it stands).
+    void add(const Shape &, float shadingRate, std::span<const Matrix4> steps = {});
     /// The next shape is of an object, whose nearest placement sees a pixel as so many units of the
     /// object's space. Shapes of one object stand together: `object` numbers them, from 1.
     void add(const Shape &, float shadingRate, float pixel, std::uint32_t object);
@@ -39,6 +40,7 @@ private:
         bool isCurved;
         float edge; ///< Displaced: how long edges may be, in pixels (of objects: outer units).
         bool fine = false;
+        bool moves = false;
         bool inWorld() const { return object == 0; }
     };
     float pixelOfParts(const Shape &, const Box3 &) const;

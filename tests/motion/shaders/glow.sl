@@ -1,0 +1,5 @@
+/* Shines alike to all sides. */
+surface glow(float radiance = 1;) {
+    Oi = Os;
+    Ci = Os * Cs * radiance;
+}

@@ -1,0 +1,5 @@
+/* The time that a point is seen at. */
+surface moment() {
+    Oi = Os;
+    Ci = time;
+}
