@@ -70,8 +70,9 @@ void addRender(CLI::App &app, int &status) {
         ->check(CLI::Validator(checked(parseFormat, "WIDTHxHEIGHT"), ""));
     app.add_option("--output-dir", s.outputDirectory, "Folder for pictures; default: this one");
     addSearchPaths(app, s);
-    app.add_flag("--allow-programs", s.allowPrograms,
-                 "Trust the RIB: let it write outside the output folder");
+    app.add_flag("--trust,--allow-programs", s.trust,
+                 "Trust the RIB: let it run programs (Procedural \"RunProgram\") and write outside "
+                 "the output folder");
     app.add_flag("--quiet", s.quiet, "No progress, only messages");
     addTestingOptions(app, a.testing, s);
 

@@ -40,10 +40,11 @@ public:
     bool skips() const override { return false; }
     bool stopped() const override { return false; }
     std::optional<StateValue> valueOf(const std::string &) const override { return std::nullopt; }
-    std::optional<std::string> findArchive(const std::string &,
-                                           const SourceLocation &) const override {
+    std::optional<std::string> locate(const char *, const std::string &,
+                                      const SourceLocation &) const override {
         return std::nullopt;
     }
+    float detailOf(const std::array<float, 6> &) const override { return 0; }
 };
 
 /// A rolling ground of a million triangles, with normals.

@@ -19,7 +19,7 @@ struct PlannedDisplay {
 
 struct OutputPolicy {
     std::string directory = ".";
-    bool allowOutside = false; ///< --allow-programs.
+    bool allowOutside = false; ///< --trust.
 };
 
 /// The displays of the options that can be written: their formats, planes and paths. Types that

@@ -32,7 +32,7 @@ std::optional<std::string> outputPath(const std::string &name, const std::string
     if (error)
         return fail(error.message());
     if (!allowOutside && !liesWithin(realPath, realFolder))
-        return fail("writes outside the output folder need --allow-programs");
+        return fail("writes outside the output folder need --trust");
     fs::create_directories(path.parent_path(), error);
     if (error)
         return fail("cannot make its folder " + path.parent_path().lexically_normal().string() +

@@ -296,7 +296,7 @@ bool renderAndWrite(const Scene &scene, ShaderLibrary &library, const RenderSett
     integrator.progress = [&](double done) { listeners.console.progress(done); };
     FrameJob job{scene, listeners, integrator, describe(scene, integrator, file),
                  planDisplays(options, channelsToShow(scene, shaders.filters),
-                              {settings.outputDirectory, settings.allowPrograms}, diagnostics)};
+                              {settings.outputDirectory, settings.trust}, diagnostics)};
     const PixelFilterSampler filter(options.filter, diagnostics, options.places.pixelFilter);
     const Film::Settings wanted = filmSettings(scene, integrator.crop, filter, shaders.filters);
     double maps = shaders.filters.empty() ? 0 : bytesOfMaps(mapNames(shaders.filters), wanted);

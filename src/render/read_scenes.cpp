@@ -50,7 +50,7 @@ GraphicsStateSettings stateSettings(const std::string &ribFile, const RenderSett
                                     DiagnosticSink &diagnostics) {
     GraphicsStateSettings result;
     const TextureOrderSettings orders{textureFolders(ribFile, settings), settings.outputDirectory,
-                                      settings.allowPrograms};
+                                      settings.trust};
     result.makeTexture = [=, &diagnostics](const TextureOrder &order, const Options &options) {
         makeOrderedTexture(order, options, orders, diagnostics);
     };
@@ -80,7 +80,7 @@ void readScenes(const std::string &path, const RenderSettings &settings,
     GraphicsState state(world, shaders, diagnostics, stateSettings(path, settings, diagnostics));
 
     try {
-        RibReader(state, diagnostics).readFile(path);
+        RibReader(state, diagnostics, {settings.trust, {}}).readFile(path);
         state.finish();
     } catch (const std::bad_alloc &) {
         diagnostics.error({std::make_shared<const std::string>(path)},

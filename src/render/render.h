@@ -22,7 +22,7 @@ struct RenderSettings {
     std::uint32_t seed = 0;
     int threads = 0; ///< 0 = all cores.
     std::string outputDirectory = ".";
-    bool allowPrograms = false; ///< Also allows output outside the output directory.
+    bool trust = false; ///< The RIB may run programs and write outside the output directory.
     std::vector<std::string> shaderPath, archivePath, texturePath;
     bool quiet = false;
 

@@ -93,7 +93,7 @@ TEST_F(BadInput, OutputOutsideTheFolderNeedsTrust) {
     Outcome run = render(rib);
     EXPECT_EQ(run.status, 1) << run.text();
     EXPECT_FALSE(elsewhere.has("out.exr"));
-    EXPECT_EQ(render(rib, {"--allow-programs"}).status, 0);
+    EXPECT_EQ(render(rib, {"--trust"}).status, 0);
     EXPECT_TRUE(elsewhere.has("out.exr"));
 }
 

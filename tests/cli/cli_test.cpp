@@ -71,7 +71,7 @@ TEST_F(CommandLine, HelpNamesEveryOption) {
     for (const char *option :
          {"--spp", "--threads", "--seed", "--integrator", "--crop", "--format", "--output-dir",
           "--shader-path", "--archive-path", "--texture-path", "--quiet", "--lanes", "--cpu",
-          "--sampling", "--stats", "--allow-programs", "--version", "compile", "diff"})
+          "--sampling", "--stats", "--trust", "--version", "compile", "diff"})
         EXPECT_NE(run.out.find(option), std::string::npos) << option;
 }
 

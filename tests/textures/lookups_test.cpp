@@ -149,7 +149,7 @@ TEST(Lookups, ThatGoWrongAreZeroAndSaidOnce) {
           "texture \"missing.shd\": ", "texture \"grey.exr\": ", "no parameter \"blurr\"",
           "scene.rib:1:1: error: MakeTexture: there is no picture \"nothing.tif\"",
           "scene.rib:2:1: error: MakeTexture: there is no wrap mode \"wavy\"",
-          "scene.rib:3:1: error: MakeShadow: ", "need --allow-programs",
+          "scene.rib:3:1: error: MakeShadow: ", "need --trust",
           "huge.tga cannot be read: it claims more pixels",
           "scene.rib:5:1: error: MakeTexture: the texture would take the place of "})
         EXPECT_TRUE(run.says(words)) << words << "\n" << run.err;

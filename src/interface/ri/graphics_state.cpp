@@ -42,9 +42,13 @@ GraphicsState::GraphicsState(SceneBuilder &builder, ShaderLookup &shaders, Error
 
 GraphicsState::~GraphicsState() = default;
 
-std::optional<std::string> GraphicsState::findArchive(const std::string &name,
-                                                      const SourceLocation &where) const {
-    return handlers_->findArchive(name, where);
+std::optional<std::string> GraphicsState::locate(const char *path, const std::string &name,
+                                                 const SourceLocation &where) const {
+    return handlers_->locate(path, name, where);
+}
+
+float GraphicsState::detailOf(const std::array<float, 6> &bound) const {
+    return handlers_->detailOf(bound);
 }
 
 std::optional<StateValue> GraphicsState::valueOf(const std::string &name) const {

@@ -37,8 +37,9 @@ public:
     void handler(const SourceLocation &where CANDELA_PARAMETERS(__VA_ARGS__)) override;
 #include "interface/ri/requests.def"
 
-    std::optional<std::string> findArchive(const std::string &name,
-                                           const SourceLocation &where) const override;
+    std::optional<std::string> locate(const char *path, const std::string &name,
+                                      const SourceLocation &where) const override;
+    float detailOf(const std::array<float, 6> &bound) const override;
     std::optional<StateValue> valueOf(const std::string &name) const override;
     bool stopped() const override { return policy_.stopped(); }
 

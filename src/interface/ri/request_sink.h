@@ -6,6 +6,7 @@
 #include "interface/ri/request_table.h"
 #include "interface/ri/request_types.h"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <variant>
@@ -27,10 +28,13 @@ public:
     virtual void handler(const SourceLocation &where CANDELA_PARAMETERS(__VA_ARGS__)) = 0;
 #include "interface/ri/requests.def"
 
-    /// Where ReadArchive finds the file of that name (searchpath "archive", --archive-path, the
-    /// folder of the file that asks for it, the current folder); nothing if nowhere.
-    virtual std::optional<std::string> findArchive(const std::string &name,
-                                                   const SourceLocation &where) const = 0;
+    /// Where the file of that name is (Option "searchpath" `path`, which is "archive" or
+    /// "procedural", --archive-path, the folder of the file that asks for it, the current folder);
+    /// nothing if nowhere.
+    virtual std::optional<std::string> locate(const char *path, const std::string &name,
+                                              const SourceLocation &where) const = 0;
+    /// How many pixels a box (xMin, xMax, yMin...) of the current space covers: rasterDetail().
+    virtual float detailOf(const std::array<float, 6> &bound) const = 0;
     /// What conditions call `name`: "Frame", or an attribute or option as "category:name", which
     /// "Attribute:" or "Option:" before it tell apart; the first value of several. Nothing if it is
     /// not set.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Blocks, the dictionary and the error handler.
+#include "interface/ri/raster_detail.h"
 #include "interface/ri/search_path.h"
 #include "interface/ri/state_handlers.h"
 
@@ -22,9 +23,9 @@ StateHandlers::StateHandlers(SceneBuilder &builder, ShaderLookup &shaders,
     setPath("archive", settings_.searchPaths.archive);
 }
 
-std::optional<std::string> StateHandlers::findArchive(const std::string &name,
-                                                      const SourceLocation &where) const {
-    std::vector<std::string> folders = searchFolders(state_.options, "archive");
+std::optional<std::string> StateHandlers::locate(const char *path, const std::string &name,
+                                                 const SourceLocation &where) const {
+    std::vector<std::string> folders = searchFolders(state_.options, path);
     for (std::string &folder : splitSearchPath(settings_.searchPaths.archive))
         folders.push_back(std::move(folder));
     if (where.file) {
@@ -33,6 +34,10 @@ std::optional<std::string> StateHandlers::findArchive(const std::string &name,
     }
     folders.push_back(".");
     return findFile(name, folders);
+}
+
+float StateHandlers::detailOf(const std::array<float, 6> &bound) const {
+    return rasterDetail(bound, state_.transform.current.matrix, state_.options);
 }
 
 void StateHandlers::declare(const SourceLocation &where, const std::string &name,

@@ -30,8 +30,9 @@ public:
     void beginMotion(const std::vector<double> &times);
     void endMotion(const SourceLocation &);
 
-    std::optional<std::string> findArchive(const std::string &name,
-                                           const SourceLocation &where) const;
+    std::optional<std::string> locate(const char *path, const std::string &name,
+                                      const SourceLocation &where) const;
+    float detailOf(const std::array<float, 6> &bound) const;
     std::optional<StateValue> valueOf(const std::string &name) const;
 
 private:

@@ -17,8 +17,8 @@ public:
     /// True where a condition does not hold: of what comes, only conditions will be heard.
     virtual bool skips() const = 0;
 
-    /// A comment: what stands behind the first '#' up to the end of the line. One within or before a
-    /// request may come behind it.
+    /// A comment: what stands behind the first '#' up to the end of the line. One within or before
+    /// a request may come behind it.
     virtual void comment(const SourceLocation &, const std::string &) {}
     virtual bool wantsComments() const { return false; }
 };

@@ -13,7 +13,7 @@ namespace candela {
 static bool valueHere(ArgumentCursor &cursor, float &value) {
     if (!cursor.at(TokenKind::Number))
         return cursor.expected("a number");
-    value = float(cursor.token().number);
+    value = cursor.token().single;
     return true;
 }
 

@@ -106,23 +106,21 @@ bool Lexer::binary(RibToken &token) {
 
 void Lexer::binaryNumber(RibToken &token, int code) {
     token.kind = TokenKind::Number;
-    token.whole = false;
-    token.number = 0;
+    token.whole = code < 0204;
+    token.number = binaryValue(code);
+    token.single = float(token.number);
+}
+
+double Lexer::binaryValue(int code) {
     std::uint64_t bits = 0;
-    if (code >= 0244) {
-        const bool isDouble = code == 0245;
-        if (take(isDouble ? 8 : 4, bits))
-            token.number = isDouble ? std::bit_cast<double>(bits)
-                                    : double(std::bit_cast<float>(std::uint32_t(bits)));
-        return;
-    }
-    const int size = (code & 3) + 1, fraction = (code - 0200) >> 2;
-    if (!take(std::size_t(size), bits))
-        return;
-    const int unused = 64 - 8 * size;
-    const std::int64_t value = std::int64_t(bits << unused) >> unused;
-    token.whole = fraction == 0;
-    token.number = token.whole ? double(value) : std::ldexp(double(value), -8 * fraction);
+    if (code == 0245)
+        return take(8, bits) ? std::bit_cast<double>(bits) : 0;
+    if (code == 0244)
+        return take(4, bits) ? double(std::bit_cast<float>(std::uint32_t(bits))) : 0;
+    const int size = (code & 3) + 1, fraction = (code - 0200) >> 2, unused = 64 - 8 * size;
+    take(std::size_t(size), bits);
+    const double value = double(std::int64_t(bits << unused) >> unused);
+    return fraction == 0 ? value : std::ldexp(value, -8 * fraction);
 }
 
 void Lexer::binaryString(RibToken &token, std::uint64_t length) {

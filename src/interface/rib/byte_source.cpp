@@ -12,14 +12,22 @@
 
 namespace candela {
 
-/// zlib reads plain files as they are and compressed ones decompressed: it looks for 1F 8B.
-struct ByteSource::File {
-    gzFile handle;
-    ~File() { gzclose(handle); }
-};
+static constexpr std::size_t windowSize = 1 << 16;
 
-ByteSource::ByteSource() = default;
-ByteSource::~ByteSource() = default;
+ByteSource::ByteSource(Read read) : read_(std::move(read)) {
+    if (read_)
+        window_.resize(windowSize);
+}
+
+/// zlib reads plain files as they are and compressed ones decompressed: it looks for 1F 8B.
+static std::size_t readPacked(gzFile file, char *to, std::size_t most, std::string &failure) {
+    const int count = gzread(file, to, unsigned(most));
+    int code = Z_OK;
+    const char *message = gzerror(file, &code);
+    if (code != Z_OK && code != Z_STREAM_END)
+        failure = code == Z_ERRNO ? std::strerror(errno) : message;
+    return count > 0 ? std::size_t(count) : 0;
+}
 
 std::unique_ptr<ByteSource> ByteSource::open(const std::string &path, std::string &why) {
     std::error_code ignored;
@@ -33,15 +41,15 @@ std::unique_ptr<ByteSource> ByteSource::open(const std::string &path, std::strin
         why = errno ? std::strerror(errno) : "out of memory";
         return nullptr;
     }
-    gzbuffer(handle, 1 << 16);
-    std::unique_ptr<ByteSource> result(new ByteSource);
-    result->file_.reset(new File{handle});
-    result->window_.resize(1 << 16);
-    return result;
+    gzbuffer(handle, windowSize);
+    const std::shared_ptr<gzFile_s> file(handle, gzclose);
+    return std::make_unique<ByteSource>([file](char *to, std::size_t most, std::string &failure) {
+        return readPacked(file.get(), to, most, failure);
+    });
 }
 
 std::unique_ptr<ByteSource> ByteSource::fromMemory(std::string bytes) {
-    std::unique_ptr<ByteSource> result(new ByteSource);
+    auto result = std::make_unique<ByteSource>(Read());
     result->window_ = std::move(bytes);
     result->end_ = result->window_.size();
     return result;
@@ -49,21 +57,18 @@ std::unique_ptr<ByteSource> ByteSource::fromMemory(std::string bytes) {
 
 /// Reads on until the byte `ahead` is in the window; false at the end.
 bool ByteSource::fill(std::size_t ahead) {
-    if (!file_ || !failure_.empty())
+    if (!read_ || !failure_.empty())
         return false;
-    std::copy(window_.begin() + next_, window_.begin() + end_, window_.begin());
+    std::copy(window_.begin() + std::ptrdiff_t(next_), window_.begin() + std::ptrdiff_t(end_),
+              window_.begin());
     end_ -= next_;
     before_ += next_;
     next_ = 0;
     while (end_ <= ahead) {
-        int count = gzread(file_->handle, window_.data() + end_, unsigned(window_.size() - end_));
-        int code = Z_OK;
-        const char *message = gzerror(file_->handle, &code);
-        if (code != Z_OK && code != Z_STREAM_END)
-            failure_ = code == Z_ERRNO ? std::strerror(errno) : message;
-        if (count <= 0)
+        const std::size_t count = read_(window_.data() + end_, window_.size() - end_, failure_);
+        if (count == 0)
             return false;
-        end_ += std::size_t(count);
+        end_ += count;
     }
     return true;
 }

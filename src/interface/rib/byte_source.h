@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bytes as a stream with a window to look ahead in, from memory or from a file that may be
-// compressed with gzip.
+// Bytes as a stream with a window to look ahead in, from memory, from a file that may be compressed
+// with gzip, or from elsewhere.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -16,7 +17,9 @@ public:
     /// Nothing if the file cannot be opened; `why` then says so. "-" is the standard input.
     static std::unique_ptr<ByteSource> open(const std::string &path, std::string &why);
     static std::unique_ptr<ByteSource> fromMemory(std::string bytes);
-    ~ByteSource();
+    /// Puts up to so many bytes there and says how many; none at the end, or if there is a failure.
+    using Read = std::function<std::size_t(char *to, std::size_t most, std::string &failure)>;
+    explicit ByteSource(Read);
 
     /// The byte `ahead` of the next one, or -1 after the end. `ahead` is below 256.
     int peek(std::size_t ahead = 0) {
@@ -31,11 +34,9 @@ public:
     const std::string &failure() const { return failure_; }
 
 private:
-    struct File;
-    ByteSource();
     bool fill(std::size_t ahead);
 
-    std::unique_ptr<File> file_;
+    Read read_; ///< None: the window is all there is.
     std::string window_;
     std::size_t next_ = 0, end_ = 0;
     std::uint64_t before_ = 0; ///< Bytes that have left the window.

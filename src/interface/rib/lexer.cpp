@@ -107,7 +107,8 @@ void Lexer::next(RibToken &token) {
 bool Lexer::readToken(RibToken &token) {
     if (inArray_)
         return inBinaryArray(token);
-    skipBlanks();
+    if (!ended_)
+        skipBlanks();
     if (!token.where.file)
         token.where.file = file_;
     token.where.line = line_, token.where.column = column();
@@ -177,7 +178,7 @@ void Lexer::request(RibToken &token) {
         token.text.size() <= longest ? parseNumber(token.text) : std::optional<TextNumber>();
     if (special) {
         token.kind = TokenKind::Number;
-        token.number = special->value;
+        token.number = special->value, token.single = special->single;
         token.whole = false;
     }
 }
@@ -190,7 +191,7 @@ void Lexer::number(RibToken &token) {
     TextNumber plain;
     const char *stop = parsePlainNumber(window.data(), window.data() + window.size(), plain);
     if (stop && isDelimiter((unsigned char)*stop)) {
-        token.number = plain.value, token.whole = plain.whole;
+        token.number = plain.value, token.single = plain.single, token.whole = plain.whole;
         return skip(std::size_t(stop - window.data()));
     }
     // A comma within a number may be meant for its point.
@@ -199,11 +200,11 @@ void Lexer::number(RibToken &token) {
         skip(1);
     }
     if (const auto number = parseNumber(token.text)) {
-        token.number = number->value;
+        token.number = number->value, token.single = number->single;
         token.whole = number->whole;
     } else {
         error(token.where, "'" + token.text.substr(0, 40) + "' is no number");
-        token.number = std::numeric_limits<double>::quiet_NaN();
+        token.number = token.single = std::numeric_limits<float>::quiet_NaN();
         token.whole = false;
     }
 }
@@ -237,7 +238,7 @@ const char *parseBinaryInteger(const char *begin, const char *end, TextNumber &n
     std::int32_t value = (signed char)begin[1];
     for (int i = 2; i <= size; ++i)
         value = std::int32_t(std::uint32_t(value) << 8 | (unsigned char)begin[i]);
-    number = {double(value), true};
+    number = {double(value), float(value), true};
     return begin + size + 1;
 }
 

@@ -21,7 +21,8 @@ struct RibToken {
     TokenKind kind = TokenKind::End;
     SourceLocation where;
     std::string text;   ///< A request's name; a string's bytes.
-    double number = 0;  ///< Of a number.
+    double number = 0;  ///< Of a number,
+    float single = 0;   ///< and as the float that is nearest to what is written.
     bool whole = false; ///< The number was written as an integer.
 };
 
@@ -83,6 +84,7 @@ private:
     // Binary: binary_tokens.cpp.
     bool binary(RibToken &);
     void binaryNumber(RibToken &, int code);
+    double binaryValue(int code);
     void binaryString(RibToken &, std::uint64_t length);
     void binaryRequest(RibToken &);
     void definedString(RibToken &, int code);

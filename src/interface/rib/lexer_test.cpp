@@ -2,6 +2,8 @@
 #include "interface/rib/lexer.h"
 
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <gtest/gtest.h>
 #include <vector>
 
@@ -102,6 +104,20 @@ TEST(Lexer, numbersInAllSpellings) {
     }
     for (const char *text : {"nan", "NaN", "-nan"})
         EXPECT_TRUE(std::isnan(Lexed(text).tokens[0].number)) << text;
+}
+
+// 7.038531e-26 as a double lies on the middle between two floats, and that on the other side.
+TEST(Lexer, numbersAreTheNearestFloats) {
+    for (const float value : {7.038531e-26f, 1e-45f, 1.17549435e-38f, 1.17549421e-38f,
+                              3.40282347e38f, 16777216.f, .1f, 1e22f, 123456.789f}) {
+        char text[40];
+        std::snprintf(text, sizeof text, "%.9g", double(value));
+        for (const std::string &word : {std::string(text), std::string("7.038531e-26")}) {
+            const Lexed lexed(word + " ");
+            ASSERT_EQ(lexed.tokens.size(), 1u);
+            EXPECT_EQ(lexed.tokens[0].single, std::strtof(word.c_str(), nullptr)) << word;
+        }
+    }
 }
 
 TEST(Lexer, whatIsNoNumberIsReportedAndKeepsItsPlace) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cctype>
 #include <charconv>
 #include <cstdint>
@@ -36,9 +37,18 @@ static std::optional<double> valueOf(const std::string &word) {
     return error == std::errc() ? std::optional(value) : std::nullopt;
 }
 
+/// Of a word with that value.
+static float singleOf(const std::string &word, double value) {
+    const char *begin = word.data() + word.starts_with('+'), *end = word.data() + word.size();
+    float single = 0;
+    const auto [stop, error] = std::from_chars(begin, end, single);
+    return error == std::errc() ? single : float(value);
+}
+
 std::optional<TextNumber> parseNumber(const std::string &word) {
     if (const auto value = valueOf(word))
-        return TextNumber{*value, word.find_first_not_of("+-0123456789") == std::string::npos};
+        return TextNumber{*value, singleOf(word, *value),
+                          word.find_first_not_of("+-0123456789") == std::string::npos};
     return std::nullopt;
 }
 
@@ -62,6 +72,14 @@ struct Digits {
         return at;
     }
 };
+
+/// It may lie on the other side of the middle between two floats than what it was rounded from; of
+/// very small ones nothing is said.
+bool roundsTwice(double magnitude) {
+    constexpr std::uint64_t beyondFloat = (std::uint64_t(1) << 29) - 1, middle = 1 << 28;
+    return (std::bit_cast<std::uint64_t>(magnitude) & beyondFloat) == middle ||
+           (magnitude < std::numeric_limits<float>::min() && magnitude != 0);
+}
 
 } // namespace
 
@@ -107,7 +125,10 @@ const char *parsePlainNumber(const char *begin, const char *end, TextNumber &num
     const double value = double(digits.value);
     const double magnitude = exponent < 0 ? value / powers[std::size_t(-exponent)]
                                           : value * powers[std::size_t(exponent)];
+    if (roundsTwice(magnitude))
+        return nullptr;
     number.value = negative ? -magnitude : magnitude;
+    number.single = float(number.value);
     return at;
 }
 

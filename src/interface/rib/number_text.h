@@ -9,6 +9,7 @@ namespace candela {
 
 struct TextNumber {
     double value = 0;
+    float single = 0;   ///< The float that is nearest to the text, if not always to `value`.
     bool whole = false; ///< Written as an integer.
 };
 
@@ -17,7 +18,8 @@ struct TextNumber {
 std::optional<TextNumber> parseNumber(const std::string &word);
 
 /// The number that begins here, if it is a plain one (digits, a point, an exponent) and something
-/// follows it before `end`: where it ends, or null.
+/// follows it before `end`: where it ends, or null. One that rounds to another float by way of a
+/// double is not plain.
 const char *parsePlainNumber(const char *begin, const char *end, TextNumber &);
 
 } // namespace candela

@@ -19,7 +19,7 @@ static bool readValues(ArgumentCursor &cursor, TokenValue &value) {
     while (!cursor.at(TokenKind::ArrayEnd)) {
         const RibToken &token = cursor.token();
         if (cursor.at(TokenKind::Number) && value.strings.empty()) {
-            value.floats.push_back(float(token.number));
+            value.floats.push_back(token.single);
             cursor.nextNumbers(value.floats);
         } else if (cursor.at(TokenKind::String) && value.floats.empty()) {
             value.strings.push_back(token.text);
@@ -46,7 +46,7 @@ static std::optional<TokenValue> readParameter(ArgumentCursor &cursor) {
     if (cursor.at(TokenKind::ArrayBegin))
         return readValues(cursor, result) ? std::optional(std::move(result)) : std::nullopt;
     if (cursor.at(TokenKind::Number)) {
-        result.floats.push_back(float(token.number));
+        result.floats.push_back(token.single);
     } else if (cursor.at(TokenKind::String)) {
         result.strings.push_back(token.text);
     } else {

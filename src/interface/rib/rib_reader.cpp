@@ -5,9 +5,11 @@
 
 namespace candela {
 
-RibReader::RibReader(RequestSink &sink, DiagnosticSink &diagnostics)
+RibReader::RibReader(RequestSink &sink, DiagnosticSink &diagnostics,
+                     const ProceduralSettings &procedurals)
     : diagnostics_(diagnostics),
-      stream_(sink, diagnostics, [this](const std::string &path) { readFile(path); }) {}
+      stream_(
+          sink, diagnostics, [this](const std::string &path) { readFile(path); }, procedurals) {}
 
 bool RibReader::readFile(const std::string &path) {
     stream_.beginFile(path);

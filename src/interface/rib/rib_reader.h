@@ -11,7 +11,7 @@ namespace candela {
 class RibReader {
 public:
     /// For a GraphicsState give its ErrorPolicy. Both must outlive it.
-    RibReader(RequestSink &sink, DiagnosticSink &diagnostics);
+    RibReader(RequestSink &sink, DiagnosticSink &diagnostics, const ProceduralSettings & = {});
 
     /// As readRibFile and readRibText (rib_stream.h) do.
     bool readFile(const std::string &path);

@@ -4,7 +4,9 @@
 #include "interface/rib/condition.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <limits>
 #include <system_error>
 #include <utility>
 
@@ -24,9 +26,10 @@ static std::string identityOf(const std::string &path) {
 /// No file has such a name.
 static std::string identityOfInline(const std::string &name) { return '\0' + name; }
 
-StreamExpander::StreamExpander(RequestSink &sink, DiagnosticSink &diagnostics, FileReader readFile)
+StreamExpander::StreamExpander(RequestSink &sink, DiagnosticSink &diagnostics, FileReader readFile,
+                               const ProceduralSettings &procedurals)
     : sink_(sink), diagnostics_(diagnostics), readFile_(std::move(readFile)),
-      conditions_(diagnostics), archives_(diagnostics) {}
+      conditions_(diagnostics), archives_(diagnostics), programs_(diagnostics, procedurals) {}
 
 void StreamExpander::beginFile(const std::string &path) {
     open_.push_back({identityOf(path), conditions_.depth()});
@@ -79,10 +82,15 @@ void StreamExpander::readArchive(const SourceLocation &where, const std::string 
     if (archives_.isOpen())
         return archives_.keep(RequestId::ReadArchive,
                               [=](StreamSink &sink) { sink.readArchive(where, name, parameters); });
-    if (conditions_.skip())
-        return;
+    if (!conditions_.skip())
+        read(where, "ReadArchive", name);
+}
+
+/// The archive of that name, in this place.
+void StreamExpander::read(const SourceLocation &where, const char *request,
+                          const std::string &name) {
     if (const auto calls = archives_.find(name)) {
-        if (!mayRead(where, name, identityOfInline(name)))
+        if (!mayRead(where, request, name, identityOfInline(name)))
             return;
         open_.push_back({identityOfInline(name), conditions_.depth()});
         for (const InlineArchives::Call &call : *calls)
@@ -90,31 +98,105 @@ void StreamExpander::readArchive(const SourceLocation &where, const std::string 
                 call(*this);
         return endFile();
     }
-    const auto path = sink_.findArchive(name, where);
+    const auto path = sink_.locate("archive", name, where);
     if (!path)
         diagnostics_.error(where,
-                           "ReadArchive: there is no archive '" + name +
+                           std::string(request) + ": there is no archive '" + name +
                                "': none is defined by ArchiveBegin here, and none (a regular "
                                "file) is in the search path \"archive\", beside this file or "
                                "in the current folder");
-    else if (mayRead(where, name, identityOf(*path)))
+    else if (mayRead(where, request, name, identityOf(*path)))
         readFile_(*path);
 }
 
 /// Reported if not.
-bool StreamExpander::mayRead(const SourceLocation &where, const std::string &name,
-                             const std::string &identity) {
+bool StreamExpander::mayRead(const SourceLocation &where, const char *request,
+                             const std::string &name, const std::string &identity) {
+    const std::string what = std::string(request) + ": '" + name + "'";
     if (std::ranges::find(open_, identity, &Reading::identity) != open_.end())
-        diagnostics_.error(where, "ReadArchive: '" + name + "' would read itself without end");
+        diagnostics_.error(where, what + " would read itself without end");
     else if (int(open_.size()) > maximumArchiveDepth)
-        diagnostics_.error(where, "ReadArchive: archives are nested more than " +
+        diagnostics_.error(where, what + " is left out: archives are nested more than " +
                                       std::to_string(maximumArchiveDepth) + " deep");
     else if (open_.size() > 1 && ++nestedReadings_ > maximumNestedReadings)
-        diagnostics_.error(where, "ReadArchive: '" + name + "' is left out: archives read " +
+        diagnostics_.error(where, what + " is left out: archives read " +
                                       std::to_string(maximumNestedReadings) + " others already");
     else
         return true;
     return false;
+}
+
+void StreamExpander::procedural(const SourceLocation &where, const std::string &generator,
+                                const Strings &arguments, const LooseFloats &bound) {
+    if (archives_.isOpen())
+        archives_.keep(RequestId::Procedural, [=](StreamSink &sink) {
+            sink.procedural(where, generator, arguments, bound);
+        });
+    else if (!conditions_.skip())
+        expand(where, generator, arguments, bound);
+}
+
+/// PRMan's second form, whose arguments are parameters.
+void StreamExpander::procedural2(const SourceLocation &where, const std::string &generator,
+                                 const std::string &boundGenerator, const TokenList &parameters) {
+    if (archives_.isOpen())
+        return archives_.keep(RequestId::Procedural2, [=](StreamSink &sink) {
+            sink.procedural2(where, generator, boundGenerator, parameters);
+        });
+    if (conditions_.skip())
+        return;
+    const auto file = std::ranges::find_if(parameters.all, [](const TokenValue &parameter) {
+        return parameter.token == "filename" || parameter.token.ends_with(" filename");
+    });
+    if (generator != "DelayedReadArchive2")
+        diagnostics_.error(where, "Procedural2: '" + generator +
+                                      "' is unknown: expected \"DelayedReadArchive2\"; the "
+                                      "primitive is left out");
+    else if (file == parameters.all.end() || file->strings.size() != 1)
+        diagnostics_.error(where, "Procedural2: expected \"string filename\" and a name; the "
+                                  "primitive is left out");
+    else
+        expand(where, "DelayedReadArchive", file->strings, {});
+}
+
+/// In an attribute block: a primitive changes nothing around it.
+void StreamExpander::expand(const SourceLocation &where, const std::string &generator,
+                            const Strings &arguments, const LooseFloats &bound) {
+    const bool archive = generator == "DelayedReadArchive";
+    if (!archive && generator != "RunProgram")
+        return diagnostics_.error(where, "Procedural: '" + generator +
+                                             "' is unknown: expected \"DelayedReadArchive\" or "
+                                             "\"RunProgram\"; the primitive is left out");
+    if (arguments.empty())
+        return diagnostics_.error(where, "Procedural: expected the name of " +
+                                             std::string(archive ? "an archive" : "a program") +
+                                             "; the primitive is left out");
+    sink_.attributeBegin(where);
+    if (archive)
+        read(where, "DelayedReadArchive", arguments.front());
+    else
+        runProgram(where, arguments, bound);
+    sink_.attributeEnd(where);
+}
+
+void StreamExpander::runProgram(const SourceLocation &where, const Strings &arguments,
+                                const LooseFloats &bound) {
+    // Programs may ask for themselves, with other arguments: depth and number bound that.
+    const std::string identity = "\0program " + std::to_string(open_.size());
+    if (!mayRead(where, "RunProgram", arguments.front(), identity))
+        return;
+    std::array<float, 6> box{};
+    float detail = std::numeric_limits<float>::infinity();
+    if (bound.values.size() == box.size()) {
+        std::ranges::copy(bound.values, box.begin());
+        detail = detailOf(box);
+    }
+    // RI_INFINITY
+    const std::string size = std::to_string(std::min(detail, 1e30f));
+    open_.push_back({identity, conditions_.depth()});
+    programs_.run(where, arguments.front(), size + " " + (arguments.size() > 1 ? arguments[1] : ""),
+                  *this);
+    endFile();
 }
 
 bool StreamExpander::holds(const SourceLocation &where, const char *request,

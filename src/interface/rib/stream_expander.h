@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Does what decides on the stream: reads archives in their place, keeps those that are defined in
-// it, leaves out what stands under conditions that do not hold; and hands all other requests on.
+// Does what decides on the stream: reads archives and procedurals in their place, keeps archives
+// that are defined in it, leaves out what stands under conditions that do not hold; and hands all
+// other requests on.
 #pragma once
 
 #include "interface/ri/stream_sink.h"
 #include "interface/rib/conditions.h"
 #include "interface/rib/inline_archives.h"
+#include "interface/rib/procedurals.h"
 
 #include <functional>
 #include <string>
@@ -19,7 +21,8 @@ public:
     using FileReader = std::function<void(const std::string &path)>;
 
     /// The sink and the diagnostics must outlive it.
-    StreamExpander(RequestSink &sink, DiagnosticSink &diagnostics, FileReader readFile);
+    StreamExpander(RequestSink &sink, DiagnosticSink &diagnostics, FileReader readFile,
+                   const ProceduralSettings & = {});
 
 #define REQUEST(Name, handler, scopes, ...)                                                        \
     void handler(const SourceLocation &where CANDELA_PARAMETERS(__VA_ARGS__)) override;
@@ -36,9 +39,12 @@ public:
     std::optional<StateValue> valueOf(const std::string &name) const override {
         return sink_.valueOf(name);
     }
-    std::optional<std::string> findArchive(const std::string &name,
-                                           const SourceLocation &where) const override {
-        return sink_.findArchive(name, where);
+    std::optional<std::string> locate(const char *path, const std::string &name,
+                                      const SourceLocation &where) const override {
+        return sink_.locate(path, name, where);
+    }
+    float detailOf(const std::array<float, 6> &bound) const override {
+        return sink_.detailOf(bound);
     }
 
     // Around the requests of each file, "-" for the standard input. What a file has opened of
@@ -48,13 +54,19 @@ public:
 
 private:
     bool holds(const SourceLocation &, const char *request, const std::string &expression);
-    bool mayRead(const SourceLocation &, const std::string &name, const std::string &identity);
+    void read(const SourceLocation &, const char *request, const std::string &name);
+    bool mayRead(const SourceLocation &, const char *request, const std::string &name,
+                 const std::string &identity);
+    void expand(const SourceLocation &, const std::string &generator, const Strings &arguments,
+                const LooseFloats &bound);
+    void runProgram(const SourceLocation &, const Strings &arguments, const LooseFloats &bound);
 
     RequestSink &sink_;
     DiagnosticSink &diagnostics_;
     FileReader readFile_;
     Conditions conditions_;
     InlineArchives archives_;
+    ProceduralPrograms programs_;
     struct Reading {
         std::string identity; ///< The same for all names of a file.
         std::size_t conditions;
