@@ -16,16 +16,17 @@ bool isPosition(const Parameter &p) { return p.name == "P" || p.name == "Pw" || 
 
 bool needsPosition(const ShapeRecord &shape) {
     return std::holds_alternative<PolygonsRecord>(shape) ||
-           std::holds_alternative<PatchMeshRecord>(shape);
+           std::holds_alternative<PatchMeshRecord>(shape) ||
+           std::holds_alternative<NuPatchRecord>(shape);
 }
 
-/// Patches may give their vertices as "Pw" or, over the unit square, "Pz".
+/// Patches may give their vertices as "Pw" or, over the unit square, "Pz", NURBS as "Pw".
 const Parameter *positionOf(const ShapeRecord &shape, const ParameterList &variables) {
+    const bool isMesh = std::holds_alternative<PatchMeshRecord>(shape);
     const Parameter *found = variables.find("P");
-    if (found || !std::holds_alternative<PatchMeshRecord>(shape))
-        return found;
-    found = variables.find("Pw");
-    return found ? found : variables.find("Pz");
+    if (!found && (isMesh || std::holds_alternative<NuPatchRecord>(shape)))
+        found = variables.find("Pw");
+    return found || !isMesh ? found : variables.find("Pz");
 }
 
 int valuesIn(const Parameter &p) {

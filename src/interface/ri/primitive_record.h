@@ -47,9 +47,25 @@ struct PatchMeshRecord {
     bool uPeriodic = false, vPeriodic = false;
 };
 
-using ShapeRecord =
-    std::variant<SphereRecord, ConeRecord, CylinderRecord, HyperboloidRecord, ParaboloidRecord,
-                 DiskRecord, TorusRecord, PolygonsRecord, PatchMeshRecord>;
+/// One direction of a RiNuPatch: a spline of this order over these knots, drawn from low to high.
+struct SplineRecord {
+    int vertices = 2, order = 2;
+    std::vector<float> knots; ///< vertices + order of them, in increasing order.
+    float low = 0, high = 1;
+
+    /// What primitive variables are counted by: between knots, some of which may be equal.
+    int segments() const { return vertices - order + 1; }
+};
+struct NuPatchRecord {
+    SplineRecord u, v;
+};
+
+using ShapeRecord = std::variant<SphereRecord, ConeRecord, CylinderRecord, HyperboloidRecord,
+                                 ParaboloidRecord, DiskRecord, TorusRecord, PolygonsRecord,
+                                 PatchMeshRecord, NuPatchRecord>;
+
+/// The highest order of splines; their polynomials are of one degree less.
+inline constexpr int mostSplineOrder = 24;
 
 /// A shape with its primitive variables. Their counts have been checked against the shape (RI
 /// 3.2, 5): wrong ones were reported and dropped, missing or non-finite P drops the primitive.

@@ -39,6 +39,44 @@ TEST(VariableCounts, ofMeshesFollowTheTable) {
     }
 }
 
+static SplineRecord spline(int vertices, int order) {
+    SplineRecord result{vertices, order, {}, -100, 100};
+    for (int i = 0; i < vertices + order; ++i)
+        result.knots.push_back(float(i));
+    return result;
+}
+
+TEST(VariableCounts, ofNurbsFollowTheirSegments) {
+    const ShapeRecord shape = NuPatchRecord{spline(9, 3), spline(5, 4)};
+    EXPECT_EQ(defectOf(shape, {}), "");
+    EXPECT_EQ(verticesNeeded(shape, {}), 45);
+    const VariableCounts counts = countsOf(shape, {}, 45);
+    EXPECT_EQ(counts.uniform, 7 * 2);
+    EXPECT_EQ(counts.varying, 8 * 3);
+    EXPECT_EQ(counts.vertex, 45);
+    EXPECT_EQ(counts.faceVarying, 4 * 7 * 2);
+}
+
+TEST(VariableCounts, defectsOfNurbsAreFound) {
+    const auto with = [](auto change) {
+        NuPatchRecord patch{spline(5, 3), spline(4, 2)};
+        change(patch.u);
+        return defectOf(patch, {});
+    };
+    EXPECT_EQ(with([](SplineRecord &) {}), "");
+    EXPECT_NE(with([](SplineRecord &u) { u.knots.pop_back(); }), "");
+    EXPECT_NE(with([](SplineRecord &u) { std::swap(u.knots[2], u.knots[3]); }), "");
+    EXPECT_NE(with([](SplineRecord &u) { u.knots[4] = NAN; }), "");
+    EXPECT_NE(with([](SplineRecord &u) { u.low = u.high; }), "");
+    EXPECT_NE(with([](SplineRecord &u) { u.low = 6; }), "");
+    EXPECT_NE(with([](SplineRecord &u) { u.high = NAN; }), "");
+    EXPECT_NE(with([](SplineRecord &u) { u.knots.assign(8, 1.0f); }), "");
+    EXPECT_NE(with([](SplineRecord &u) { u = spline(5, 1); }), "");
+    EXPECT_NE(with([](SplineRecord &u) { u = spline(30, 25); }), "");
+    EXPECT_NE(with([](SplineRecord &u) { u = spline(1, 2); }), "");
+    EXPECT_NE(with([](SplineRecord &u) { u.vertices = -5; }), "");
+}
+
 TEST(VariableCounts, ofPolygonsFollowTheirIndices) {
     ShapeRecord shape = PolygonsRecord{{1, 2}, {3, 4, 3}, {0, 1, 2, 0, 1, 2, 3, 4, 5, 6}};
     EXPECT_EQ(defectOf(shape, {}), "");
@@ -104,8 +142,17 @@ TEST_F(State, allShapesArrive) {
     state.patch(at, "bicubic", numbers("P", Floats(48)));
     state.patch(at, "bilinear", numbers("Pw", Floats(16)));
     state.patch(at, "bilinear", numbers("Pz", Floats(4)));
+    state.nuPatch(at, 3, 2, {0, 0, 1, 2, 2}, 0, 2, 2, 2, {0, 0, 1, 1}, 0, 1,
+                  numbers("P", Floats(18)));
     EXPECT_EQ(errors(), 0);
-    EXPECT_EQ(primitives().size(), 12u);
+    EXPECT_EQ(primitives().size(), 13u);
+    // Two vertices make splines of order 2 at most.
+    state.nuPatch(at, 2, 4, {0, 0, 0, 1, 1, 1}, 0, 1, 2, 2, {0, 0, 1, 1}, 0, 1,
+                  numbers("Pw", Floats(16, 1)));
+    ASSERT_EQ(primitives().size(), 14u);
+    const auto &lowered = std::get<NuPatchRecord>(primitives().back().record->shape).u;
+    EXPECT_EQ(lowered.order, 2);
+    EXPECT_EQ(lowered.knots, (Floats{0, 0, 1, 1}));
     state.patch(at, "linear", numbers("P", Floats(48)));
     state.patchMesh(at, "bilinear", 2, "round", 3, "periodic", numbers("P", Floats(18)));
     EXPECT_EQ(errors(), 2);

@@ -130,4 +130,24 @@ void StateHandlers::patchMesh(const SourceLocation &where, const std::string &ty
          PatchMeshRecord{*bicubic, uVertices, vVertices, *uPeriodic, *vPeriodic}, tokens);
 }
 
+/// A spline has at least as many vertices as its order (RI 3.2, 5.2): else its order is as many.
+static SplineRecord splineOf(int vertices, int order, const Floats &knots, float low, float high) {
+    SplineRecord spline{vertices, order, knots, low, high};
+    const int excess = order - vertices;
+    if (vertices >= 2 && excess > 0 && int(knots.size()) == vertices + order) {
+        spline.order = vertices;
+        spline.knots.assign(knots.begin() + excess / 2, knots.begin() + excess / 2 + 2 * vertices);
+    }
+    return spline;
+}
+
+void StateHandlers::nuPatch(const SourceLocation &where, int uVertices, int uOrder,
+                            const Floats &uKnots, float uMin, float uMax, int vVertices, int vOrder,
+                            const Floats &vKnots, float vMin, float vMax, const TokenList &tokens) {
+    emit(where, "NuPatch",
+         NuPatchRecord{splineOf(uVertices, uOrder, uKnots, uMin, uMax),
+                       splineOf(vVertices, vOrder, vKnots, vMin, vMax)},
+         tokens);
+}
+
 } // namespace candela

@@ -13,7 +13,8 @@ namespace {
 
 bool isQuadric(const ShapeRecord &shape) {
     return !std::holds_alternative<PolygonsRecord>(shape) &&
-           !std::holds_alternative<PatchMeshRecord>(shape);
+           !std::holds_alternative<PatchMeshRecord>(shape) &&
+           !std::holds_alternative<NuPatchRecord>(shape);
 }
 
 /// The defect of a quadric: non-finite numbers, or one of these that must not be zero is.
@@ -128,6 +129,31 @@ std::string meshDefect(const PatchMeshRecord &m, const Attributes &a) {
     return {};
 }
 
+std::string splineDefect(const SplineRecord &s, char direction) {
+    const std::string in = std::string(" in ") + direction;
+    if (s.vertices < 2 || s.vertices > 1 << 15)
+        return "expected 2 to 32768 vertices" + in;
+    if (s.order < 2 || s.order > mostSplineOrder)
+        return "expected an order from 2 to " + std::to_string(mostSplineOrder) + in;
+    const int knots = s.vertices + s.order;
+    if (int(s.knots.size()) != knots)
+        return "expected " + std::to_string(knots) + " knots" + in +
+               ", vertices and order, found " + std::to_string(s.knots.size());
+    if (!std::ranges::all_of(s.knots, [](float knot) { return std::isfinite(knot); }) ||
+        !std::ranges::is_sorted(s.knots))
+        return "expected knots in increasing order" + in;
+    const float first = std::max(s.low, s.knots[s.order - 1]);
+    const float last = std::min(s.high, s.knots[s.vertices]);
+    if (!(first < last))
+        return "nothing of its knots' range is between minimum and maximum" + in;
+    return {};
+}
+
+std::string defect(const NuPatchRecord &n) {
+    std::string found = splineDefect(n.u, 'u');
+    return found.empty() ? splineDefect(n.v, 'v') : found;
+}
+
 } // namespace
 
 int VariableCounts::of(StorageClass storage) const {
@@ -158,6 +184,8 @@ std::int64_t verticesNeeded(const ShapeRecord &shape, const Attributes &) {
         return std::int64_t(*std::ranges::max_element(polygons->vertices)) + 1;
     if (const auto *mesh = std::get_if<PatchMeshRecord>(&shape))
         return std::int64_t(mesh->uVertices) * mesh->vVertices;
+    if (const auto *patch = std::get_if<NuPatchRecord>(&shape))
+        return std::int64_t(patch->u.vertices) * patch->v.vertices;
     return 4;
 }
 
@@ -167,6 +195,10 @@ VariableCounts countsOf(const ShapeRecord &shape, const Attributes &attributes, 
     if (const auto *polygons = std::get_if<PolygonsRecord>(&shape)) {
         int corners = int(polygons->vertices.size());
         return {int(polygons->loopCounts.size()), vertexCount, vertexCount, corners, corners};
+    }
+    if (const auto *patch = std::get_if<NuPatchRecord>(&shape)) {
+        const int u = patch->u.segments(), v = patch->v.segments();
+        return {u * v, (u + 1) * (v + 1), vertexCount, 4 * u * v, 4 * u * v};
     }
     const auto &mesh = std::get<PatchMeshRecord>(shape);
     int u = uPatches(mesh, attributes), v = vPatches(mesh, attributes);

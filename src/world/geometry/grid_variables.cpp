@@ -28,37 +28,51 @@ void GridVariables::addDefault(const char *name, const std::array<float, 8> &coo
                                int offset) {
     if (std::ranges::find(infos_, name, &VariableInfo::name) != infos_.end())
         return;
-    PatchPolynomials polynomials{1, 1, true, {}};
+    PatchPolynomials polynomials{1, 1, true};
     appendBilinear(polynomials.coefficients, coordinates[offset], coordinates[2 + offset],
                    coordinates[4 + offset], coordinates[6 + offset]);
     infos_.push_back({name, {StorageClass::Varying, ValueType::Float, 1}});
     polynomials_.push_back(std::move(polynomials));
 }
 
-PatchPolynomials GridVariables::perPatch(const NumericVariable &variable) const {
-    return {0, variable.components, variable.count() == 1, variable.values};
+/// The segment that a patch is; see PatchAxis.
+static std::size_t segmentOf(const PatchGrid &grid, int patch) {
+    const int column = patch % grid.u.patches, row = patch / grid.u.patches;
+    return std::size_t(grid.v.segment(row)) * grid.u.segments() + grid.u.segment(column);
 }
 
-PatchPolynomials GridVariables::perMeshCorner(const NumericVariable &variable) const {
-    PatchPolynomials result{1, variable.components, false, {}};
-    result.coefficients.reserve(std::size_t(grid_.patches()) * variable.components * 4);
-    auto at = [&](int column, int row, int component) {
-        int corner = row % grid_.cornersV() * grid_.cornersU() + column % grid_.cornersU();
-        return variable.values[std::size_t(corner) * variable.components + component];
-    };
-    for (int row = 0; row < grid_.patchesV; ++row)
-        for (int column = 0; column < grid_.patchesU; ++column)
-            for (int c = 0; c < variable.components; ++c)
-                appendBilinear(result.coefficients, at(column, row, c), at(column + 1, row, c),
-                               at(column, row + 1, c), at(column + 1, row + 1, c));
+PatchPolynomials GridVariables::perSegment(const NumericVariable &variable) const {
+    const int n = variable.components;
+    PatchPolynomials result{0, n, variable.count() == 1};
+    for (int patch = 0; patch < (result.wholeMesh ? 1 : grid_.patches()); ++patch) {
+        const auto value = variable.values.begin() + segmentOf(grid_, patch) * n;
+        result.coefficients.insert(result.coefficients.end(), value, value + n);
+    }
     return result;
 }
 
-PatchPolynomials GridVariables::perPatchCorner(const NumericVariable &variable) const {
-    int n = variable.components;
-    PatchPolynomials result{1, n, false, {}};
+PatchPolynomials GridVariables::perMeshCorner(const NumericVariable &variable) const {
+    PatchPolynomials result{1, variable.components};
+    result.coefficients.reserve(std::size_t(grid_.patches()) * variable.components * 4);
+    auto at = [&](int column, int row, int component) {
+        int corner = row % grid_.v.corners() * grid_.u.corners() + column % grid_.u.corners();
+        return variable.values[std::size_t(corner) * variable.components + component];
+    };
     for (int patch = 0; patch < grid_.patches(); ++patch) {
-        const float *corner = &variable.values[std::size_t(patch) * 4 * n];
+        const int column = grid_.u.segment(patch % grid_.u.patches);
+        const int row = grid_.v.segment(patch / grid_.u.patches);
+        for (int c = 0; c < variable.components; ++c)
+            appendBilinear(result.coefficients, at(column, row, c), at(column + 1, row, c),
+                           at(column, row + 1, c), at(column + 1, row + 1, c));
+    }
+    return result;
+}
+
+PatchPolynomials GridVariables::perSegmentCorner(const NumericVariable &variable) const {
+    int n = variable.components;
+    PatchPolynomials result{1, n};
+    for (int patch = 0; patch < grid_.patches(); ++patch) {
+        const float *corner = &variable.values[segmentOf(grid_, patch) * 4 * n];
         for (int c = 0; c < n; ++c)
             appendBilinear(result.coefficients, corner[c], corner[n + c], corner[2 * n + c],
                            corner[3 * n + c]);
@@ -79,16 +93,16 @@ std::optional<PatchPolynomials> GridVariables::convert(const NumericVariable &va
     switch (variable.declaration.storage) {
     case StorageClass::Constant:
         if (expect(1))
-            return perPatch(variable);
+            return perSegment(variable);
         break;
     case StorageClass::Uniform:
-        if (expect(grid_.patches()))
-            return perPatch(variable);
+        if (expect(grid_.segments()))
+            return perSegment(variable);
         break;
     case StorageClass::FaceVarying:
     case StorageClass::FaceVertex:
-        if (count == 4 * grid_.patches())
-            return perPatchCorner(variable);
+        if (count == 4 * grid_.segments())
+            return perSegmentCorner(variable);
         [[fallthrough]];
     case StorageClass::Varying:
         if (expect(grid_.corners()))
@@ -113,7 +127,7 @@ void GridVariables::evaluate(int index, int first, int count, const float *meshU
         locate(grid_, meshU + start, meshV + start, std::min(count - start, points.capacity),
                points);
         for (int c = 0; c < polynomials.components; ++c)
-            polynomials.evaluate(grid_, points, c, value ? value[c] + first + start : nullptr,
+            polynomials.evaluate(points, c, value ? value[c] + first + start : nullptr,
                                  valueDu ? valueDu[c] + first + start : nullptr,
                                  valueDv ? valueDv[c] + first + start : nullptr);
     }
@@ -129,7 +143,7 @@ void GridVariables::overrideNormals(int count, const float *meshU, const float *
         locate(grid_, meshU + start, meshV + start, std::min(count - start, points.capacity),
                points);
         for (int c = 0; c < 3; ++c)
-            normal_->evaluate(grid_, points, c, value[c].data(), du[c].data(), dv[c].data());
+            normal_->evaluate(points, c, value[c].data(), du[c].data(), dv[c].data());
         for (int k = 0; k < points.count; ++k) {
             Vec3 n{value[0][k], value[1][k], value[2][k]};
             if (!(dot(n, n) > 0))

@@ -5,6 +5,7 @@
 #include "foundation/base/diagnostics.h"
 #include "world/geometry/patch_polynomials.h"
 #include "world/geometry/primitive_variables.h"
+#include "world/geometry/surface.h"
 
 #include <functional>
 #include <optional>
@@ -38,9 +39,9 @@ public:
 private:
     std::optional<PatchPolynomials> convert(const NumericVariable &, const VertexBasis *,
                                             const SourceLocation &, DiagnosticSink &) const;
-    PatchPolynomials perPatch(const NumericVariable &) const;
+    PatchPolynomials perSegment(const NumericVariable &) const;
     PatchPolynomials perMeshCorner(const NumericVariable &) const;
-    PatchPolynomials perPatchCorner(const NumericVariable &) const;
+    PatchPolynomials perSegmentCorner(const NumericVariable &) const;
     void addDefault(const char *name, const std::array<float, 8> &coordinates, int offset);
 
     PatchGrid grid_;

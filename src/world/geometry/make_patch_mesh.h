@@ -3,13 +3,12 @@
 #pragma once
 
 #include "foundation/base/diagnostics.h"
-#include "world/geometry/surface.h"
+#include "world/geometry/surface_list.h"
 
 namespace candela {
 
 /// Positions are "P", "Pw" or the height field "Pz", whose x and y are the u and v of the mesh.
-std::vector<std::shared_ptr<const Surface>> makePatchMesh(const PatchMeshRecord &,
-                                                          const PrimitiveRecord &,
-                                                          const Attributes &, DiagnosticSink &);
+SurfaceList makePatchMesh(const PatchMeshRecord &, const PrimitiveRecord &, const Attributes &,
+                          DiagnosticSink &);
 
 } // namespace candela

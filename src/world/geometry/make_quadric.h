@@ -3,11 +3,9 @@
 #pragma once
 
 #include "foundation/base/diagnostics.h"
-#include "world/geometry/surface.h"
+#include "world/geometry/surface_list.h"
 
 namespace candela {
-
-using SurfaceList = std::vector<std::shared_ptr<const Surface>>;
 
 SurfaceList makeQuadric(const SphereRecord &, const PrimitiveRecord &, const Attributes &,
                         DiagnosticSink &);

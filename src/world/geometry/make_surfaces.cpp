@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "world/geometry/make_nu_patch.h"
 #include "world/geometry/make_patch_mesh.h"
 #include "world/geometry/make_quadric.h"
 #include "world/geometry/polygon_surface.h"
@@ -22,6 +23,8 @@ makeSurfaces(std::shared_ptr<const PrimitiveRecord> record, const Attributes &at
             return makePolygons(shape, *record, diagnostics);
         else if constexpr (std::is_same_v<Shape, PatchMeshRecord>)
             return makePatchMesh(shape, *record, attributes, diagnostics);
+        else if constexpr (std::is_same_v<Shape, NuPatchRecord>)
+            return makeNuPatch(shape, *record, attributes, diagnostics);
         else
             return makeQuadric(shape, *record, attributes, diagnostics);
     };

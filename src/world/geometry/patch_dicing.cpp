@@ -21,7 +21,7 @@ static int onLadder(int count) {
 
 PatchCuts choosePatchCuts(const PatchGrid &grid, std::span<const PatchBounds> bounds,
                           const DiceRate &rate) {
-    PatchCuts cuts{std::vector<int>(grid.patchesU, 1), std::vector<int>(grid.patchesV, 1), 0};
+    PatchCuts cuts{std::vector<int>(grid.u.patches, 1), std::vector<int>(grid.v.patches, 1), 0};
     double share = std::max(1.0, maximalCells / grid.patches());
     for (int patch = 0; patch < grid.patches(); ++patch) {
         // Between two sides that are points one row has no inside.
@@ -31,7 +31,8 @@ PatchCuts choosePatchCuts(const PatchGrid &grid, std::span<const PatchBounds> bo
         // neighbours which way a patch that bends alike both ways runs along their side.
         if (std::max(counts.u, counts.v) <= 1.2 * std::min(counts.u, counts.v) + 1)
             counts.u = counts.v = std::max(counts.u, counts.v);
-        int &column = cuts.columns[patch % grid.patchesU], &row = cuts.rows[patch / grid.patchesU];
+        int &column = cuts.columns[patch % grid.u.patches],
+            &row = cuts.rows[patch / grid.u.patches];
         column = std::max(column, onLadder(counts.u));
         row = std::max(row, onLadder(counts.v));
     }
@@ -42,7 +43,7 @@ PatchCuts choosePatchCuts(const PatchGrid &grid, std::span<const PatchBounds> bo
             for (int &count : *counts)
                 count = std::max(1, int(count / excess));
     for (int patch = 0; patch < grid.patches(); ++patch) {
-        DiceCounts counts{cuts.columns[patch % grid.patchesU], cuts.rows[patch / grid.patchesU]};
+        DiceCounts counts{cuts.columns[patch % grid.u.patches], cuts.rows[patch / grid.u.patches]};
         cuts.error = std::max(cuts.error, cellError(bounds[patch].derivatives, counts));
     }
     return cuts;
@@ -53,8 +54,8 @@ double triangleCount(const PatchGrid &grid, const PatchCuts &cuts,
     double triangles = 2 * sum(cuts.columns) * sum(cuts.rows);
     for (int patch = 0; patch < grid.patches(); ++patch) {
         const auto &point = bounds[patch].collapsed;
-        double columns = cuts.columns[patch % grid.patchesU];
-        double rows = cuts.rows[patch / grid.patchesU];
+        double columns = cuts.columns[patch % grid.u.patches];
+        double rows = cuts.rows[patch / grid.u.patches];
         triangles -= columns * (point[0] + point[1]) + rows * (point[2] + point[3]);
         triangles += (point[0] && point[3]) + (point[1] && point[2]); // Of one cell's one triangle.
     }
@@ -64,13 +65,12 @@ double triangleCount(const PatchGrid &grid, const PatchCuts &cuts,
 namespace {
 
 /// Parameters of the cuts of patches [from, to), ends included.
-std::vector<float> cutsOf(const std::vector<int> &counts, int from, int to) {
+std::vector<float> cutsOf(const PatchAxis &axis, const std::vector<int> &counts, int from, int to) {
     std::vector<float> parameters;
-    double patches = double(counts.size());
     for (int patch = from; patch < to; ++patch)
         for (int i = 0; i < counts[patch]; ++i)
-            parameters.push_back(float((patch + double(i) / counts[patch]) / patches));
-    parameters.push_back(float(to / patches));
+            parameters.push_back(float(axis.at(patch, double(i) / counts[patch])));
+    parameters.push_back(float(axis.at(to - 1, 1)));
     return parameters;
 }
 
@@ -111,10 +111,11 @@ public:
                 mesh_.positions[onSide(cells, side, i)] = mesh_.positions[onSide(cells, side, 0)];
     }
 
-    void closeSeams(bool closedU, bool closedV) {
-        for (std::size_t row = 0; closedU && row < rows_; ++row)
+    /// Ends that meet are one: those of periodic meshes, and of what was modelled closed.
+    void closeSeams() {
+        for (std::size_t row = 0; row < rows_; ++row)
             meet(vertex(columns_ - 1, row), vertex(0, row));
-        for (std::size_t column = 0; closedV && column < columns_; ++column)
+        for (std::size_t column = 0; column < columns_; ++column)
             meet(vertex(column, rows_ - 1), vertex(column, 0));
     }
 
@@ -184,9 +185,9 @@ static std::vector<PatchCells> cellsOf(const PatchGrid &grid, const PatchCuts &c
                                        std::span<const PatchBounds> bounds) {
     std::vector<PatchCells> patches;
     std::size_t row = 0;
-    for (int v = 0; v < grid.patchesV; row += cuts.rows[v++]) {
+    for (int v = 0; v < grid.v.patches; row += cuts.rows[v++]) {
         std::size_t column = 0;
-        for (int u = 0; u < grid.patchesU; column += cuts.columns[u++])
+        for (int u = 0; u < grid.u.patches; column += cuts.columns[u++])
             patches.push_back(
                 {column, row, cuts.columns[u], cuts.rows[v], bounds[patches.size()].collapsed});
     }
@@ -196,17 +197,18 @@ static std::vector<PatchCells> cellsOf(const PatchGrid &grid, const PatchCuts &c
 static DicedMesh diceTogether(const PatchGrid &grid, const PatchCuts &cuts, const Surface &surface,
                               const PatchOutline &outline) {
     PatchDicer dicer(surface, outline.tolerance);
-    dicer.addGrid(cutsOf(cuts.columns, 0, grid.patchesU), cutsOf(cuts.rows, 0, grid.patchesV));
+    dicer.addGrid(cutsOf(grid.u, cuts.columns, 0, grid.u.patches),
+                  cutsOf(grid.v, cuts.rows, 0, grid.v.patches));
     std::vector<PatchCells> patches = cellsOf(grid, cuts, outline.patches);
     for (int side = 0; side < 4; ++side)
         for (std::size_t k = 0; k < outline.sides[side].size(); ++k) {
-            std::size_t column = side < 2 ? k : side == 2 ? 0 : grid.patchesU - 1;
-            std::size_t row = side >= 2 ? k : side == 0 ? 0 : grid.patchesV - 1;
-            dicer.placeSide(patches[row * grid.patchesU + column], side, outline.sides[side][k]);
+            std::size_t column = side < 2 ? k : side == 2 ? 0 : grid.u.patches - 1;
+            std::size_t row = side >= 2 ? k : side == 0 ? 0 : grid.v.patches - 1;
+            dicer.placeSide(patches[row * grid.u.patches + column], side, outline.sides[side][k]);
         }
     for (const PatchCells &cells : patches)
         dicer.collapse(cells);
-    dicer.closeSeams(grid.periodicU, grid.periodicV);
+    dicer.closeSeams();
     for (const PatchCells &cells : patches)
         dicer.addTriangles(cells);
     return dicer.take();
@@ -215,14 +217,14 @@ static DicedMesh diceTogether(const PatchGrid &grid, const PatchCuts &cuts, cons
 static DicedMesh diceApart(const PatchGrid &grid, const PatchCuts &cuts, const Surface &surface,
                            const PatchOutline &outline) {
     PatchDicer dicer(surface, outline.tolerance);
-    for (int row = 0; row < grid.patchesV; ++row)
-        for (int column = 0; column < grid.patchesU; ++column) {
-            auto us = cutsOf(cuts.columns, column, column + 1);
-            auto vs = cutsOf(cuts.rows, row, row + 1);
-            stayWithin(us, column + 1 == grid.patchesU);
-            stayWithin(vs, row + 1 == grid.patchesV);
+    for (int row = 0; row < grid.v.patches; ++row)
+        for (int column = 0; column < grid.u.patches; ++column) {
+            auto us = cutsOf(grid.u, cuts.columns, column, column + 1);
+            auto vs = cutsOf(grid.v, cuts.rows, row, row + 1);
+            stayWithin(us, column + 1 == grid.u.patches);
+            stayWithin(vs, row + 1 == grid.v.patches);
             PatchCells cells{0, 0, cuts.columns[column], cuts.rows[row],
-                             outline.patches[row * grid.patchesU + column].collapsed};
+                             outline.patches[row * grid.u.patches + column].collapsed};
             dicer.addGrid(us, vs);
             dicer.collapse(cells);
             dicer.addTriangles(cells);

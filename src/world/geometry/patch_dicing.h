@@ -2,8 +2,8 @@
 // The triangles of a patch mesh.
 #pragma once
 
-#include "world/geometry/dice_counts.h"
-#include "world/geometry/patch_basis.h"
+#include "world/geometry/bezier_net.h"
+#include "world/geometry/side_curve.h"
 
 #include <span>
 
@@ -19,7 +19,7 @@ struct PatchCuts {
 /// What dicing knows of the mesh besides its cuts.
 struct PatchOutline {
     std::span<const PatchBounds> patches;
-    std::array<std::vector<SideCurve>, 4> sides; ///< Empty: the sides are as evaluate() has them.
+    MeshSides sides; ///< Empty: the sides are as evaluate() has them.
     bool patchesMeet = true;
     float tolerance = 0; ///< Places this near to one another are the same.
 };
@@ -30,7 +30,7 @@ double triangleCount(const PatchGrid &, const PatchCuts &, std::span<const Patch
 PatchCuts choosePatchCuts(const PatchGrid &, std::span<const PatchBounds>, const DiceRate &);
 
 /// Positions come from evaluate(), at the border of the mesh from its sides' own curves. If the
-/// patches meet, neighbours share their vertices, and the ends of a periodic mesh theirs; under a
+/// patches meet, neighbours share their vertices, and ends of the mesh that meet theirs; under a
 /// basis whose patches do not meet each is diced for itself. chordError is left to the caller.
 DicedMesh dicePatches(const PatchGrid &, const PatchCuts &, const Surface &, const PatchOutline &);
 

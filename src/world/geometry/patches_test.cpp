@@ -75,15 +75,6 @@ Attributes attributesOf(const BasisRecord &u, const BasisRecord &v) {
     return attributes;
 }
 
-std::vector<float> randomFloats(int count, unsigned seed) {
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<float> uniform(-1, 1);
-    std::vector<float> floats(count);
-    for (float &x : floats)
-        x = uniform(random);
-    return floats;
-}
-
 /// Control points over a bumpy sheet: regular enough to have good normals.
 std::vector<float> sheet(int nu, int nv, unsigned seed) {
     std::vector<float> noise = randomFloats(nu * nv * 3, seed), p;

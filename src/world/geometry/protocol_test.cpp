@@ -86,6 +86,16 @@ std::vector<Case> allCases() {
         add("catmullrom" + kind, patch(catmullRom, true, 5, 4, rational));
         add("bilinear" + kind, patch({}, false, 3, 4, rational));
     }
+    NuPatchRecord nurbs{{5, 3, {0, 0, 0, 1, 3, 4, 4, 4}, 0.5f, 4},
+                        {4, 4, {0, 1, 2, 3, 4, 5, 6, 7}, 3, 4}};
+    add("nurbs", surfaceOf(nurbs, {parameter("P", StorageClass::Vertex, ValueType::Point,
+                                             bumpySheet(5, 4, false))}));
+    add("nurbs rational", surfaceOf(nurbs, {parameter("Pw", StorageClass::Vertex, ValueType::HPoint,
+                                                      bumpySheet(5, 4, true))}));
+    nurbs.u = {6, 6, {0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1}, 0, 1};
+    add("nurbs of high order",
+        surfaceOf(nurbs, {parameter("Pw", StorageClass::Vertex, ValueType::HPoint,
+                                    bumpySheet(6, 4, true))}));
     PatchMeshRecord one;
     one.uVertices = one.vVertices = 2;
     add("patch with N",

@@ -77,6 +77,16 @@ inline Value variable(const Surface &surface, const std::string &name, float u, 
     return {std::vector<float>(16), std::vector<float>(16), std::vector<float>(16)};
 }
 
+/// Within -1 and 1.
+inline std::vector<float> randomFloats(int count, unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> uniform(-1, 1);
+    std::vector<float> floats(count);
+    for (float &x : floats)
+        x = uniform(random);
+    return floats;
+}
+
 inline double areaOf(const DicedMesh &mesh) {
     double area = 0;
     for (const auto &t : mesh.triangles) {
