@@ -52,3 +52,10 @@ add_library(OpenImageIO::OpenImageIO INTERFACE IMPORTED)
 target_include_directories(OpenImageIO::OpenImageIO SYSTEM INTERFACE ${OPENIMAGEIO_INCLUDE_DIR})
 target_link_libraries(OpenImageIO::OpenImageIO INTERFACE ${OPENIMAGEIO_LIBRARY}
     ${OPENIMAGEIO_UTIL_LIBRARY} Imath::Imath fmt::fmt)
+
+# OpenSubdiv's own package file asks for libraries that Debian leaves out, even with QUIET.
+find_path(OPENSUBDIV_INCLUDE_DIR opensubdiv/far/patchTable.h REQUIRED)
+find_library(OPENSUBDIV_LIBRARY osdCPU REQUIRED)
+add_library(OpenSubdiv::osdCPU INTERFACE IMPORTED)
+target_include_directories(OpenSubdiv::osdCPU SYSTEM INTERFACE ${OPENSUBDIV_INCLUDE_DIR})
+target_link_libraries(OpenSubdiv::osdCPU INTERFACE ${OPENSUBDIV_LIBRARY})

@@ -34,6 +34,7 @@ DOORS = [
     ("TBB", r"(oneapi/)?tbb/", r"TBB::\w+", "src/foundation/base"),
     ("zlib", r"zlib\.h|zconf\.h", r"ZLIB::\w+", "src/interface/rib"),
     ("CLI11", r"CLI/", r"CLI11::\w+", "apps"),
+    ("OpenSubdiv", r"opensubdiv/", r"OpenSubdiv::\w+", "src/world/geometry"),
     ("OpenImageIO", r"OpenImageIO/", r"OpenImageIO::\w+", "src/world/texture"),
 ]
 # Besides its room, who may open a door: the yardsticks of the benchmarks stand on the bare library.

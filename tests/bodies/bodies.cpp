@@ -195,6 +195,32 @@ std::string splineMesh(double away) {
            array(flatten(net, away)) + "\n";
 }
 
+/// Catmull and Clark's cube, with one pair of its edges half sharp.
+std::string subdividedCube(double away) {
+    Mesh mesh;
+    for (const Face &face : cube())
+        mesh.add(face);
+    return "SubdivisionMesh \"catmull-clark\" [4 4 4 4 4 4] " + array(mesh.indices) +
+           " [\"crease\"] [4 1] " +
+           array({mesh.indices[0], mesh.indices[1], mesh.indices[2], mesh.indices[3]}) +
+           " [1.5] \"P\" " + array(flatten(mesh.vertices, away)) + "\n";
+}
+
+/// The unit sphere as half a circle that is turned about z, both as rational parabolas.
+std::string rationalSphere() {
+    const double x[] = {1, 1, 0, -1, -1, -1, 0, 1, 1}, y[] = {0, 1, 1, 1, 0, -1, -1, -1, 0};
+    const double radius[] = {0, 1, 1, 1, 0}, z[] = {-1, -1, 0, 1, 1};
+    std::vector<double> points;
+    for (int j = 0; j < 5; ++j)
+        for (int i = 0; i < 9; ++i) {
+            const double w = (i % 2 ? std::sqrt(.5) : 1) * (j % 2 ? std::sqrt(.5) : 1);
+            for (double number : {radius[j] * x[i] * w, radius[j] * y[i] * w, z[j] * w, w})
+                points.push_back(number);
+        }
+    return "NuPatch 9 3 [0 0 0 1 1 2 2 3 3 4 4 4] 0 4 5 3 [0 0 0 1 1 2 2 2] 0 2 \"Pw\" " +
+           array(points) + "\n";
+}
+
 std::string beside(double x, double z, const std::string &rib) {
     return "Translate " + std::to_string(x) + " 0 " + std::to_string(z) + "\n" + rib;
 }
@@ -219,7 +245,8 @@ std::vector<Body> bodiesAway(double away) {
             {"BilinearPatch", bilinearPatches(away)},
             {"BicubicPatch", bicubicPatches(away), true},
             {"BilinearMesh", bilinearMesh(away)},
-            {"BicubicMesh", splineMesh(away), true}};
+            {"BicubicMesh", splineMesh(away), true},
+            {"SubdivisionMesh", subdividedCube(away), true}};
 }
 
 std::vector<Body> bodiesWithNormals(bool inward) {
@@ -254,6 +281,7 @@ std::vector<Body> closedBodies() {
                 "Hyperboloid .5 0 -.5 2 0 -.5 360\nHyperboloid .5 0 .5 2 0 .5 -360\n"),
          true, true},
         {"Torus", beside(-2, 0, "Torus 2 .8 0 360 360\n"), true, true},
+        {"NuPatch", rationalSphere(), true},
         {"SphereSlices", "Sphere 1 -1 1 140\nRotate 140 0 0 1\nSphere 1 -1 1 220\n", true}};
     for (const Body &body : bodiesAway(0))
         bodies.push_back(body);

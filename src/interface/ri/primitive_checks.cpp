@@ -14,9 +14,14 @@ namespace {
 
 bool isPosition(const Parameter &p) { return p.name == "P" || p.name == "Pw" || p.name == "Pz"; }
 
-bool needsPosition(const ShapeRecord &shape) {
+/// Its faces name points by their numbers.
+bool namesPoints(const ShapeRecord &shape) {
     return std::holds_alternative<PolygonsRecord>(shape) ||
-           std::holds_alternative<PatchMeshRecord>(shape) ||
+           std::holds_alternative<SubdivisionRecord>(shape);
+}
+
+bool needsPosition(const ShapeRecord &shape) {
+    return namesPoints(shape) || std::holds_alternative<PatchMeshRecord>(shape) ||
            std::holds_alternative<NuPatchRecord>(shape);
 }
 
@@ -71,12 +76,12 @@ std::shared_ptr<const PrimitiveRecord> checkedPrimitive(const char *request, Sha
     if (std::string defect = defectOf(shape, attributes); !defect.empty())
         return leaveOut(defect);
     std::int64_t vertices = verticesNeeded(shape, attributes);
-    if (std::holds_alternative<PolygonsRecord>(shape)) {
+    if (namesPoints(shape)) {
         const int points = valuesIn(*position);
         if (vertices > points && hasWholeValues(*position))
             return leaveOut("there is no vertex " + std::to_string(vertices - 1) +
                             ": \"P\" holds " + std::to_string(points) + " points, counted from 0");
-        vertices = points; // Those that no polygon uses do no harm.
+        vertices = points; // Those that no face uses do no harm.
     }
     VariableCounts counts = countsOf(shape, attributes, int(vertices));
     ParameterList kept{where, {}};

@@ -60,9 +60,38 @@ struct NuPatchRecord {
     SplineRecord u, v;
 };
 
+/// RiSubdivisionMesh with its tags read.
+struct SubdivisionRecord {
+    enum class Scheme { CatmullClark, Loop, Bilinear };
+    struct Crease {
+        std::vector<int> vertices; ///< A chain of edges.
+        float sharpness = 0;
+    };
+    struct Corner {
+        int vertex = 0;
+        float sharpness = 0;
+    };
+    Scheme scheme = Scheme::CatmullClark;
+    std::vector<int> vertexCounts, vertices; ///< Vertices a face; indices of all vertices.
+    std::vector<int> holes;                  ///< Faces.
+    std::vector<Crease> creases;
+    std::vector<Corner> corners;
+    /// 0: faces at the boundary only support those within. 1: the boundary is a sharp edge with
+    /// sharp corners. 2: without these.
+    int interpolateBoundary = 0;
+    /// Face-varying variables: 0: bilinear on each face. Else smooth within regions over which they
+    /// are continuous, whose outlines are as interpolateBoundary has them: 1 and 3 with sharp
+    /// corners, 2 without.
+    int faceVaryingBoundary = 0;
+};
+/// RiGeometry: what the renderer knows by name.
+struct GeometryRecord {
+    std::string type;
+};
+
 using ShapeRecord = std::variant<SphereRecord, ConeRecord, CylinderRecord, HyperboloidRecord,
                                  ParaboloidRecord, DiskRecord, TorusRecord, PolygonsRecord,
-                                 PatchMeshRecord, NuPatchRecord>;
+                                 PatchMeshRecord, NuPatchRecord, SubdivisionRecord, GeometryRecord>;
 
 /// The highest order of splines; their polynomials are of one degree less.
 inline constexpr int mostSplineOrder = 24;

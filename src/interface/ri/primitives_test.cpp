@@ -87,6 +87,23 @@ TEST(VariableCounts, ofPolygonsFollowTheirIndices) {
     EXPECT_EQ(counts.faceVarying, 10);
 }
 
+static SubdivisionRecord subdivision(Integers counts, Integers vertices) {
+    SubdivisionRecord mesh;
+    mesh.vertexCounts = std::move(counts), mesh.vertices = std::move(vertices);
+    return mesh;
+}
+
+TEST(VariableCounts, ofSubdivisionMeshesFollowTheirIndices) {
+    const ShapeRecord shape = subdivision({4, 3}, {0, 1, 2, 3, 3, 2, 7});
+    EXPECT_EQ(defectOf(shape, {}), "");
+    EXPECT_EQ(verticesNeeded(shape, {}), 8);
+    const VariableCounts counts = countsOf(shape, {}, 9);
+    EXPECT_EQ(counts.uniform, 2);
+    EXPECT_EQ(counts.varying, 9);
+    EXPECT_EQ(counts.vertex, 9);
+    EXPECT_EQ(counts.faceVarying, 7);
+}
+
 TEST(VariableCounts, defectsOfShapesAreFound) {
     const float infinite = INFINITY;
     ShapeRecord bad[] = {
@@ -114,6 +131,10 @@ TEST(VariableCounts, defectsOfShapesAreFound) {
         PatchMeshRecord{true, 4, 4, true, false},
         PatchMeshRecord{true, 3, 3, true, true},
         PatchMeshRecord{false, 1000000, 1000000, false, false},
+        SubdivisionRecord{},
+        subdivision({2}, {0, 1}),
+        subdivision({3, 3}, {0, 1, 2}),
+        subdivision({3}, {0, 1, -1}),
     };
     for (const ShapeRecord &shape : bad)
         EXPECT_NE(defectOf(shape, {}), "") << &shape - bad;
@@ -156,6 +177,84 @@ TEST_F(State, allShapesArrive) {
     state.patch(at, "linear", numbers("P", Floats(48)));
     state.patchMesh(at, "bilinear", 2, "round", 3, "periodic", numbers("P", Floats(18)));
     EXPECT_EQ(errors(), 2);
+}
+
+TEST_F(State, tagsOfSubdivisionMeshesAreRead) {
+    state.worldBegin(at);
+    const Integers counts{4, 4, 3}, vertices{0, 1, 4, 3, 1, 2, 5, 4, 3, 4, 6};
+    const auto points = numbers("P", Floats(21));
+    const auto mesh = [&]() -> const SubdivisionRecord & {
+        return std::get<SubdivisionRecord>(primitives().back().record->shape);
+    };
+    state.subdivisionMesh(at, "catmull-clark", counts, vertices, {}, points);
+    ASSERT_EQ(primitives().size(), 1u);
+    EXPECT_EQ(mesh().interpolateBoundary, 0);
+    EXPECT_EQ(mesh().faceVaryingBoundary, 0);
+    state.subdivisionMesh(at, "catmull-clark", counts, vertices,
+                          {{"interpolateboundary", "hole", "crease", "corner", "crease",
+                            "facevaryinginterpolateboundary"},
+                           {0, 0, 1, 0, 3, 1, 2, 2, 3, 2, 1, 0},
+                           {2, 0, 1, 4, 5, 6, 3, 4, 6, 2},
+                           {2.5f, 1, 3, 4, 5}},
+                          points);
+    ASSERT_EQ(primitives().size(), 2u);
+    EXPECT_EQ(mesh().interpolateBoundary, 1);
+    EXPECT_EQ(mesh().faceVaryingBoundary, 2);
+    EXPECT_EQ(mesh().holes, (Integers{2}));
+    ASSERT_EQ(mesh().creases.size(), 4u);
+    EXPECT_EQ(mesh().creases[1].vertices, (Integers{1, 4}));
+    EXPECT_EQ(mesh().creases[1].sharpness, 2.5f);
+    EXPECT_EQ(mesh().creases[3].vertices, (Integers{4, 6}));
+    EXPECT_EQ(mesh().creases[3].sharpness, 5);
+    ASSERT_EQ(mesh().corners.size(), 2u);
+    EXPECT_EQ(mesh().corners[1].vertex, 6);
+    EXPECT_EQ(mesh().corners[1].sharpness, 3);
+    // As later files have them: integers, floats and strings are counted.
+    state.subdivisionMesh(at, "catmull-clark", counts, vertices,
+                          {{"interpolateboundary", "hole"}, {1, 0, 0, 1, 0, 0}, {2, 1}, {}},
+                          points);
+    EXPECT_EQ(mesh().interpolateBoundary, 2);
+    EXPECT_EQ(mesh().holes, (Integers{1}));
+    EXPECT_EQ(errors(), 0);
+}
+
+TEST_F(State, badTagsAreLeftOutAndTheMeshIsKept) {
+    state.worldBegin(at);
+    const auto with = [&](SubdivisionTags tags) {
+        state.subdivisionMesh(at, "catmull-clark", {3}, {0, 1, 2}, tags, numbers("P", Floats(9)));
+    };
+    const SubdivisionTags bad[] = {
+        {{"hole"}, {1, 0}, {1}, {}},
+        {{"hole"}, {1, 0}, {}, {}},
+        {{"hole"}, {1}, {0}, {}},
+        {{"hole"}, {-1, 0}, {0}, {}},
+        {{"crease"}, {1, 1}, {0}, {1}},
+        {{"crease"}, {2, 0}, {0, 1}, {}},
+        {{"crease"}, {2, 1}, {0, 9}, {1}},
+        {{"crease"}, {2, 1}, {0, 1}, {-1}},
+        {{"crease"}, {2, 1}, {0, 1}, {NAN}},
+        {{"corner"}, {3, 2}, {0, 1, 2}, {1, 2}},
+        {{"interpolateboundary"}, {1, 0}, {7}, {}},
+    };
+    int count = 0;
+    for (const SubdivisionTags &tags : bad) {
+        with(tags);
+        ++count;
+        EXPECT_EQ(errors(), count);
+        EXPECT_EQ(int(primitives().size()), count);
+    }
+    with({{"smoothtriangles"}, {1, 0}, {0}, {}}); // Of others: a warning.
+    EXPECT_EQ(errors(), count);
+    EXPECT_EQ(int(primitives().size()), count + 1);
+}
+
+TEST_F(State, geometryIsKnownByName) {
+    state.worldBegin(at);
+    state.geometry(at, "teapot", {});
+    EXPECT_EQ(primitives().size(), 1u);
+    state.geometry(at, "bunny", {});
+    EXPECT_EQ(primitives().size(), 1u);
+    EXPECT_EQ(errors(), 0);
 }
 
 TEST_F(State, polygonsAreOneRecord) {

@@ -70,6 +70,7 @@ private:
     void addLight(const SourceLocation &, const char *request, const std::string &name,
                   const Handle &, const TokenList &, bool area);
     void emit(const SourceLocation &, const char *request, ShapeRecord, const TokenList &);
+    void readTags(const SourceLocation &, const SubdivisionTags &, SubdivisionRecord &);
 
     SceneBuilder &builder_;
     RequestDiagnostics &diagnostics_;

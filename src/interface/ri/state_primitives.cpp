@@ -150,4 +150,13 @@ void StateHandlers::nuPatch(const SourceLocation &where, int uVertices, int uOrd
          tokens);
 }
 
+void StateHandlers::geometry(const SourceLocation &where, const std::string &type,
+                             const TokenList &tokens) {
+    if (type != "teapot")
+        return diagnostics_.warnOnce(where, "geometry " + type,
+                                     "Geometry: \"" + type +
+                                         "\" is not known here: it is not drawn");
+    emit(where, "Geometry", GeometryRecord{type}, tokens);
+}
+
 } // namespace candela

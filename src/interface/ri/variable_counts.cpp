@@ -11,10 +11,12 @@ namespace candela {
 
 namespace {
 
+/// Four corners are all that counts.
 bool isQuadric(const ShapeRecord &shape) {
     return !std::holds_alternative<PolygonsRecord>(shape) &&
            !std::holds_alternative<PatchMeshRecord>(shape) &&
-           !std::holds_alternative<NuPatchRecord>(shape);
+           !std::holds_alternative<NuPatchRecord>(shape) &&
+           !std::holds_alternative<SubdivisionRecord>(shape);
 }
 
 /// The defect of a quadric: non-finite numbers, or one of these that must not be zero is.
@@ -154,6 +156,22 @@ std::string defect(const NuPatchRecord &n) {
     return found.empty() ? splineDefect(n.v, 'v') : found;
 }
 
+std::string defect(const SubdivisionRecord &s) {
+    if (s.vertexCounts.empty())
+        return "there are no faces";
+    const auto vertices = checkedSum(s.vertexCounts, 3);
+    if (!vertices)
+        return "expected at least three vertices in each face";
+    if (*vertices != std::int64_t(s.vertices.size()))
+        return "the faces have " + std::to_string(*vertices) + " vertices, but there are " +
+               std::to_string(s.vertices.size()) + " vertex indices";
+    if (*std::ranges::min_element(s.vertices) < 0)
+        return "a vertex index is negative";
+    return {};
+}
+
+std::string defect(const GeometryRecord &) { return {}; }
+
 } // namespace
 
 int VariableCounts::of(StorageClass storage) const {
@@ -182,6 +200,8 @@ std::string defectOf(const ShapeRecord &shape, const Attributes &attributes) {
 std::int64_t verticesNeeded(const ShapeRecord &shape, const Attributes &) {
     if (const auto *polygons = std::get_if<PolygonsRecord>(&shape))
         return std::int64_t(*std::ranges::max_element(polygons->vertices)) + 1;
+    if (const auto *mesh = std::get_if<SubdivisionRecord>(&shape))
+        return std::int64_t(*std::ranges::max_element(mesh->vertices)) + 1;
     if (const auto *mesh = std::get_if<PatchMeshRecord>(&shape))
         return std::int64_t(mesh->uVertices) * mesh->vVertices;
     if (const auto *patch = std::get_if<NuPatchRecord>(&shape))
@@ -195,6 +215,10 @@ VariableCounts countsOf(const ShapeRecord &shape, const Attributes &attributes, 
     if (const auto *polygons = std::get_if<PolygonsRecord>(&shape)) {
         int corners = int(polygons->vertices.size());
         return {int(polygons->loopCounts.size()), vertexCount, vertexCount, corners, corners};
+    }
+    if (const auto *mesh = std::get_if<SubdivisionRecord>(&shape)) {
+        const int corners = int(mesh->vertices.size());
+        return {int(mesh->vertexCounts.size()), vertexCount, vertexCount, corners, corners};
     }
     if (const auto *patch = std::get_if<NuPatchRecord>(&shape)) {
         const int u = patch->u.segments(), v = patch->v.segments();

@@ -107,10 +107,11 @@ static bool displaceAlike(const Surface &surface, const ShaderDisplacement &one,
     std::vector<std::uint32_t> piece;
     std::vector<float> u, v;
     const bool direct = mesh.vertexUv.empty();
+    const std::vector<std::uint32_t> vertexPiece = mesh.piecesOfVertices();
     const std::size_t names = direct ? mesh.triangles.size() : mesh.vertexUv.size();
     for (std::size_t k = 0; k < std::min(names, most); ++k) {
         const std::size_t name = k * names / std::min(names, most);
-        piece.push_back(direct ? std::uint32_t(name) : 0);
+        piece.push_back(direct ? std::uint32_t(name) : vertexPiece[name]);
         u.push_back(direct ? 0.3f : mesh.vertexUv[name][0]);
         v.push_back(direct ? 0.2f : mesh.vertexUv[name][1]);
     }

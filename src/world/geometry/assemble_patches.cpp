@@ -19,13 +19,6 @@ PatchPolynomials fromHomogeneous(const std::vector<float> &points, const VertexB
     return basis.convert(plain, 3);
 }
 
-/// Sizes beyond which products of lengths leave the range of floats.
-static bool hasUsableSize(const Box3 &box) {
-    double size = std::max({std::abs(box.low.x), std::abs(box.low.y), std::abs(box.low.z),
-                            std::abs(box.high.x), std::abs(box.high.y), std::abs(box.high.z)});
-    return size <= 1e12 && length(box.extent()) >= 1e-12;
-}
-
 SurfaceList assemblePatches(const PatchOrder &order, PatchPolynomials positions, MeshSides sides,
                             DiagnosticSink &diagnostics) {
     auto refuse = [&](const std::string &why) {

@@ -147,6 +147,12 @@ PatchBounds patchBounds(const PatchPolynomials &positions, int patch) {
     return bounds;
 }
 
+bool hasUsableSize(const Box3 &box) {
+    double size = std::max({std::abs(box.low.x), std::abs(box.low.y), std::abs(box.low.z),
+                            std::abs(box.high.x), std::abs(box.high.y), std::abs(box.high.z)});
+    return size <= 1e12 && length(box.extent()) >= 1e-12;
+}
+
 /// Do the last ordinates of one net along u (or v) equal the first of the next?
 static bool netsMeet(const BezierNet &here, const BezierNet &next, bool alongU, double tolerance) {
     const int lastU = here.sizeU - 1, lastV = here.sizeV - 1;

@@ -41,6 +41,9 @@ struct PatchBounds {
 };
 PatchBounds patchBounds(const PatchPolynomials &positions, int patch);
 
+/// Not of sizes beyond which products of lengths leave the range of floats.
+bool hasUsableSize(const Box3 &);
+
 /// Does every patch end where its neighbour begins? Not under every basis and step.
 bool patchesMeet(const PatchGrid &, const PatchPolynomials &positions, double tolerance);
 

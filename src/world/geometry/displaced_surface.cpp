@@ -94,7 +94,7 @@ DisplacedSurface::DisplacedSurface(std::shared_ptr<const Surface> behind,
 }
 
 DicedMesh DisplacedSurface::dice(const DiceRate &) const {
-    return {mesh_.positions, mesh_.triangles, {}, 0};
+    return {mesh_.positions, mesh_.triangles, {}, {}, 0};
 }
 
 void DisplacedSurface::evaluate(const SurfaceQuery &query, const SurfaceAnswer &answer) const {

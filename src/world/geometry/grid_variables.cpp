@@ -9,30 +9,10 @@ GridVariables::GridVariables(const PrimitiveRecord &record, const Attributes &at
                              const PatchGrid &grid, const VertexBasis *basis,
                              DiagnosticSink &diagnostics)
     : grid_(grid) {
-    for (const NumericVariable &variable : numericVariables(record, diagnostics)) {
-        auto polynomials = convert(variable, basis, record.where, diagnostics);
-        if (!polynomials)
-            continue;
-        if (variable.name == "N" || (variable.name == "Np" && !normal_)) {
-            normal_ = std::move(polynomials);
-        } else if (variable.name != "Np") {
-            infos_.push_back({variable.name, variable.declaration});
-            polynomials_.push_back(std::move(*polynomials));
-        }
-    }
-    addDefault("s", attributes.textureCoordinates, 0);
-    addDefault("t", attributes.textureCoordinates, 1);
-}
-
-void GridVariables::addDefault(const char *name, const std::array<float, 8> &coordinates,
-                               int offset) {
-    if (std::ranges::find(infos_, name, &VariableInfo::name) != infos_.end())
-        return;
-    PatchPolynomials polynomials{1, 1, true};
-    appendBilinear(polynomials.coefficients, coordinates[offset], coordinates[2 + offset],
-                   coordinates[4 + offset], coordinates[6 + offset]);
-    infos_.push_back({name, {StorageClass::Varying, ValueType::Float, 1}});
-    polynomials_.push_back(std::move(polynomials));
+    for (const NumericVariable &variable : numericVariables(record, diagnostics))
+        if (auto polynomials = convert(variable, basis, record.where, diagnostics))
+            variables_.add(variable, std::move(*polynomials));
+    variables_.addTextureCoordinates(attributes.textureCoordinates);
 }
 
 /// The segment that a patch is; see PatchAxis.
@@ -118,44 +98,22 @@ std::optional<PatchPolynomials> GridVariables::convert(const NumericVariable &va
     return std::nullopt;
 }
 
+PatchVariables::Locate GridVariables::locator(const float *meshU, const float *meshV) const {
+    return [=, this](int, int start, int count, PatchPoints &points) {
+        locate(grid_, meshU + start, meshV + start, count, points);
+    };
+}
+
 void GridVariables::evaluate(int index, int first, int count, const float *meshU,
                              const float *meshV, float *const *value, float *const *valueDu,
                              float *const *valueDv) const {
-    const PatchPolynomials &polynomials = polynomials_[index];
-    PatchPoints points;
-    for (int start = 0; start < count; start += PatchPoints::capacity) {
-        locate(grid_, meshU + start, meshV + start, std::min(count - start, points.capacity),
-               points);
-        for (int c = 0; c < polynomials.components; ++c)
-            polynomials.evaluate(points, c, value ? value[c] + first + start : nullptr,
-                                 valueDu ? valueDu[c] + first + start : nullptr,
-                                 valueDv ? valueDv[c] + first + start : nullptr);
-    }
+    variables_.evaluate(index, first, count, locator(meshU, meshV), value, valueDu, valueDv);
 }
 
 void GridVariables::overrideNormals(int count, const float *meshU, const float *meshV, Vec3Planes N,
                                     Vec3Planes dNdu, Vec3Planes dNdv) const {
-    if (!normal_)
-        return;
-    PatchPoints points;
-    std::array<float, PatchPoints::capacity> value[3], du[3], dv[3];
-    for (int start = 0; start < count; start += PatchPoints::capacity) {
-        locate(grid_, meshU + start, meshV + start, std::min(count - start, points.capacity),
-               points);
-        for (int c = 0; c < 3; ++c)
-            normal_->evaluate(points, c, value[c].data(), du[c].data(), dv[c].data());
-        for (int k = 0; k < points.count; ++k) {
-            Vec3 n{value[0][k], value[1][k], value[2][k]};
-            if (!(dot(n, n) > 0))
-                continue;
-            if (N.x)
-                N.set(start + k, n);
-            if (dNdu.x)
-                dNdu.set(start + k, unitDerivative(n, {du[0][k], du[1][k], du[2][k]}));
-            if (dNdv.x)
-                dNdv.set(start + k, unitDerivative(n, {dv[0][k], dv[1][k], dv[2][k]}));
-        }
-    }
+    if (hasNormals())
+        variables_.overrideNormals(count, locator(meshU, meshV), N, dNdu, dNdv);
 }
 
 } // namespace candela

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Primitive variables of parametric surfaces (quadrics, patch meshes) as patch polynomials.
+// Primitive variables of parametric surfaces (quadrics, meshes of patches) as patch polynomials.
 #pragma once
 
 #include "foundation/base/diagnostics.h"
-#include "world/geometry/patch_polynomials.h"
-#include "world/geometry/primitive_variables.h"
-#include "world/geometry/surface.h"
+#include "world/geometry/patch_variables.h"
 
 #include <functional>
 #include <optional>
@@ -26,13 +24,12 @@ public:
     GridVariables(const PrimitiveRecord &, const Attributes &, const PatchGrid &,
                   const VertexBasis *, DiagnosticSink &);
 
-    std::span<const VariableInfo> infos() const { return infos_; }
+    std::span<const VariableInfo> infos() const { return variables_.infos(); }
     /// Surface::evaluateVariable at `count` mesh coordinates; answers begin at place `first`.
     void evaluate(int index, int first, int count, const float *meshU, const float *meshV,
                   float *const *value, float *const *valueDu, float *const *valueDv) const;
-    bool hasNormals() const { return normal_.has_value(); }
-    /// Sets N to the variable "N" (or "Np") where that is not zero, and the derivatives to those of
-    /// the unit normal along it; without it, does nothing. Null planes are not wanted.
+    bool hasNormals() const { return variables_.hasNormals(); }
+    /// PatchVariables::overrideNormals at mesh coordinates.
     void overrideNormals(int count, const float *meshU, const float *meshV, Vec3Planes N,
                          Vec3Planes dNdu, Vec3Planes dNdv) const;
 
@@ -42,12 +39,10 @@ private:
     PatchPolynomials perSegment(const NumericVariable &) const;
     PatchPolynomials perMeshCorner(const NumericVariable &) const;
     PatchPolynomials perSegmentCorner(const NumericVariable &) const;
-    void addDefault(const char *name, const std::array<float, 8> &coordinates, int offset);
+    PatchVariables::Locate locator(const float *meshU, const float *meshV) const;
 
     PatchGrid grid_;
-    std::vector<VariableInfo> infos_;
-    std::vector<PatchPolynomials> polynomials_;
-    std::optional<PatchPolynomials> normal_;
+    PatchVariables variables_;
 };
 
 } // namespace candela

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "world/geometry/make_geometry.h"
 #include "world/geometry/make_nu_patch.h"
 #include "world/geometry/make_patch_mesh.h"
 #include "world/geometry/make_quadric.h"
+#include "world/geometry/make_subdivision.h"
 #include "world/geometry/polygon_surface.h"
 
 namespace candela {
@@ -25,6 +27,10 @@ makeSurfaces(std::shared_ptr<const PrimitiveRecord> record, const Attributes &at
             return makePatchMesh(shape, *record, attributes, diagnostics);
         else if constexpr (std::is_same_v<Shape, NuPatchRecord>)
             return makeNuPatch(shape, *record, attributes, diagnostics);
+        else if constexpr (std::is_same_v<Shape, SubdivisionRecord>)
+            return makeSubdivision(shape, *record, attributes, diagnostics);
+        else if constexpr (std::is_same_v<Shape, GeometryRecord>)
+            return makeGeometry(shape, *record, attributes, diagnostics);
         else
             return makeQuadric(shape, *record, attributes, diagnostics);
     };

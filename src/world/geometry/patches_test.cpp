@@ -402,5 +402,41 @@ TEST(BadPatches, AreReportedAndDropped) {
     refused({true, 4, 4}, {points(sheet(4, 4, 1))}, notANumber);
 }
 
+TEST(Teapots, StandAndFaceOutwards) {
+    DiagnosticList diagnostics;
+    Attributes attributes;
+    attributes.uBasis = attributes.vBasis = bSpline; // Has no part in it.
+    const auto surfaces = makeSurfaces(
+        record(GeometryRecord{"teapot"},
+               {parameter("Cs", StorageClass::Constant, ValueType::Color, {0.1f, 0.2f, 0.3f})}),
+        attributes, diagnostics);
+    EXPECT_EQ(diagnostics.text(), "");
+    ASSERT_EQ(surfaces.size(), 32u);
+    Box3 bound;
+    for (const auto &surface : surfaces) {
+        EXPECT_FLOAT_EQ(variable(*surface, "Cs", 0.3f, 0.3f).value[1], 0.2f);
+        for (Vec3 p : surface->dice({1e9f, 1e-3f}).positions)
+            bound.add(p);
+    }
+    EXPECT_NEAR(bound.low.z, 0, 1e-6);
+    EXPECT_NEAR(bound.high.z, 3.15, 1e-6);
+    EXPECT_NEAR(bound.low.x, -3, 1e-6);
+    EXPECT_GT(bound.high.x, 3.4);
+    EXPECT_NEAR(bound.high.y, 2, 2e-3); // Its circles are nearly round.
+    EXPECT_NEAR(bound.low.y, -2, 2e-3);
+    // The body and the bottom: away from a point within.
+    for (int part : {1, 2, 5})
+        for (int k = 0; k < 4; ++k)
+            for (float u : {0.2f, 0.7f}) {
+                const Point p = at(*surfaces[std::size_t(4 * part + k)], u, 0.5f);
+                EXPECT_GT(dot(p.Ng, p.P - Vec3{0, 0, 1}), 0) << part << " " << k;
+            }
+    // Handle and spout: away from their middles, in y.
+    for (int k = 24; k < 32; ++k) {
+        const Point p = at(*surfaces[std::size_t(k)], 0.5f, 0.5f);
+        EXPECT_GT(p.Ng.y * p.P.y, 0) << k;
+    }
+}
+
 } // namespace
 } // namespace candela

@@ -27,13 +27,23 @@ struct DiceRate {
 
 /// Triangles that approximate a surface. A point of a triangle names a point of the surface as
 /// (piece, u, v): if `vertexUv` is empty, the piece is the triangle and (u,v) are its barycentric
-/// coordinates (weights of corners 1 and 2); otherwise the piece is 0 and (u,v) is interpolated
-/// from the corners.
+/// coordinates (weights of corners 1 and 2); otherwise the piece is that of the triangle, and (u,v)
+/// is interpolated from the corners, whose triangles are all of that piece.
 struct DicedMesh {
     std::vector<Vec3> positions;
     std::vector<std::array<std::uint32_t, 3>> triangles;
     std::vector<std::array<float, 2>> vertexUv;
+    std::vector<std::uint32_t> pieces; ///< Of each triangle; empty: they are 0.
     float chordError = 0; ///< No triangle is farther than this from the surface; 0 = exact.
+
+    /// Of each vertex, where they have a vertexUv.
+    std::vector<std::uint32_t> piecesOfVertices() const {
+        std::vector<std::uint32_t> result(positions.size(), 0);
+        for (std::size_t k = 0; k < pieces.size(); ++k)
+            for (std::uint32_t vertex : triangles[k])
+                result[vertex] = pieces[k];
+        return result;
+    }
 };
 
 /// A primitive variable that a caller may ask for besides the geometry.

@@ -39,7 +39,8 @@ double sampledChordError(const Surface &surface, const DicedMesh &mesh, int samp
             Point p = mesh.vertexUv.empty()
                           ? at(surface, a, b, std::uint32_t(k))
                           : at(surface, mix([&](std::uint32_t v) { return mesh.vertexUv[v][0]; }),
-                               mix([&](std::uint32_t v) { return mesh.vertexUv[v][1]; }));
+                               mix([&](std::uint32_t v) { return mesh.vertexUv[v][1]; }),
+                               mesh.pieces.empty() ? 0 : mesh.pieces[k]);
             worst = std::max(worst, double(length(p.P - onTriangle)));
         }
     return worst;

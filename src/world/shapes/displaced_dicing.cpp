@@ -179,6 +179,7 @@ private:
         Shape undisplaced = *dicing.shape;
         undisplaced.naming = dicing.mesh.vertexUv.empty() ? Naming::Direct : Naming::Corners;
         undisplaced.vertexUv = dicing.mesh.vertexUv;
+        undisplaced.pieces = dicing.mesh.pieces;
         RayShape mesh;
         mesh.triangles = dicing.mesh.triangles;
         for (Vec3 position : dicing.mesh.positions)
@@ -209,7 +210,7 @@ private:
             for (int k = 0; k < 3; ++k)
                 local[k] = numberOf[t[k]];
             mesh.triangles.push_back(local);
-            if (dicing.mesh.vertexUv.empty())
+            if (dicing.mesh.vertexUv.empty() || !dicing.mesh.pieces.empty())
                 mesh.pieces.push_back(all_.vertices[t[0]].piece);
         }
         met.triangles = mesh.triangles;

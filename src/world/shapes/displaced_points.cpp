@@ -20,7 +20,7 @@ static void findIdleCoordinates(std::span<const DisplacedDicing> shapes,
             continue;
         }
         const int n = int(mesh.positions.size());
-        const std::vector<std::uint32_t> piece(std::size_t(n), 0);
+        const std::vector<std::uint32_t> piece = mesh.piecesOfVertices();
         std::vector<float> values(5 * std::size_t(n));
         float *u = values.data(), *v = u + n;
         const Vec3Planes P{v + n, v + 2 * n, v + 3 * n};
@@ -57,8 +57,9 @@ std::vector<VertexTriple> DisplacedPoints::begin(std::span<const DisplacedDicing
             starts.push_back(
                 transformPoint(shapes[shape].shape->outerFromShape, mesh.positions[corner]));
         };
+        const std::vector<std::uint32_t> piece = mesh.piecesOfVertices();
         for (std::uint32_t k = 0; k < mesh.positions.size() && !direct; ++k)
-            add(k, 0, mesh.vertexUv[k][0], mesh.vertexUv[k][1]);
+            add(k, piece[k], mesh.vertexUv[k][0], mesh.vertexUv[k][1]);
         for (std::uint32_t k = 0; k < mesh.triangles.size(); ++k) {
             const auto [a, b, c] = mesh.triangles[k];
             if (direct) {

@@ -96,12 +96,13 @@ RayShape dice(Shape &shape, const DiceRate &rate, const Vec3 *eye) {
     shape.flat = hasFlatNormals(*shape.surface, diced);
     shape.curved = shape.away = !diced.vertexUv.empty();
     if (!shape.curved)
-        shape.pieces = cutTriangles(diced, eye);
+        diced.pieces = cutTriangles(diced, eye);
     shape.naming = diced.vertexUv.empty() ? Naming::Direct : Naming::Corners;
     if (shape.naming == Naming::Corners) {
         beginAtBluntCorners(diced);
         shape.triangles = diced.triangles;
         shape.vertexUv = std::move(diced.vertexUv);
+        shape.pieces = std::move(diced.pieces);
     }
     shape.elements = std::uint32_t(diced.triangles.size());
     result.positions = std::move(diced.positions);

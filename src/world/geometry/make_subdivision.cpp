@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world/geometry/make_subdivision.h"
+
+#include "world/geometry/subdivision_surface.h"
+
+#include <cmath>
+
+namespace candela {
+
+SurfaceList makeSubdivision(const SubdivisionRecord &mesh, const PrimitiveRecord &record,
+                            const Attributes &attributes, DiagnosticSink &diagnostics) {
+    auto refuse = [&](const std::string &why) {
+        diagnostics.error(record.where, "the subdivision mesh " + why + "; it is dropped");
+        return SurfaceList{};
+    };
+    const Parameter *points = record.variables.find("P");
+    if (!points)
+        return refuse("has no \"P\"");
+    std::string why;
+    const auto refinement = SubdivisionRefinement::of(mesh, int(points->floats.size() / 3), why);
+    if (!refinement)
+        return refuse(why);
+    if (const int strays = refinement->strayCreases())
+        diagnostics.warning(record.where, "creases of the subdivision mesh run " +
+                                              std::to_string(strays) +
+                                              " times between vertices that no edge joins; they "
+                                              "have no effect there");
+    const auto tree = std::make_shared<const SubdivisionTree>(refinement->tree());
+    SubdivisionShape shape;
+    for (std::uint32_t k = 0; k < refinement->pieces().size(); ++k)
+        if (tree->has(k)) {
+            shape.pieces.push_back(refinement->pieces()[k]);
+            shape.numbers.push_back(k);
+        }
+    if (shape.pieces.empty()) {
+        diagnostics.warning(record.where,
+                            "nothing of the subdivision mesh is drawn: all of its faces are holes "
+                            "or at its boundary, and \"interpolateboundary\" is not asked for");
+        return {};
+    }
+    PatchPolynomials positions = refinement->convert(points->floats, 3);
+    std::vector<PatchBounds> bounds;
+    Box3 box;
+    for (std::size_t leaf = 0; leaf < tree->leaves().size(); ++leaf) {
+        bounds.push_back(patchBounds(positions, int(leaf)));
+        box.add(bounds.back().box);
+    }
+    if (!hasUsableSize(box))
+        return refuse("is too large or too small to be computed with");
+    PatchPositions limit(std::move(positions), bounds);
+    shape.edges = refinement->edges();
+    shape.tree = tree;
+    shape.errors = SubdivisionErrors(*tree, limit, bounds);
+    SubdivisionVariables variables(mesh, record, attributes, *refinement, shape.numbers, tree,
+                                   diagnostics);
+    auto surface = std::make_shared<SubdivisionSurface>(std::move(shape), std::move(limit), bounds,
+                                                        std::move(variables));
+    if (!surface->hasArea())
+        return refuse("has no area");
+    return {surface};
+}
+
+} // namespace candela
