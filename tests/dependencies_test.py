@@ -21,6 +21,7 @@ BELOW = {
     "light": ["world", "language", "interface", "foundation"],
     "image": ["world", "language", "interface", "foundation"],
     "render": ["light", "image", "world", "language", "interface", "foundation"],
+    "binding": ["render", "light", "image", "world", "language", "interface", "foundation"],
     "apps": ["render", "light", "image", "world", "language", "interface", "foundation"],
 }
 

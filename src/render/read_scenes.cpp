@@ -60,37 +60,75 @@ GraphicsStateSettings stateSettings(const std::string &ribFile, const RenderSett
     return result;
 }
 
+ShaderLibrary libraryFor(const std::string &ribFile, const RenderSettings &settings,
+                         DiagnosticSink &diagnostics) {
+    ShaderFolders folders = shaderFolders(ribFile, settings.shaderPath, diagnostics);
+    return ShaderLibrary({std::move(folders.all), std::move(folders.library), settings.jit,
+                          textureFolders(ribFile, settings)},
+                         diagnostics);
+}
+
 } // namespace
+
+struct SceneReading::State {
+    State(const std::string &name, const RenderSettings &settings, const FrameListeners &listeners,
+          SceneReceiver receive)
+        : name(name), listeners(listeners), receive(std::move(receive)),
+          shaders(libraryFor(name, settings, listeners.diagnostics)),
+          warnings(listeners.diagnostics),
+          world(shaders, listeners.diagnostics, [this](const Scene &scene) { take(scene); }),
+          graphics(world, shaders, listeners.diagnostics,
+                   stateSettings(name, settings, listeners.diagnostics)),
+          reader(graphics, listeners.diagnostics, {settings.trust, {}}) {}
+
+    void take(const Scene &scene) {
+        sawWorld = true;
+        warnings.look(scene);
+        if (!listeners.diagnostics.stopped())
+            receive(scene, shaders);
+    }
+
+    const std::string name;
+    const FrameListeners listeners;
+    SceneReceiver receive;
+    ShaderLibrary shaders;
+    ShaderWarnings warnings;
+    SceneCompiler world;
+    GraphicsState graphics;
+    RibReader reader;
+    bool sawWorld = false;
+};
+
+SceneReading::SceneReading(const std::string &name, const RenderSettings &settings,
+                           const FrameListeners &listeners, SceneReceiver receive)
+    : state_(std::make_unique<State>(name, settings, listeners, std::move(receive))) {}
+SceneReading::~SceneReading() = default;
+
+RibReader &SceneReading::reader() { return state_->reader; }
+
+void SceneReading::finish(bool cut) {
+    if (!cut)
+        state_->graphics.finish();
+    const FrameListeners &listeners = state_->listeners;
+    if (!state_->sawWorld && !listeners.console.failed())
+        listeners.diagnostics.warning({std::make_shared<const std::string>(state_->name)},
+                                      "there is no WorldBegin in it: nothing is rendered");
+    listeners.statistics.add(state_->shaders.statistics());
+}
 
 void readScenes(const std::string &path, const RenderSettings &settings,
                 const FrameListeners &listeners, const SceneReceiver &receive) {
-    ErrorPolicy &diagnostics = listeners.diagnostics;
-    ShaderFolders folders = shaderFolders(path, settings.shaderPath, diagnostics);
-    ShaderLibrary shaders({std::move(folders.all), std::move(folders.library), settings.jit,
-                           textureFolders(path, settings)},
-                          diagnostics);
-    ShaderWarnings warnings(diagnostics);
-    bool sawWorld = false;
-    SceneCompiler world(shaders, diagnostics, [&](const Scene &scene) {
-        sawWorld = true;
-        warnings.look(scene);
-        if (!diagnostics.stopped())
-            receive(scene, shaders);
-    });
-    GraphicsState state(world, shaders, diagnostics, stateSettings(path, settings, diagnostics));
-
+    SceneReading scenes(path, settings, listeners, receive);
+    bool cut = false;
     try {
-        RibReader(state, diagnostics, {settings.trust, {}}).readFile(path);
-        state.finish();
+        scenes.reader().readFile(path);
     } catch (const std::bad_alloc &) {
-        diagnostics.error({std::make_shared<const std::string>(path)},
-                          "there is not enough memory to read it; what is left of it is not "
-                          "rendered");
+        listeners.diagnostics.error({std::make_shared<const std::string>(path)},
+                                    "there is not enough memory to read it; what is left of it is "
+                                    "not rendered");
+        cut = true;
     }
-    if (!sawWorld && !listeners.console.failed())
-        diagnostics.warning({std::make_shared<const std::string>(path)},
-                            "there is no WorldBegin in it: nothing is rendered");
-    listeners.statistics.add(shaders.statistics());
+    scenes.finish(cut);
 }
 
 } // namespace candela

@@ -2,10 +2,12 @@
 // From the bytes of a RIB file to the scenes in it.
 #pragma once
 
+#include "interface/rib/rib_reader.h"
 #include "render/frame.h"
 #include "world/scene/scene.h"
 
 #include <functional>
+#include <memory>
 #include <string>
 
 namespace candela {
@@ -13,8 +15,25 @@ namespace candela {
 /// Gets the scenes in their order, each for as long as the call lasts.
 using SceneReceiver = std::function<void(const Scene &, ShaderLibrary &)>;
 
-/// Reads a RIB file ("-" = standard input) with the settings' options, folders and code generation.
-/// What is wrong is reported, and so is a file without a world.
+/// Makes scenes of requests, with the settings' options, folders and code generation.
+class SceneReading {
+public:
+    /// `name` is that of the file, or stands for it. All must outlive it.
+    SceneReading(const std::string &name, const RenderSettings &, const FrameListeners &,
+                 SceneReceiver);
+    ~SceneReading();
+
+    RibReader &reader();
+    /// After the last request. What is still open, and that there was no world, is reported, unless
+    /// the requests were `cut` short.
+    void finish(bool cut = false);
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+/// Reads a RIB file ("-" = standard input). What is wrong is reported.
 void readScenes(const std::string &path, const RenderSettings &, const FrameListeners &,
                 const SceneReceiver &);
 

@@ -20,7 +20,10 @@ struct ByteOutput::File {
 };
 
 ByteOutput::ByteOutput() = default;
-ByteOutput::~ByteOutput() = default;
+ByteOutput::~ByteOutput() {
+    if (command_)
+        pclose(command_);
+}
 
 std::unique_ptr<ByteOutput> ByteOutput::open(const std::string &path, Packing packing,
                                              std::string &why) {
@@ -34,6 +37,14 @@ std::unique_ptr<ByteOutput> ByteOutput::open(const std::string &path, Packing pa
     std::unique_ptr<ByteOutput> result(new ByteOutput);
     result->file_.reset(new File{handle});
     return result;
+}
+
+std::unique_ptr<ByteOutput> ByteOutput::toCommand(const std::string &command, std::string &why) {
+    std::unique_ptr<ByteOutput> result(new ByteOutput);
+    result->command_ = popen(command.c_str(), "we");
+    if (!result->command_)
+        why = std::strerror(errno);
+    return result->command_ ? std::move(result) : nullptr;
 }
 
 std::unique_ptr<ByteOutput> ByteOutput::toMemory(std::string &text) {
@@ -50,6 +61,9 @@ void ByteOutput::write(std::string_view bytes) {
     constexpr std::size_t most = 1 << 30; // gzwrite() counts in unsigned.
     if (text_)
         text_->append(bytes);
+    if (command_ && !failed() &&
+        std::fwrite(bytes.data(), 1, bytes.size(), command_) < bytes.size())
+        failure_ = std::strerror(errno);
     for (; file_ && !failed() && !bytes.empty(); bytes.remove_prefix(std::min(most, bytes.size())))
         if (gzwrite(file_->handle, bytes.data(), unsigned(std::min(most, bytes.size()))) <= 0) {
             int code = Z_OK;
@@ -63,6 +77,11 @@ std::string ByteOutput::close() {
         const int code = gzclose(std::exchange(file_->handle, nullptr));
         if (code != Z_OK && !failed())
             failure_ = reasonOf(code, "the file could not be completed");
+    }
+    if (command_) {
+        const int status = pclose(std::exchange(command_, nullptr));
+        if (status != 0 && !failed())
+            failure_ = "the command ended with status " + std::to_string(status);
     }
     return failure_;
 }

@@ -2,6 +2,7 @@
 // Where written RIB goes.
 #pragma once
 
+#include <cstdio>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -14,6 +15,8 @@ public:
 
     /// A file, or the standard output ("-"). Nothing if it cannot be opened; `why` then says so.
     static std::unique_ptr<ByteOutput> open(const std::string &path, Packing, std::string &why);
+    /// The standard input of a command, given to the shell.
+    static std::unique_ptr<ByteOutput> toCommand(const std::string &command, std::string &why);
     /// Ends up in `text`, which must outlive it.
     static std::unique_ptr<ByteOutput> toMemory(std::string &text);
     ~ByteOutput();
@@ -29,6 +32,7 @@ private:
     ByteOutput();
 
     std::unique_ptr<File> file_;
+    std::FILE *command_ = nullptr;
     std::string *text_ = nullptr;
     std::string failure_;
 };

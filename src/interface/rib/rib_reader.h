@@ -17,6 +17,9 @@ public:
     bool readFile(const std::string &path);
     void readText(std::string text, const std::string &name);
 
+    /// Takes requests that come from elsewhere, as if they stood in a file.
+    StreamExpander &stream() { return stream_; }
+
 private:
     DiagnosticSink &diagnostics_;
     StreamExpander stream_;

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Transformations (RI 3.2, 4.3).
+#include "binding/c/calls.h"
+
+using namespace candela;
+using namespace candela::c;
+
+// clang-format off
+RI_PLAIN(Identity, (), identity(ri.at()))
+RI_PLAIN(Transform, (RtMatrix matrix), transform(ri.at(), matrixOf(matrix)))
+RI_PLAIN(ConcatTransform, (RtMatrix matrix), concatTransform(ri.at(), matrixOf(matrix)))
+RI_PLAIN(Perspective, (RtFloat fieldOfView), perspective(ri.at(), fieldOfView))
+RI_PLAIN(Translate, (RtFloat dx, RtFloat dy, RtFloat dz), translate(ri.at(), dx, dy, dz))
+RI_PLAIN(Rotate, (RtFloat angle, RtFloat dx, RtFloat dy, RtFloat dz), rotate(ri.at(), angle, dx, dy, dz))
+RI_PLAIN(Scale, (RtFloat sx, RtFloat sy, RtFloat sz), scale(ri.at(), sx, sy, sz))
+RI_PLAIN(Skew, (RtFloat angle, RtFloat dx1, RtFloat dy1, RtFloat dz1, RtFloat dx2, RtFloat dy2, RtFloat dz2), skew(ri.at(), angle, dx1, dy1, dz1, dx2, dy2, dz2))
+RI_PLAIN(CoordinateSystem, (RtToken name), coordinateSystem(ri.at(), text(name)))
+RI_PLAIN(ScopedCoordinateSystem, (RtToken name), scopedCoordinateSystem(ri.at(), text(name)))
+RI_PLAIN(CoordSysTransform, (RtToken name), coordSysTransform(ri.at(), text(name)))

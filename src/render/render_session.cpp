@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/render_session.h"
+
+#include "foundation/base/parallel.h"
+#include "render/console.h"
+#include "render/read_scenes.h"
+#include "render/statistics.h"
+
+#include <unistd.h>
+
+namespace candela {
+
+struct RenderSession::State {
+    State(const std::string &name, const RenderSettings &given, DiagnosticSink &heard)
+        : settings(given), console(!given.quiet && isatty(STDERR_FILENO)), diagnostics(heard),
+          threads(given.threads), listeners{diagnostics, console, statistics},
+          scenes(name, settings, listeners,
+                 [this, name](const Scene &scene, ShaderLibrary &shaders) {
+                     if (!interrupted)
+                         interrupted = !renderFrame(scene, shaders, settings, name, listeners);
+                 }) {}
+
+    const RenderSettings settings;
+    Console console;
+    ErrorPolicy diagnostics;
+    ThreadLimit threads;
+    Statistics statistics;
+    const FrameListeners listeners;
+    bool interrupted = false;
+    SceneReading scenes;
+};
+
+RenderSession::RenderSession(const std::string &name, const RenderSettings &settings,
+                             DiagnosticSink &heard)
+    : state_(std::make_unique<State>(name, settings, heard)) {}
+RenderSession::~RenderSession() = default;
+
+StreamSink &RenderSession::requests() { return state_->scenes.reader().stream(); }
+ErrorPolicy &RenderSession::diagnostics() { return state_->diagnostics; }
+
+void RenderSession::finish() {
+    state_->scenes.finish();
+    const std::string &file = state_->settings.statisticsFile;
+    if (!file.empty())
+        state_->statistics.write(file, state_->diagnostics);
+}
+
+} // namespace candela
