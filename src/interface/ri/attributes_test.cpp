@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lights, shaders, named options and attributes, and what of them is refused.
 #include "interface/ri/graphics_state_fixture.h"
+#include "interface/ri/trim_record.h"
 
 #include <cmath>
 
@@ -235,6 +236,33 @@ TEST_F(State, matteIsForLater) {
     state.matte(at, true);
     state.matte(at, true);
     EXPECT_EQ(warnings(), 1);
+}
+
+TEST_F(State, trimCurvesAreKeptTillTheBlockEnds) {
+    state.worldBegin(at);
+    const auto patch = [&] {
+        state.nuPatch(at, 2, 2, {0, 0, 1, 1}, 0, 1, 2, 2, {0, 0, 1, 1}, 0, 1,
+                      numbers("P", Floats(12)));
+        return trimOf(*primitives().back().attributes);
+    };
+    EXPECT_TRUE(patch().empty());
+    state.attributeBegin(at);
+    state.trimCurve(at, {1}, {2}, {0, 0, 1, 2, 3, 3}, {0}, {3}, {4}, {0, 1, 0, 0}, {0, 0, 1, 0},
+                    {1, 1, 1, 1});
+    const TrimRecord loops = patch();
+    ASSERT_EQ(loops.size(), 1u);
+    ASSERT_EQ(loops[0].size(), 1u);
+    EXPECT_EQ(loops[0][0].spline.knots.size(), 6u);
+    EXPECT_EQ(loops[0][0].u, (Floats{0, 1, 0, 0}));
+    EXPECT_EQ(errors(), 0);
+    state.trimCurve(at, {1}, {2}, {0, 0, 1}, {0}, {3}, {4}, {0}, {0}, {1}); // Left out.
+    EXPECT_EQ(errors(), 1);
+    EXPECT_EQ(patch().size(), 1u);
+    state.trimCurve(at, {}, {}, {}, {}, {}, {}, {}, {}, {}); // None any more.
+    EXPECT_TRUE(patch().empty());
+    state.attributeEnd(at);
+    EXPECT_TRUE(patch().empty());
+    EXPECT_EQ(errors(), 1);
 }
 
 } // namespace candela::testing

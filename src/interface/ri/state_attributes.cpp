@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Attributes but for shaders and lights (RI 3.2, section 4.2).
 #include "interface/ri/state_handlers.h"
+#include "interface/ri/trim_record.h"
 
 #include <algorithm>
 #include <cmath>
@@ -140,6 +141,18 @@ static bool isKnownCasting(const Parameter &parameter) {
     constexpr std::array known{"none", "opaque", "Os", "shade"};
     return parameter.strings.size() == 1 &&
            std::ranges::find(known, parameter.strings.front()) != known.end();
+}
+
+void StateHandlers::trimCurve(const SourceLocation &where, const Integers &curveCounts,
+                              const Integers &orders, const Floats &knots, const Floats &minima,
+                              const Floats &maxima, const Integers &pointCounts, const Floats &u,
+                              const Floats &v, const Floats &w) {
+    const TrimNumbers numbers{curveCounts, orders, pointCounts, knots, minima, maxima, u, v, w};
+    std::string why;
+    if (readTrim(numbers, why))
+        keepTrim(numbers, state_.edit());
+    else
+        diagnostics_.error(where, "TrimCurve", why + "; the request is left out");
 }
 
 void StateHandlers::attribute(const SourceLocation &where, const std::string &category,

@@ -19,12 +19,13 @@ PatchPolynomials fromHomogeneous(const std::vector<float> &points, const VertexB
     return basis.convert(plain, 3);
 }
 
-SurfaceList assemblePatches(const PatchOrder &order, PatchPolynomials positions, MeshSides sides,
-                            DiagnosticSink &diagnostics) {
+std::shared_ptr<const PatchSurface> assemblePatches(const PatchOrder &order,
+                                                    PatchPolynomials positions, MeshSides sides,
+                                                    DiagnosticSink &diagnostics) {
     auto refuse = [&](const std::string &why) {
         diagnostics.error(order.record.where,
                           "the " + std::string(order.name) + " " + why + "; it is dropped");
-        return SurfaceList{};
+        return nullptr;
     };
     std::vector<PatchBounds> bounds;
     for (int patch = 0; patch < order.grid.patches(); ++patch) {
@@ -40,7 +41,7 @@ SurfaceList assemblePatches(const PatchOrder &order, PatchPolynomials positions,
                                        std::move(sides), std::move(variables));
     if (!surface->hasArea())
         return refuse("has no area");
-    return {surface};
+    return surface;
 }
 
 } // namespace candela

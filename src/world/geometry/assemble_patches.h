@@ -4,7 +4,6 @@
 
 #include "world/geometry/grid_variables.h"
 #include "world/geometry/patch_surface.h"
-#include "world/geometry/surface_list.h"
 
 namespace candela {
 
@@ -20,8 +19,8 @@ struct PatchOrder {
 /// Homogeneous floats by four as they are, or by three where every weight is 1.
 PatchPolynomials fromHomogeneous(const std::vector<float> &points, const VertexBasis &);
 
-/// The surface, or nothing and a report.
-SurfaceList assemblePatches(const PatchOrder &, PatchPolynomials positions, MeshSides sides,
-                            DiagnosticSink &);
+/// The surface, or null and a report.
+std::shared_ptr<const PatchSurface> assemblePatches(const PatchOrder &, PatchPolynomials positions,
+                                                    MeshSides sides, DiagnosticSink &);
 
 } // namespace candela

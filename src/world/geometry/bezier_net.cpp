@@ -78,6 +78,26 @@ static DerivativeBounds rationalBounds(const DerivativeBounds &h, const Derivati
     return p;
 }
 
+DerivativeBounds rationalDerivatives(std::vector<BezierNet> nets) {
+    const std::span<BezierNet> points = std::span(nets).first(nets.size() - 1);
+    const std::vector<double> &weights = nets.back().ordinates;
+    // About the middle of the box, where the quotient's terms are smallest.
+    double squaredRadius = 0;
+    for (BezierNet &net : points) {
+        double low = 1e300, high = -1e300;
+        for (std::size_t i = 0; i < weights.size(); ++i) {
+            low = std::min(low, net.ordinates[i] / weights[i]);
+            high = std::max(high, net.ordinates[i] / weights[i]);
+        }
+        const double half = (high - low) / 2;
+        squaredRadius += half * half;
+        for (std::size_t i = 0; i < weights.size(); ++i)
+            net.ordinates[i] -= weights[i] * (low + half);
+    }
+    return rationalBounds(derivativeBounds(points), derivativeBounds(std::span(nets).last(1)),
+                          *std::ranges::min_element(weights), std::sqrt(squaredRadius));
+}
+
 static double coefficientSum(const PatchPolynomials &positions, int patch) {
     double most = 0;
     for (int component = 0; component < 3; ++component) {
@@ -135,14 +155,8 @@ PatchBounds patchBounds(const PatchPolynomials &positions, int patch) {
         return bounds;
     }
     bounds.valid = leastWeight > 0;
-    // About the middle of the box, where the quotient's terms are smallest.
-    Vec3 centre = bounds.box.centre();
-    for (std::size_t i = 0; i < nets[0].ordinates.size(); ++i)
-        for (int c = 0; c < 3; ++c)
-            nets[c].ordinates[i] -= nets[3].ordinates[i] * centre[c];
-    bounds.derivatives =
-        rationalBounds(derivativeBounds(homogeneous), derivativeBounds(std::span(nets).last(1)),
-                       leastWeight, 0.5 * length(bounds.box.extent()));
+    if (bounds.valid)
+        bounds.derivatives = rationalDerivatives(std::move(nets));
     bounds.coefficientSum *= 1 / leastWeight;
     return bounds;
 }

@@ -30,6 +30,10 @@ BezierNet bezierNet(const PatchPolynomials &, int patch, int component);
 /// Bounds of the derivatives of the patch that has these components.
 DerivativeBounds derivativeBounds(std::span<const BezierNet>);
 
+/// The same of a quotient: the last component is what the others are divided by. Its ordinates are
+/// positive.
+DerivativeBounds rationalDerivatives(std::vector<BezierNet>);
+
 /// What is known of one patch: components 3 are x, y, z; 4 are homogeneous.
 struct PatchBounds {
     bool valid = true; ///< False if a weight may vanish.

@@ -76,9 +76,10 @@ SurfaceList makePatchMesh(const PatchMeshRecord &mesh, const PrimitiveRecord &re
     if (!positions)
         return {};
     const VertexBasis basis = vertexBasis(*topology);
-    return assemblePatches(
+    const auto surface = assemblePatches(
         {"patch mesh", record, attributes, topology->grid, mesh.bicubic ? &basis : nullptr},
         std::move(*positions), std::move(sides), diagnostics);
+    return surface ? SurfaceList{surface} : SurfaceList{};
 }
 
 } // namespace candela

@@ -5,15 +5,16 @@
 
 namespace candela {
 
+/// How fast a coordinate within a patch runs by the query's.
+static double spread(const PatchAxis &axis, int patch) {
+    return std::abs(axis.speed(patch) * (axis.high - axis.low));
+}
+
 PatchSurface::PatchSurface(const PatchGrid &grid, PatchPolynomials positions,
                            std::vector<PatchBounds> bounds, MeshSides sides,
                            GridVariables variables)
     : grid_(grid), positions_(std::move(positions), bounds), patchBounds_(std::move(bounds)),
       variables_(std::move(variables)) {
-    // Of a coordinate within a patch by the float that says where on the mesh.
-    const auto spread = [](const PatchAxis &axis, int patch) {
-        return std::abs(axis.speed(patch) * (axis.high - axis.low));
-    };
     for (int k = 0; k < grid_.patches(); ++k) {
         const PatchBounds &patch = patchBounds_[k];
         const double alongU = patch.derivatives.du * spread(grid_.u, k % grid_.u.patches);
@@ -28,6 +29,16 @@ PatchSurface::PatchSurface(const PatchGrid &grid, PatchPolynomials positions,
                 float(4 * roundingError_)};
     Vec3 margin{float(roundingError_), float(roundingError_), float(roundingError_)};
     bound_ = {bound_.low - margin, bound_.high + margin};
+}
+
+std::array<double, 2> PatchSurface::longestDerivatives() const {
+    std::array<double, 2> longest{0, 0};
+    for (int k = 0; k < grid_.patches(); ++k) {
+        const DerivativeBounds &d = patchBounds_[k].derivatives;
+        longest[0] = std::max(longest[0], d.du * spread(grid_.u, k % grid_.u.patches));
+        longest[1] = std::max(longest[1], d.dv * spread(grid_.v, k / grid_.u.patches));
+    }
+    return longest;
 }
 
 void PatchSurface::evaluate(const SurfaceQuery &query, const SurfaceAnswer &answer) const {

@@ -20,6 +20,8 @@ public:
 
     /// False if every normal vanishes.
     bool hasArea() const;
+    /// Bounds of the derivatives by the query's u and v.
+    std::array<double, 2> longestDerivatives() const;
 
     Box3 bound() const override { return bound_; }
     DicedMesh dice(const DiceRate &) const override;
