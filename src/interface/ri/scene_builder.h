@@ -29,8 +29,8 @@ public:
                            const MotionTransform &currentFromObject) = 0;
     /// The primitives (and instances of other objects) up to objectEnd() make up the object of that
     /// number, counted from 0 in each world, and are not drawn themselves. Their matrices lead from
-    /// their own space to the object's. Of their attributes those that shape them count (bases,
-    /// texture coordinates, orientation); for all else the instance's do. Definitions do not nest.
+    /// their own space to the object's. Of their attributes those count that shape them (bases,
+    /// orientation) or are in ownSet; for all else the instance's do. Definitions do not nest.
     virtual void objectBegin(int object) = 0;
     virtual void objectEnd() = 0;
     /// Draws a finished object with these attributes; also inside the definition of another one.
