@@ -48,7 +48,10 @@ bool allFinite(const Parameter &p) {
 
 /// What is wrong with a variable on a shape with these counts; empty if nothing is.
 std::string variableDefect(const Parameter &variable, const VariableCounts &counts) {
-    int expected = counts.of(variable.declaration.storage);
+    const StorageClass storage = variable.declaration.storage;
+    int expected = counts.of(storage);
+    if (counts.mayHaveFourCorners && storage == StorageClass::Varying && valuesIn(variable) == 4)
+        expected = 4;
     if (!hasWholeValues(variable) || valuesIn(variable) != expected)
         return "'" + variable.name + "' (" + textOf(variable.declaration) + ") needs " +
                std::to_string(std::int64_t(expected) * variable.declaration.components()) +

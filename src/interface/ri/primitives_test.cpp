@@ -165,12 +165,16 @@ TEST_F(State, allShapesArrive) {
     state.patch(at, "bilinear", numbers("Pz", Floats(4)));
     state.nuPatch(at, 3, 2, {0, 0, 1, 2, 2}, 0, 2, 2, 2, {0, 0, 1, 1}, 0, 1,
                   numbers("P", Floats(18)));
+    TokenList fourCorners = numbers("P", Floats(18));
+    fourCorners.all.push_back(numbers("s", {0, 1, 0, 1}).all.front());
+    state.nuPatch(at, 3, 2, {0, 0, 1, 2, 2}, 0, 2, 2, 2, {0, 0, 1, 1}, 0, 1, fourCorners);
+    EXPECT_NE(primitives().back().record->variables.find("s"), nullptr);
     EXPECT_EQ(errors(), 0);
-    EXPECT_EQ(primitives().size(), 13u);
+    EXPECT_EQ(primitives().size(), 14u);
     // Two vertices make splines of order 2 at most.
     state.nuPatch(at, 2, 4, {0, 0, 0, 1, 1, 1}, 0, 1, 2, 2, {0, 0, 1, 1}, 0, 1,
                   numbers("Pw", Floats(16, 1)));
-    ASSERT_EQ(primitives().size(), 14u);
+    ASSERT_EQ(primitives().size(), 15u);
     const auto &lowered = std::get<NuPatchRecord>(primitives().back().record->shape).u;
     EXPECT_EQ(lowered.order, 2);
     EXPECT_EQ(lowered.knots, (Floats{0, 0, 1, 1}));

@@ -222,7 +222,7 @@ VariableCounts countsOf(const ShapeRecord &shape, const Attributes &attributes, 
     }
     if (const auto *patch = std::get_if<NuPatchRecord>(&shape)) {
         const int u = patch->u.segments(), v = patch->v.segments();
-        return {u * v, (u + 1) * (v + 1), vertexCount, 4 * u * v, 4 * u * v};
+        return {u * v, (u + 1) * (v + 1), vertexCount, 4 * u * v, 4 * u * v, true};
     }
     const auto &mesh = std::get<PatchMeshRecord>(shape);
     int u = uPatches(mesh, attributes), v = vPatches(mesh, attributes);

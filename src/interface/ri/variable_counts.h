@@ -13,6 +13,8 @@ namespace candela {
 
 struct VariableCounts {
     int uniform = 1, varying = 4, vertex = 4, faceVarying = 4, faceVertex = 4;
+    /// Four varying values may be those of the corners of all of it: files have NURBS so.
+    bool mayHaveFourCorners = false;
 
     int of(StorageClass) const;
 };

@@ -48,6 +48,16 @@ PatchPolynomials GridVariables::perMeshCorner(const NumericVariable &variable) c
     return result;
 }
 
+/// Bilinear over the whole mesh, from its corners.
+static PatchPolynomials overAll(const NumericVariable &variable) {
+    const int n = variable.components;
+    PatchPolynomials result{1, n, true};
+    for (int c = 0; c < n; ++c)
+        appendBilinear(result.coefficients, variable.values[c], variable.values[n + c],
+                       variable.values[2 * n + c], variable.values[3 * n + c]);
+    return result;
+}
+
 PatchPolynomials GridVariables::perSegmentCorner(const NumericVariable &variable) const {
     int n = variable.components;
     PatchPolynomials result{1, n};
@@ -85,6 +95,8 @@ std::optional<PatchPolynomials> GridVariables::convert(const NumericVariable &va
             return perSegmentCorner(variable);
         [[fallthrough]];
     case StorageClass::Varying:
+        if (count == 4 && !grid_.u.segmentOf.empty() && grid_.corners() != 4)
+            return overAll(variable);
         if (expect(grid_.corners()))
             return perMeshCorner(variable);
         break;

@@ -304,7 +304,8 @@ TEST(NuPatches, VariablesAreThoseOfSegments) {
         made(c, {parameter("face", StorageClass::Uniform, ValueType::Float, uniform),
                  parameter("even", StorageClass::Varying, ValueType::Float, varying),
                  parameter("corner", StorageClass::FaceVarying, ValueType::Float, corners),
-                 parameter("one", StorageClass::Constant, ValueType::Float, {7})});
+                 parameter("one", StorageClass::Constant, ValueType::Float, {7}),
+                 parameter("whole", StorageClass::Varying, ValueType::Float, {1, 4, 10, 40})});
     // Segments run over [0,1], [1,1], [1,2] and [2,3].
     const struct {
         float u;
@@ -317,6 +318,10 @@ TEST(NuPatches, VariablesAreThoseOfSegments) {
         EXPECT_NEAR(variable(*surface, "corner", u, 0).value[0], segment + share / 2, 1e-4);
         EXPECT_NEAR(variable(*surface, "corner", u, 1).value[0], 100 + segment + share / 2, 1e-4);
         EXPECT_FLOAT_EQ(variable(*surface, "one", u, 0.5f).value[0], 7);
+        // Four values are those of the corners of all that is drawn.
+        EXPECT_NEAR(variable(*surface, "whole", u, 0).value[0], 1 + 3 * u, 1e-5);
+        EXPECT_NEAR(variable(*surface, "whole", u, 1).value[0], 10 + 30 * u, 1e-5);
+        EXPECT_NEAR(variable(*surface, "whole", u, 0).du[0], 1, 1e-5); // u runs to 3.
         // Texture coordinates go from corner to corner of what is drawn.
         EXPECT_NEAR(variable(*surface, "s", u, 0.5f).value[0], u, 1e-6);
         EXPECT_NEAR(variable(*surface, "s", u, 0.5f).du[0], 1 / 3.0f, 1e-6);
