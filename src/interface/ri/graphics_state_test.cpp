@@ -235,12 +235,11 @@ TEST_F(State, errorHandlersDecide) {
 }
 
 TEST_F(State, whatComesLaterIsWarnedAboutOnce) {
-    state.worldBegin(at);
-    state.points(at, numbers("P", {0, 0, 0}));
-    state.points(at, numbers("P", {0, 0, 0}));
+    state.colorSamples(at, {1, 1, 1}, {1, 1, 1});
+    state.colorSamples(at, {1, 1, 1}, {1, 1, 1});
     EXPECT_EQ(errors(), 0);
     EXPECT_EQ(warnings(), 1);
-    EXPECT_TRUE(says("Points: this version does not draw it"));
+    EXPECT_TRUE(says("ColorSamples: this version keeps three samples in a color"));
 }
 
 TEST_F(State, optionsWithoutEffectAreWarnedAboutOnce) {

@@ -23,10 +23,12 @@ struct GivenOption {
 
 bool integrator(const GivenOption &given) {
     const std::string name = given.text();
-    if (name != "path" && name != "classic" && name != "bidir" && name != "vcm" && name != "radiosity")
-        given.wrong("there is no integrator \"" + name +
-                    "\": the known ones are \"path\", \"bidir\", \"vcm\", \"radiosity\" and \"classic\"; "
-                    "taking \"path\"");
+    if (name != "path" && name != "classic" && name != "bidir" && name != "vcm" &&
+        name != "radiosity")
+        given.wrong(
+            "there is no integrator \"" + name +
+            "\": the known ones are \"path\", \"bidir\", \"vcm\", \"radiosity\" and \"classic\"; "
+            "taking \"path\"");
     return true;
 }
 

@@ -22,7 +22,9 @@ bool namesPoints(const ShapeRecord &shape) {
 
 bool needsPosition(const ShapeRecord &shape) {
     return namesPoints(shape) || std::holds_alternative<PatchMeshRecord>(shape) ||
-           std::holds_alternative<NuPatchRecord>(shape);
+           std::holds_alternative<NuPatchRecord>(shape) ||
+           std::holds_alternative<PointsRecord>(shape) ||
+           std::holds_alternative<CurvesRecord>(shape);
 }
 
 /// Patches may give their vertices as "Pw" or, over the unit square, "Pz", NURBS as "Pw".

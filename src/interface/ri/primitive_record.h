@@ -88,13 +88,26 @@ struct SubdivisionRecord {
 struct GeometryRecord {
     std::string type;
 };
+struct PointsRecord {
+    int count = 0;
+};
+/// RiCurves: control points a curve, and whether curves close. Cubics are of the v basis.
+struct CurvesRecord {
+    bool cubic = false, periodic = false;
+    std::vector<int> vertexCounts;
+};
 
 using ShapeRecord = std::variant<SphereRecord, ConeRecord, CylinderRecord, HyperboloidRecord,
                                  ParaboloidRecord, DiskRecord, TorusRecord, PolygonsRecord,
-                                 PatchMeshRecord, NuPatchRecord, SubdivisionRecord, GeometryRecord>;
+                                 PatchMeshRecord, NuPatchRecord, SubdivisionRecord, GeometryRecord,
+                                 PointsRecord, CurvesRecord>;
 
 /// The highest order of splines; their polynomials are of one degree less.
 inline constexpr int mostSplineOrder = 24;
+
+/// The cubics or lines of a curve of so many control points, 0 if they make none. Those behind the
+/// last whole step make none.
+int curveSegments(const CurvesRecord &, int vertices, int step);
 
 /// A shape with its primitive variables. Their counts have been checked against the shape (RI
 /// 3.2, 5): wrong ones were reported and dropped, missing or non-finite P drops the primitive.

@@ -159,4 +159,20 @@ void StateHandlers::geometry(const SourceLocation &where, const std::string &typ
     emit(where, "Geometry", GeometryRecord{type}, tokens);
 }
 
+void StateHandlers::points(const SourceLocation &where, const TokenList &tokens) {
+    emit(where, "Points", PointsRecord{pointsIn(tokens)}, tokens);
+}
+
+void StateHandlers::curves(const SourceLocation &where, const std::string &type,
+                           const Integers &vertexCounts, const std::string &wrap,
+                           const TokenList &tokens) {
+    auto periodic = isPeriodic(wrap);
+    if ((type != "linear" && type != "cubic") || !periodic)
+        return diagnostics_.error(where, "Curves",
+                                  "expected \"linear\" or \"cubic\", and \"periodic\" or "
+                                  "\"nonperiodic\", found '" +
+                                      type + "' and '" + wrap + "'; the primitive is left out");
+    emit(where, "Curves", CurvesRecord{type == "cubic", *periodic, vertexCounts}, tokens);
+}
+
 } // namespace candela

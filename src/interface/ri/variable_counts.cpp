@@ -16,7 +16,9 @@ bool isQuadric(const ShapeRecord &shape) {
     return !std::holds_alternative<PolygonsRecord>(shape) &&
            !std::holds_alternative<PatchMeshRecord>(shape) &&
            !std::holds_alternative<NuPatchRecord>(shape) &&
-           !std::holds_alternative<SubdivisionRecord>(shape);
+           !std::holds_alternative<SubdivisionRecord>(shape) &&
+           !std::holds_alternative<PointsRecord>(shape) &&
+           !std::holds_alternative<CurvesRecord>(shape);
 }
 
 /// The defect of a quadric: non-finite numbers, or one of these that must not be zero is.
@@ -172,7 +174,39 @@ std::string defect(const SubdivisionRecord &s) {
 
 std::string defect(const GeometryRecord &) { return {}; }
 
+std::string defect(const PointsRecord &p) {
+    return p.count < 1 ? "there are no points" : std::string();
+}
+
+std::string curvesDefect(const CurvesRecord &c, const Attributes &a) {
+    if (c.vertexCounts.empty())
+        return "there are no curves";
+    for (int count : c.vertexCounts)
+        if (curveSegments(c, count, a.vBasis.step) == 0)
+            return "a curve of " + std::to_string(count) + " vertices: expected at least " +
+                   (c.cubic      ? "4, of a cubic"
+                    : c.periodic ? "3, of lines that close"
+                                 : "2");
+    return checkedSum(c.vertexCounts, 1) ? std::string() : "there are too many vertices";
+}
+
+VariableCounts curvesCounts(const CurvesRecord &c, const Attributes &a, int vertexCount) {
+    std::int64_t varying = 0;
+    for (int count : c.vertexCounts)
+        varying += curveSegments(c, count, a.vBasis.step) + (c.periodic ? 0 : 1);
+    const int ends = int(varying);
+    return {int(c.vertexCounts.size()), ends, vertexCount, ends, vertexCount};
+}
+
 } // namespace
+
+int curveSegments(const CurvesRecord &curves, int vertices, int step) {
+    if (!curves.cubic)
+        return vertices < (curves.periodic ? 3 : 2) ? 0 : vertices - (curves.periodic ? 0 : 1);
+    if (vertices < 4)
+        return 0;
+    return curves.periodic ? vertices / step : (vertices - 4) / step + 1;
+}
 
 int VariableCounts::of(StorageClass storage) const {
     switch (storage) {
@@ -189,8 +223,11 @@ int VariableCounts::of(StorageClass storage) const {
 std::string defectOf(const ShapeRecord &shape, const Attributes &attributes) {
     return std::visit(
         [&](const auto &record) {
-            if constexpr (std::is_same_v<std::decay_t<decltype(record)>, PatchMeshRecord>)
+            using Record = std::decay_t<decltype(record)>;
+            if constexpr (std::is_same_v<Record, PatchMeshRecord>)
                 return meshDefect(record, attributes);
+            else if constexpr (std::is_same_v<Record, CurvesRecord>)
+                return curvesDefect(record, attributes);
             else
                 return defect(record);
         },
@@ -206,6 +243,10 @@ std::int64_t verticesNeeded(const ShapeRecord &shape, const Attributes &) {
         return std::int64_t(mesh->uVertices) * mesh->vVertices;
     if (const auto *patch = std::get_if<NuPatchRecord>(&shape))
         return std::int64_t(patch->u.vertices) * patch->v.vertices;
+    if (const auto *points = std::get_if<PointsRecord>(&shape))
+        return points->count;
+    if (const auto *curves = std::get_if<CurvesRecord>(&shape))
+        return std::reduce(curves->vertexCounts.begin(), curves->vertexCounts.end());
     return 4;
 }
 
@@ -224,6 +265,10 @@ VariableCounts countsOf(const ShapeRecord &shape, const Attributes &attributes, 
         const int u = patch->u.segments(), v = patch->v.segments();
         return {u * v, (u + 1) * (v + 1), vertexCount, 4 * u * v, 4 * u * v, true};
     }
+    if (std::holds_alternative<PointsRecord>(shape)) // Each value is a point's, whatever its class.
+        return {1, vertexCount, vertexCount, vertexCount, vertexCount};
+    if (const auto *curves = std::get_if<CurvesRecord>(&shape))
+        return curvesCounts(*curves, attributes, vertexCount);
     const auto &mesh = std::get<PatchMeshRecord>(shape);
     int u = uPatches(mesh, attributes), v = vPatches(mesh, attributes);
     int corners = (u + (mesh.uPeriodic ? 0 : 1)) * (v + (mesh.vPeriodic ? 0 : 1));

@@ -44,7 +44,7 @@ public:
     double triangleCount(const DiceRate &) const override { return double(mesh_.triangles.size()); }
     float area() const override { return area_; }
     void evaluate(const SurfaceQuery &, const SurfaceAnswer &) const override;
-    std::optional<float> wholeSphere() const override { return std::nullopt; }
+    bool isRound() const override { return false; }
     bool isFlat() const override { return false; }
     bool hasOwnNormals() const override { return true; }
     void evaluateVariable(int index, const SurfaceQuery &, float *const *value,

@@ -3,6 +3,7 @@
 #include "world/geometry/make_nu_patch.h"
 #include "world/geometry/make_patch_mesh.h"
 #include "world/geometry/make_quadric.h"
+#include "world/geometry/make_strokes.h"
 #include "world/geometry/make_subdivision.h"
 #include "world/geometry/polygon_surface.h"
 
@@ -31,6 +32,10 @@ makeSurfaces(std::shared_ptr<const PrimitiveRecord> record, const Attributes &at
             return makeSubdivision(shape, *record, attributes, diagnostics);
         else if constexpr (std::is_same_v<Shape, GeometryRecord>)
             return makeGeometry(shape, *record, attributes, diagnostics);
+        else if constexpr (std::is_same_v<Shape, PointsRecord>)
+            return makePoints(shape, *record, attributes, diagnostics);
+        else if constexpr (std::is_same_v<Shape, CurvesRecord>)
+            return makeCurves(shape, *record, attributes, diagnostics);
         else
             return makeQuadric(shape, *record, attributes, diagnostics);
     };

@@ -41,6 +41,72 @@ std::shared_ptr<const Surface> patch(const BasisRecord &basis, bool bicubic, int
     return surfaceOf(mesh, {points}, attributes);
 }
 
+struct Stroke {
+    std::string name;
+    ShapeRecord shape;
+    std::vector<Parameter> variables;
+    bool isSpline = false, hasNormals = false;
+};
+
+std::vector<Stroke> strokes() {
+    auto vertices = [](int count, auto place) {
+        std::vector<float> p;
+        for (int i = 0; i < count; ++i)
+            for (float x : place(float(i)))
+                p.push_back(x);
+        return parameter("P", StorageClass::Vertex, ValueType::Point, p);
+    };
+    auto helix = [](float i) { return std::array{std::cos(i), std::sin(i), 0.4f * i}; };
+    auto widths = [](StorageClass storage, std::vector<float> values) {
+        return parameter(storage == StorageClass::Constant ? "constantwidth" : "width", storage,
+                         ValueType::Float, std::move(values));
+    };
+    const auto even = widths(StorageClass::Constant, {0.3f});
+    const auto facing = parameter("N", StorageClass::Vertex, ValueType::Normal,
+                                  {0, 0, 1, 0.3f, 0, 1, 0.6f, 0.2f, 1, 1, 0, 1});
+    const auto turned = parameter("N", StorageClass::Vertex, ValueType::Normal,
+                                  {0, 0, 1, 0.3f, 0, 1, 0.6f, 0.2f, 1});
+    auto gentle = [](float i) { return std::array{i, 0.3f * std::sin(i), 0.2f * i * i}; };
+    return {
+        {"tube", CurvesRecord{true, false, {4}}, {vertices(4, gentle), even}},
+        {"tube of a spline", CurvesRecord{true, false, {6}}, {vertices(6, helix), even}, true},
+        {"tube that closes",
+         CurvesRecord{true, true, {6}},
+         {vertices(6,
+                   [](float i) {
+                       return std::array{std::cos(i * 1.0472f), std::sin(i * 1.0472f), 0.0f};
+                   }),
+          even},
+         true},
+        {"tube of two that taper",
+         CurvesRecord{true, false, {4, 7}},
+         {vertices(11,
+                   [](float i) {
+                       return std::array{i, 0.1f * i * i, float(i > 3)};
+                   }),
+          widths(StorageClass::Varying, {0.5f, 0.1f, 0.4f, 0.2f, 0.05f})}},
+        {"tube of lines",
+         CurvesRecord{false, false, {4}},
+         {vertices(4,
+                   [](float i) {
+                       return std::array{i, 0.1f * i * (3 - i), 0.0f};
+                   }),
+          even}},
+        {"tube that is slender",
+         CurvesRecord{true, false, {4}},
+         {vertices(4, gentle), widths(StorageClass::Constant, {0.004f})}},
+        {"ribbon",
+         CurvesRecord{true, false, {4}},
+         {vertices(4, gentle), even, facing},
+         false,
+         true},
+        {"points",
+         PointsRecord{3},
+         {vertices(3, gentle), widths(StorageClass::Varying, {1, 0.5f, 2})}},
+        {"points with N", PointsRecord{3}, {vertices(3, gentle), even, turned}, false, true},
+    };
+}
+
 std::vector<Case> allCases() {
     const BasisRecord bSpline{{-1.f / 6, 3.f / 6, -3.f / 6, 1.f / 6, 3.f / 6, -6.f / 6, 3.f / 6, 0,
                                -3.f / 6, 0, 3.f / 6, 0, 1.f / 6, 4.f / 6, 1.f / 6, 0},
@@ -108,6 +174,11 @@ std::vector<Case> allCases() {
                              {0, 0, 0, 1, 0, 0, 1, 2, 0, 0, 1, 0});
     add("polygon", surfaceOf(square, {corners}));
     add("polygon with N", surfaceOf(square, {corners, normals}), true);
+    for (const Stroke &stroke : strokes()) {
+        Attributes attributes;
+        attributes.vBasis = stroke.isSpline ? bSpline : BasisRecord{};
+        add(stroke.name, surfaceOf(stroke.shape, stroke.variables, attributes), stroke.hasNormals);
+    }
     return cases;
 }
 
@@ -161,7 +232,7 @@ struct Shading {
     float u = 0, v = 0, areaScale = 0;
 };
 
-Shading shadingAt(const Surface &surface, float u, float v) {
+Shading shadingAt(const Surface &surface, float u, float v, std::uint32_t piece = 0) {
     Shading s;
     SurfaceAnswer answer;
     auto planes = [](Vec3 &to) { return Vec3Planes{&to.x, &to.y, &to.z}; };
@@ -170,7 +241,6 @@ Shading shadingAt(const Surface &surface, float u, float v) {
     answer.Ng = planes(s.Ng);
     answer.dNgdu = planes(s.dNgdu), answer.dNgdv = planes(s.dNgdv);
     answer.u = &s.u, answer.v = &s.v, answer.areaScale = &s.areaScale;
-    std::uint32_t piece = 0;
     surface.evaluate({1, &piece, &u, &v}, answer);
     s.N = normalize(s.N), s.Ng = normalize(s.Ng);
     return s;
@@ -226,9 +296,10 @@ double integralOfAreaScale(const Surface &surface, int cells) {
         double within = 0.5 + (i % 2 ? 1 : -1) * 0.5 / std::sqrt(3.0);
         return float((i / 2 + within) / cells);
     };
-    for (int i = 0; i < 2 * cells; ++i)
-        for (int j = 0; j < 2 * cells; ++j)
-            sum += shadingAt(surface, node(i), node(j)).areaScale;
+    for (std::uint32_t piece = 0; piece < surface.domain().pieces; ++piece)
+        for (int i = 0; i < 2 * cells; ++i)
+            for (int j = 0; j < 2 * cells; ++j)
+                sum += shadingAt(surface, node(i), node(j), piece).areaScale;
     return sum / (4.0 * cells * cells);
 }
 
@@ -250,15 +321,70 @@ TEST(Protocol, AreaScaleOfATriangleIsTwiceItsArea) {
     EXPECT_EQ(s.dNdv, Vec3());
 }
 
-TEST(Protocol, OnlyWholeSpheresSayTheyAre) {
+TEST(Protocol, WholeSpheresAndStrokesAreRound) {
     for (const Case &c : cases()) {
-        bool whole = c.name == "sphere" || c.name == "sphere inside out";
-        EXPECT_EQ(c.surface->wholeSphere().has_value(), whole) << c.name;
+        const bool whole = c.name == "sphere" || c.name == "sphere inside out";
+        const bool stroke = c.name.starts_with("tube") || c.name.starts_with("points");
+        EXPECT_EQ(c.surface->isRound(), whole || stroke) << c.name;
+        EXPECT_EQ(c.surface->isStroke(), stroke) << c.name;
         if (whole) {
-            EXPECT_EQ(*c.surface->wholeSphere(), 1.5f) << c.name;
+            ASSERT_TRUE(c.surface->roundElements().isOneBall()) << c.name;
+            EXPECT_EQ(c.surface->roundElements().knots[0][3], 1.5f) << c.name;
         }
     }
-    EXPECT_EQ(surfaceOf(SphereRecord{2, -9, 9, -360})->wholeSphere(), 2.0f);
+    EXPECT_EQ(surfaceOf(SphereRecord{2, -9, 9, -360})->roundElements().knots[0][3], 2.0f);
+}
+
+/// Points near round elements get the names of the nearest ones on the surface.
+TEST(Protocol, PlacesOnStrokesComeBack) {
+    for (const Case &c : cases()) {
+        if (!c.surface->isStroke())
+            continue;
+        const RoundElements round = c.surface->roundElements();
+        const std::uint32_t pieces = c.surface->domain().pieces;
+        const auto splits = std::uint32_t(round.size() / pieces);
+        for (std::uint32_t number = 0; number < pieces; ++number)
+            for (float u : {0.05f, 0.3f, 0.8f})
+                for (float v : {0.02f, 0.4f, 0.93f}) {
+                    const Vec3 p = at(*c.surface, u, v, number).P;
+                    const float place = v * float(splits);
+                    std::uint32_t piece = number * splits + std::uint32_t(place);
+                    float foundU = place - std::floor(place), foundV = -1;
+                    c.surface->nameRound(1,
+                                         {const_cast<float *>(&p.x), const_cast<float *>(&p.y),
+                                          const_cast<float *>(&p.z)},
+                                         &piece, &foundU, &foundV);
+                    EXPECT_EQ(piece, number) << c.name;
+                    EXPECT_LT(length(at(*c.surface, foundU, foundV, piece).P - p), 1e-5f)
+                        << c.name << " " << number << " " << u << " " << v;
+                }
+    }
+}
+
+/// Rays meet round elements where the surface is: of tubes, circles across their knots' cubic.
+TEST(Protocol, RoundElementsLieOnTheirSurfaces) {
+    for (const Case &c : cases()) {
+        const RoundElements round = c.surface->roundElements();
+        for (std::size_t i = 0; c.surface->isStroke() && i < round.tubes.size(); ++i) {
+            const auto splits = round.size() / c.surface->domain().pieces;
+            for (float along : {0.0f, 0.4f, 1.0f}) {
+                float centre[4];
+                for (int k = 0; k < 4; ++k) {
+                    const auto *knot = &round.knots[round.tubes[i]];
+                    const float w = 1 - along;
+                    centre[k] = w * w * w * knot[0][k] + 3 * w * w * along * knot[1][k] +
+                                3 * w * along * along * knot[2][k] +
+                                along * along * along * knot[3][k];
+                }
+                const float v = (float(i % splits) + along) / float(splits);
+                for (float u : {0.1f, 0.6f}) {
+                    const Vec3 p = at(*c.surface, u, v, std::uint32_t(i / splits)).P;
+                    const Vec3 way = p - Vec3{centre[0], centre[1], centre[2]};
+                    EXPECT_NEAR(length(way), centre[3], 1e-5f) << c.name << " " << i;
+                }
+            }
+        }
+    }
 }
 
 TEST(Protocol, PlacesOnSpheresComeBack) {
@@ -266,7 +392,7 @@ TEST(Protocol, PlacesOnSpheresComeBack) {
         for (float theta : {360.0f, -360.0f}) {
             auto surface =
                 surfaceOf(SphereRecord{radius, -std::abs(radius), std::abs(radius), theta});
-            float r = surface->wholeSphere().value_or(0);
+            float r = surface->roundElements().knots[0][3];
             std::mt19937 random(3);
             std::normal_distribution<float> normal;
             std::vector<Vec3> places{{0, 0, 1},  {0, 0, -1}, {1, 0, 0},       {-1, 0, 0},
@@ -278,7 +404,8 @@ TEST(Protocol, PlacesOnSpheresComeBack) {
             for (Vec3 place : places) {
                 Vec3 p = place * r;
                 float u = -1, v = -1;
-                surface->sphereCoordinates(1, {&p.x, &p.y, &p.z}, &u, &v);
+                std::uint32_t piece = 0;
+                surface->nameRound(1, {&p.x, &p.y, &p.z}, &piece, &u, &v);
                 EXPECT_TRUE(u >= 0 && u <= 1 && v >= 0 && v <= 1);
                 // u and v are floats of turns: 2 pi 2^-24, twice.
                 EXPECT_LT(length(at(*surface, u, v).P - p), 1e-6f * r) << place.x << " " << place.z;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "foundation/base/box3.h"
+#include "foundation/base/round_elements.h"
 #include "interface/ri/primitive_record.h"
 
 #include <algorithm>
@@ -123,13 +124,17 @@ public:
         return false;
     }
 
-    /// The radius, positive, if this is a whole sphere about the origin: then a ray may meet
-    /// x^2 + y^2 + z^2 = radius^2 instead of triangles, and sphereCoordinates() names the hits.
-    virtual std::optional<float> wholeSphere() const { return std::nullopt; }
-    /// The query's (u,v) of points on a whole sphere, or near it: those of the point of the sphere
-    /// in the same direction from the origin. Only for surfaces with a wholeSphere().
-    virtual void sphereCoordinates(int /*count*/, const Vec3Planes & /*P*/, float * /*u*/,
-                                   float * /*v*/) const {}
+    /// Rays may meet roundElements() instead of triangles; nameRound() names the hits.
+    virtual bool isRound() const { return false; }
+    virtual RoundElements roundElements() const { return {}; }
+    /// The names of points on round elements, or near them: the query's piece and (u,v). `piece` is
+    /// the element on entry, and `u`, of tubes, how far along it the ray has met it, from 0 to 1.
+    /// Only for round surfaces.
+    virtual void nameRound(int /*count*/, const Vec3Planes & /*P*/, std::uint32_t * /*piece*/,
+                           float * /*u*/, float * /*v*/) const {}
+    /// A hair or a grain rather than a body: its opacity is that of all of it, so a ray meets it
+    /// once, where it comes from outside, and leaves it unseen.
+    virtual bool isStroke() const { return false; }
 
     /// Made of flat faces: dicing leaves them as they are, whatever the rate.
     virtual bool isFlat() const { return false; }

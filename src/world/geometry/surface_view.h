@@ -24,9 +24,12 @@ public:
     void evaluate(const SurfaceQuery &query, const SurfaceAnswer &answer) const override {
         behind_->evaluate(query, answer);
     }
-    std::optional<float> wholeSphere() const override { return behind_->wholeSphere(); }
-    void sphereCoordinates(int count, const Vec3Planes &P, float *u, float *v) const override {
-        behind_->sphereCoordinates(count, P, u, v);
+    bool isRound() const override { return behind_->isRound(); }
+    bool isStroke() const override { return behind_->isStroke(); }
+    RoundElements roundElements() const override { return behind_->roundElements(); }
+    void nameRound(int count, const Vec3Planes &P, std::uint32_t *piece, float *u,
+                   float *v) const override {
+        behind_->nameRound(count, P, piece, u, v);
     }
     bool isFlat() const override { return behind_->isFlat(); }
     bool hasOwnNormals() const override { return behind_->hasOwnNormals(); }

@@ -68,16 +68,21 @@ template <class Profile> DicedMesh SweptSurface<Profile>::dice(const DiceRate &r
     return mesh;
 }
 
-template <class Profile> std::optional<float> SweptSurface<Profile>::wholeSphere() const {
+template <class Profile> bool SweptSurface<Profile>::isRound() const {
     if constexpr (std::is_same_v<Profile, CircularProfile>)
-        if (profile_.isWholeMeridian() && isFullTurn(thetaSweep_))
-            return std::abs(profile_.minor);
-    return std::nullopt;
+        return profile_.isWholeMeridian() && isFullTurn(thetaSweep_);
+    return false;
+}
+
+template <class Profile> RoundElements SweptSurface<Profile>::roundElements() const {
+    if constexpr (std::is_same_v<Profile, CircularProfile>)
+        return {{{0, 0, 0, std::abs(profile_.minor)}}, {}};
+    return {};
 }
 
 template <class Profile>
-void SweptSurface<Profile>::sphereCoordinates(int count, const Vec3Planes &P, float *u,
-                                              float *v) const {
+void SweptSurface<Profile>::nameRound(int count, const Vec3Planes &P, std::uint32_t *, float *u,
+                                      float *v) const {
     if constexpr (std::is_same_v<Profile, CircularProfile>) {
         // A negative radius puts u = 0 and v = 0 on the other sides.
         float side = std::copysign(1.0f, profile_.minor);

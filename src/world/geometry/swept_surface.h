@@ -19,8 +19,11 @@ public:
     double triangleCount(const DiceRate &) const override;
     float area() const override;
     void evaluate(const SurfaceQuery &, const SurfaceAnswer &) const override;
-    std::optional<float> wholeSphere() const override;
-    void sphereCoordinates(int count, const Vec3Planes &P, float *u, float *v) const override;
+    /// Whole spheres are.
+    bool isRound() const override;
+    RoundElements roundElements() const override;
+    void nameRound(int count, const Vec3Planes &P, std::uint32_t *piece, float *u,
+                   float *v) const override;
     bool hasOwnNormals() const override { return variables_.hasNormals(); }
     std::span<const VariableInfo> variables() const override { return variables_.infos(); }
     void evaluateVariable(int index, const SurfaceQuery &, float *const *value,

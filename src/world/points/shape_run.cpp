@@ -10,8 +10,8 @@ namespace candela {
 
 namespace {
 
-void nameOnSphere(const ShapeRun &run, ShadingPoints &points, RunScratch &own) {
-    std::fill_n(run.piece, run.count, 0u);
+void nameRound(const ShapeRun &run, ShadingPoints &points, RunScratch &own) {
+    std::copy_n(run.element, run.count, run.piece);
     float *planes = own.planes.get(3 * std::size_t(run.stride));
     const Vec3Planes P{planes, planes + run.stride, planes + 2 * run.stride};
     for (int c = 0; c < 3; ++c)
@@ -24,7 +24,7 @@ void nameOnSphere(const ShapeRun &run, ShadingPoints &points, RunScratch &own) {
         P.set(k, transformPoint(objectFromCurrent, P.get(k)));
     }
     transformPoints(run.count, run.shape.shapeFromOuter, P);
-    run.shape.surface->sphereCoordinates(run.count, P, run.u, run.v);
+    run.shape.surface->nameRound(run.count, P, run.piece, run.u, run.v);
 }
 
 /// (piece, u, v) of the surface from what the rays have met.
@@ -38,7 +38,7 @@ void name(const ShapeRun &run, ShadingPoints &points, RunScratch &own) {
         interpolateUv(run.count, run.element, run.u, run.v, shape.triangles.data(),
                       shape.vertexUv.data(), run.u, run.v);
         break;
-    case Naming::Sphere: nameOnSphere(run, points, own);
+    case Naming::Round: nameRound(run, points, own);
     }
 }
 

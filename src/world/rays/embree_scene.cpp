@@ -20,16 +20,20 @@ bool fromBehind(const RTCFilterFunctionNArguments *args, unsigned i, int frontSi
     return along * float(frontSign) > 0;
 }
 
-void refuseFromBehind(const RTCFilterFunctionNArguments *args) {
-    if (reinterpret_cast<const RayContext *>(args->context)->fromLights)
-        return;
+void refuseAnyFromBehind(const RTCFilterFunctionNArguments *args) {
     const int frontSign = int(reinterpret_cast<std::intptr_t>(args->geometryUserPtr));
     for (unsigned i = 0; i < args->N; ++i)
         if (args->valid[i] && fromBehind(args, i, frontSign))
             args->valid[i] = 0;
 }
 
-RTCGeometry makeTriangles(RTCDevice device, const RayShape &shape) {
+/// Rays from lights run against the eye's, and are stopped on both sides.
+void refuseSeenFromBehind(const RTCFilterFunctionNArguments *args) {
+    if (!reinterpret_cast<const RayContext *>(args->context)->fromLights)
+        refuseAnyFromBehind(args);
+}
+
+RTCGeometry makeTriangles(RTCDevice device, const RayShape &shape, float unit) {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     const std::size_t count = shape.triangles.size();
     if (!geometry)
@@ -41,21 +45,35 @@ RTCGeometry makeTriangles(RTCDevice device, const RayShape &shape) {
     if (!corners || !indices) // The device has been told of it.
         return geometry;
     sealTriangles(shape.positions, shape.triangles, corners);
+    if (unit != 1)
+        std::for_each_n(corners, 3 * count, [unit](Vec3 &corner) { corner *= unit; });
     std::iota(indices, indices + 3 * count, 0u);
     return geometry;
 }
 
-RTCGeometry makeSphere(RTCDevice device, const RayShape &shape) {
-    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_SPHERE_POINT);
+/// Copies the values into a buffer of the geometry's own.
+template <class Value>
+void fillBuffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format,
+                const std::vector<Value> &values) {
+    auto *to = static_cast<Value *>(
+        rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(Value), values.size()));
+    if (to) // Else the device has been told of it.
+        std::ranges::copy(values, to);
+}
+
+RTCGeometry makeRound(RTCDevice device, const RoundElements &round, float unit) {
+    const bool areTubes = !round.tubes.empty();
+    RTCGeometry geometry = rtcNewGeometry(device, areTubes ? RTC_GEOMETRY_TYPE_ROUND_BEZIER_CURVE
+                                                           : RTC_GEOMETRY_TYPE_SPHERE_POINT);
     if (!geometry)
         return nullptr;
-    auto *sphere = static_cast<float *>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 4 * sizeof(float), 1));
-    if (sphere)
-        for (int c = 0; c < 3; ++c)
-            sphere[c] = shape.centre[c];
-    if (sphere)
-        sphere[3] = shape.radius;
+    std::vector<std::array<float, 4>> knots = round.knots;
+    for (auto &knot : knots)
+        for (float &value : knot)
+            value *= unit;
+    fillBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT4, knots);
+    if (areTubes)
+        fillBuffer(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT, round.tubes);
     return geometry;
 }
 
@@ -65,17 +83,19 @@ unsigned maskOf(const RayShape &shape) {
     return shape.opaque ? opaqueBit : transparentBit;
 }
 
-RTCGeometry makeGeometry(RTCDevice device, const RayShape &shape) {
-    RTCGeometry geometry =
-        shape.radius > 0 ? makeSphere(device, shape) : makeTriangles(device, shape);
+RTCGeometry makeGeometry(RTCDevice device, const RayShape &shape, float unit) {
+    RTCGeometry geometry = shape.round.size() > 0 ? makeRound(device, shape.round, unit)
+                                                  : makeTriangles(device, shape, unit);
     if (!geometry)
         return nullptr;
     rtcSetGeometryMask(geometry, maskOf(shape));
     rtcSetGeometryUserData(geometry, reinterpret_cast<void *>(std::intptr_t(shape.frontSign)));
     // Filters more than double the time of a ray: only one-sided surfaces have them.
     if (shape.frontSign != 0) {
-        rtcSetGeometryIntersectFilterFunction(geometry, refuseFromBehind);
-        rtcSetGeometryOccludedFilterFunction(geometry, refuseFromBehind);
+        const RTCFilterFunctionN refuse =
+            shape.isStroke ? refuseAnyFromBehind : refuseSeenFromBehind;
+        rtcSetGeometryIntersectFilterFunction(geometry, refuse);
+        rtcSetGeometryOccludedFilterFunction(geometry, refuse);
     }
     rtcCommitGeometry(geometry);
     return geometry;
@@ -129,7 +149,7 @@ unsigned maskOf(const RayObject &object) {
     return mask;
 }
 
-RTCScene makeScene(const EmbreeDevice &device, const RayObject &object) {
+RTCScene makeScene(const EmbreeDevice &device, const RayObject &object, float unit) {
     RTCScene scene = rtcNewScene(device.get());
     if (!scene) // The device has been told of it.
         return nullptr;
@@ -138,7 +158,7 @@ RTCScene makeScene(const EmbreeDevice &device, const RayObject &object) {
     parallelFor(object.size(), [&](std::size_t i) {
         FlushDenormals guard;
         if (!object[i].empty())
-            geometries[i] = makeGeometry(device.get(), object[i]);
+            geometries[i] = makeGeometry(device.get(), object[i], unit);
     });
     for (std::size_t i = 0; i < geometries.size(); ++i)
         if (geometries[i]) {
@@ -149,7 +169,7 @@ RTCScene makeScene(const EmbreeDevice &device, const RayObject &object) {
 }
 
 void attachInstance(const EmbreeDevice &device, RTCScene world, unsigned id, RTCScene object,
-                    unsigned mask, const RayInstance &placed) {
+                    unsigned mask, const RayInstance &placed, float unit) {
     RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_INSTANCE);
     if (!geometry)
         return;
@@ -159,9 +179,13 @@ void attachInstance(const EmbreeDevice &device, RTCScene world, unsigned id, RTC
         placed.steps.empty() ? std::span(&placed.currentFromObject, 1) : placed.steps;
     rtcSetGeometryTimeStepCount(geometry, unsigned(steps.size()));
     // Rows of ours are the columns of theirs: points are row vectors here.
-    for (std::size_t step = 0; step < steps.size(); ++step)
+    for (std::size_t step = 0; step < steps.size(); ++step) {
+        Matrix4 matrix = steps[step];
+        for (int axis = 0; axis < 3; ++axis)
+            matrix.m[12 + axis] *= unit;
         rtcSetGeometryTransform(geometry, unsigned(step), RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR,
-                                steps[step].m.data());
+                                matrix.m.data());
+    }
     rtcCommitGeometry(geometry);
     rtcAttachGeometryByID(world, geometry, id);
     rtcReleaseGeometry(geometry);

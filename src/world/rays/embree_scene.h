@@ -38,11 +38,12 @@ private:
     std::string failure_;
 };
 
-/// A scene of the shapes, geometry i being shape i; committed by the caller.
-RTCScene makeScene(const EmbreeDevice &, const RayObject &);
+/// A scene of the shapes, geometry i being shape i; committed by the caller. Places are multiplied
+/// by `unit`, a power of two.
+RTCScene makeScene(const EmbreeDevice &, const RayObject &, float unit);
 /// Adds a placement of a committed scene, whose shapes have one of the bits of `mask`.
 void attachInstance(const EmbreeDevice &, RTCScene world, unsigned geometry, RTCScene object,
-                    unsigned mask, const RayInstance &);
+                    unsigned mask, const RayInstance &, float unit);
 /// The bits that rays must carry to meet anything of the object.
 unsigned maskOf(const RayObject &);
 

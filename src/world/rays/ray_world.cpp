@@ -50,9 +50,10 @@ template <> struct Packet<4> {
     }
 };
 
+/// Beyond `largest`, products of coordinates leave the range of floats.
 /// valid[i] = -1 where ray i is finite, has a direction and reaches beyond its beginning. Others
 /// must reach no kernel, not even masked. True if there are none.
-CANDELA_HOT bool judgeRays(int count, RayPlanes from, int *__restrict valid) {
+CANDELA_HOT bool judgeRays(int count, RayPlanes from, float largest, int *__restrict valid) {
     const float *__restrict ox = from.ox, *__restrict oy = from.oy, *__restrict oz = from.oz;
     const float *__restrict dx = from.dx, *__restrict dy = from.dy, *__restrict dz = from.dz;
     const float *__restrict tMin = from.tMin, *__restrict tMax = from.tMax;
@@ -60,8 +61,6 @@ CANDELA_HOT bool judgeRays(int count, RayPlanes from, int *__restrict valid) {
     for (int i = 0; i < count; ++i) {
         // Infinities and NaN survive the multiplication by zero as NaN.
         bool finite = (ox[i] + oy[i] + oz[i] + dx[i] + dy[i] + dz[i] + tMin[i]) * 0 == 0;
-        // Beyond this, products of coordinates leave the range of floats.
-        constexpr float largest = 1e18f;
         float size = std::fabs(ox[i]) + std::fabs(oy[i]) + std::fabs(oz[i]);
         float length = std::fabs(dx[i]) + std::fabs(dy[i]) + std::fabs(dz[i]);
         bool usable = (size < largest) & (length < largest) & (length > 1 / largest);
@@ -73,20 +72,28 @@ CANDELA_HOT bool judgeRays(int count, RayPlanes from, int *__restrict valid) {
     return others == 0;
 }
 
+/// What the ray tracer counts in.
+struct RayUnits {
+    float length = 1;                 ///< By which places are multiplied.
+    const Shutter *shutter = nullptr; ///< Null where nothing moves.
+};
+
 /// A batch on its way into packets.
 struct JudgedRays {
-    explicit JudgedRays(const RayBatch &rays)
-        : count(rays.count), from{rays.origin[0],    rays.origin[1],    rays.origin[2],
-                                  rays.direction[0], rays.direction[1], rays.direction[2],
-                                  rays.tMin,         rays.tMax,         rays.time} {
+    JudgedRays(const RayBatch &rays, const RayUnits &units)
+        : count(rays.count),
+          units(units), from{rays.origin[0],    rays.origin[1],    rays.origin[2],
+                             rays.direction[0], rays.direction[1], rays.direction[2],
+                             rays.tMin,         rays.tMax,         rays.time} {
         thread_local Scratch<int> own;
         const int padded = paddedLanes(count);
         int *judged = own.get(padded);
-        allValid = judgeRays(count, from, judged);
+        allValid = judgeRays(count, from, 1e18f / std::max(units.length, 1.0f), judged);
         std::fill(judged + count, judged + padded, 0);
         valid = judged;
     }
     const int count;
+    const RayUnits units;
     const RayPlanes from;
     const int *valid; ///< Up to whole blocks of lanes.
     bool allValid;
@@ -105,9 +112,16 @@ void loadSome(const RayPlanes &from, int first, const int *valid, Packet<width> 
     copy(from.tMin, 1, to.tnear), copy(from.tMax, -1, to.tfar);
 }
 
-/// Fills the packet with the rays from `first` on; valid is Embree's.
+/// Places in the ray tracer's units; t stays what it is.
+template <int width> void convert(float unit, Packet<width> &packet) {
+    auto &ray = packet.bundle.ray;
+    for (float *plane : {ray.org_x, ray.org_y, ray.org_z, ray.dir_x, ray.dir_y, ray.dir_z})
+        for (int i = 0; i < width; ++i)
+            plane[i] *= unit;
+}
+
 template <int width>
-void load(const JudgedRays &rays, int first, Packet<width> &packet, int *valid) {
+void copyRays(const JudgedRays &rays, int first, Packet<width> &packet, int *valid) {
     std::memcpy(valid, rays.valid + first, width * sizeof(int));
     const RayPlanes &from = rays.from;
     if (!rays.allValid || rays.count - first < width)
@@ -121,6 +135,24 @@ void load(const JudgedRays &rays, int first, Packet<width> &packet, int *valid) 
     copy(from.tMin, to.tnear), copy(from.tMax, to.tfar);
 }
 
+/// Where something moves rays have times. Those that are too short get theirs, too.
+template <int width>
+void tellTimes(const JudgedRays &rays, int first, const Shutter &shutter, Packet<width> &packet) {
+    const int count = std::min(width, rays.count - first);
+    for (int i = 0; i < count; ++i)
+        packet.bundle.ray.time[i] = shutter.share(rays.from.time[first + i]);
+}
+
+/// Fills the packet with the rays from `first` on; valid is Embree's.
+template <int width>
+void load(const JudgedRays &rays, int first, Packet<width> &packet, int *valid) {
+    copyRays(rays, first, packet, valid);
+    if (rays.units.length != 1)
+        convert(rays.units.length, packet);
+    if (rays.units.shutter)
+        tellTimes(rays, first, *rays.units.shutter, packet);
+}
+
 /// What is the same in all packets of a call; Embree leaves it as it is.
 template <int width> void prime(unsigned mask, Packet<width> &packet) {
     auto &ray = packet.bundle.ray;
@@ -131,27 +163,16 @@ template <int width> void prime(unsigned mask, Packet<width> &packet) {
         ray.id[i] = unsigned(i);
 }
 
-/// Where something moves rays have times. Those that are too short get theirs, too.
 template <int width>
-void tellTimes(const JudgedRays &rays, int first, const Shutter &shutter, Packet<width> &packet) {
-    const int count = std::min(width, rays.count - first);
-    for (int i = 0; i < count; ++i)
-        packet.bundle.ray.time[i] = shutter.share(rays.from.time[first + i]);
-}
-
-/// `shutter`: null where nothing moves.
-template <int width>
-void traceNearest(RTCScene scene, RTCIntersectContext &context, unsigned mask,
-                  const Shutter *shutter, const RayBatch &rays, HitBatch &hits) {
+void traceNearest(RTCScene scene, RTCIntersectContext &context, unsigned mask, const RayBatch &rays,
+                  const RayUnits &units, HitBatch &hits) {
     alignas(64) Packet<width> packet;
     alignas(64) int valid[width];
     prime(mask, packet);
-    const JudgedRays judged(rays);
+    const JudgedRays judged(rays, units);
     auto &hit = packet.bundle.hit;
     for (int first = 0; first < rays.count; first += width) {
         load(judged, first, packet, valid);
-        if (shutter)
-            tellTimes(judged, first, *shutter, packet);
         std::fill_n(hit.geomID, width, noHit);
         std::fill_n(hit.instID[0], width, noHit);
         packet.intersect(valid, scene, &context);
@@ -173,18 +194,16 @@ CANDELA_HOT void tellBlocked(int count, const int *__restrict valid, const float
 }
 
 template <int width>
-void traceShadows(RTCScene scene, RTCIntersectContext &context, const Shutter *shutter,
-                  const RayBatch &rays, std::uint8_t *blocked) {
+void traceShadows(RTCScene scene, RTCIntersectContext &context, const RayBatch &rays,
+                  const RayUnits &units, std::uint8_t *blocked) {
     alignas(64) Packet<width> packet;
     alignas(64) int valid[width];
     prime(opaqueBit, packet);
-    const JudgedRays judged(rays);
+    const JudgedRays judged(rays, units);
     thread_local Scratch<float> own;
     float *end = own.get(paddedLanes(rays.count));
     for (int first = 0; first < rays.count; first += width) {
         load(judged, first, packet, valid);
-        if (shutter)
-            tellTimes(judged, first, *shutter, packet);
         packet.occluded(valid, scene, &context);
         std::memcpy(end + first, packet.bundle.ray.tfar, width * sizeof(float));
     }
@@ -236,23 +255,43 @@ struct RayWorld::Handles {
     int width = device.packetWidth();
 };
 
+/// Embree meets thin cones to within some micrometres whatever their size. So where there are tubes
+/// its unit is such that they are about as wide: a power of two, which moves no triangle.
+static float unitFor(const RayObject &world, std::span<const RayObject> objects) {
+    double logarithms = 0, tubes = 0;
+    auto add = [&](const RayObject &object) {
+        for (const RayShape &shape : object)
+            for (std::uint32_t first : shape.round.tubes) {
+                const auto *knot = &shape.round.knots[first];
+                if (const float widest = std::max(knot[0][3], knot[3][3]); widest > 0)
+                    logarithms += std::log2(widest), ++tubes;
+            }
+    };
+    add(world);
+    for (const RayObject &object : objects)
+        add(object);
+    constexpr double most = 40; // Far from where squares leave the range of floats.
+    const double power = tubes > 0 ? -std::round(logarithms / tubes) : 0;
+    return float(std::exp2(std::clamp(power, -most, most)));
+}
+
 RayWorld::RayWorld(const RayObject &world, std::span<const RayObject> objects,
                    std::span<const RayInstance> instances, const Shutter &shutter)
     : handles_(std::make_unique<Handles>()), worldShapes_(std::uint32_t(world.size())),
-      shutter_(shutter) {
+      unit_(unitFor(world, objects)), shutter_(shutter) {
     FlushDenormals guard;
     auto failed = [&] { return !failure().empty(); };
     if (failed())
         return;
     unsigned mask = maskOf(world);
     for (const RayObject &object : objects) {
-        RTCScene scene = makeScene(handles_->device, object);
+        RTCScene scene = makeScene(handles_->device, object, unit_);
         handles_->objects.push_back(scene);
         if (failed())
             return;
         rtcCommitScene(scene);
     }
-    handles_->scene = makeScene(handles_->device, world);
+    handles_->scene = makeScene(handles_->device, world, unit_);
     if (failed())
         return;
     firstShapeOfInstance_.reserve(instances.size());
@@ -260,7 +299,7 @@ RayWorld::RayWorld(const RayObject &world, std::span<const RayObject> objects,
         const unsigned own = maskOf(objects[instance.object]);
         attachInstance(handles_->device, handles_->scene,
                        worldShapes_ + unsigned(firstShapeOfInstance_.size()),
-                       handles_->objects[instance.object], own, instance);
+                       handles_->objects[instance.object], own, instance, unit_);
         moves_ |= !instance.steps.empty();
         firstShapeOfInstance_.push_back(instance.firstShape);
         mask |= own;
@@ -292,11 +331,11 @@ void RayWorld::intersect(const RayBatch &rays, HitBatch &hits, Which which, bool
     const unsigned mask =
         which == Which::All ? opaqueBit | transparentBit | shadowlessBit : transparentBit;
     RTCScene scene = handles_->scene;
-    const Shutter *shutter = moves_ ? &shutter_ : nullptr;
+    const RayUnits units{unit_, moves_ ? &shutter_ : nullptr};
     switch (handles_->width) {
-    case 16: traceNearest<16>(scene, context, mask, shutter, rays, hits); break;
-    case 8: traceNearest<8>(scene, context, mask, shutter, rays, hits); break;
-    default: traceNearest<4>(scene, context, mask, shutter, rays, hits);
+    case 16: traceNearest<16>(scene, context, mask, rays, units, hits); break;
+    case 8: traceNearest<8>(scene, context, mask, rays, units, hits); break;
+    default: traceNearest<4>(scene, context, mask, rays, units, hits);
     }
     if (!firstShapeOfInstance_.empty())
         nameInstances(rays.count, worldShapes_, firstShapeOfInstance_.data(), hits.instance,
@@ -312,11 +351,11 @@ void RayWorld::occluded(const RayBatch &rays, std::uint8_t *blocked) const {
     rtcInitIntersectContext(&context);
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
     RTCScene scene = handles_->scene;
-    const Shutter *shutter = moves_ ? &shutter_ : nullptr;
+    const RayUnits units{unit_, moves_ ? &shutter_ : nullptr};
     switch (handles_->width) {
-    case 16: traceShadows<16>(scene, context, shutter, rays, blocked); break;
-    case 8: traceShadows<8>(scene, context, shutter, rays, blocked); break;
-    default: traceShadows<4>(scene, context, shutter, rays, blocked);
+    case 16: traceShadows<16>(scene, context, rays, units, blocked); break;
+    case 8: traceShadows<8>(scene, context, rays, units, blocked); break;
+    default: traceShadows<4>(scene, context, rays, units, blocked);
     }
 }
 

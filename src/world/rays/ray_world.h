@@ -3,6 +3,7 @@
 #pragma once
 
 #include "foundation/base/matrix4.h"
+#include "foundation/base/round_elements.h"
 #include "foundation/base/shutter.h"
 #include "world/rays/ray_batch.h"
 
@@ -16,19 +17,20 @@
 
 namespace candela {
 
-/// One shape as rays see it: triangles, or an exact sphere.
+/// One shape as rays see it: triangles, or what is round as it is.
 struct RayShape {
     std::vector<Vec3> positions;
     std::vector<std::array<std::uint32_t, 3>> triangles;
-    Vec3 centre;
-    float radius = 0; ///< > 0: a whole sphere instead of triangles.
+    RoundElements round; ///< Where there are any, there are no triangles.
     bool opaque = true;
     bool stopsLight = true; ///< False: rays see it and shadow rays pass through.
     /// Not zero: only rays that come against this sign times the normal are stopped; the normal is
-    /// (p1 - p0) x (p2 - p0), of a sphere the outward one.
+    /// (p1 - p0) x (p2 - p0), of what is round the outward one.
     int frontSign = 0;
+    /// Rays that run against the eye's are stopped from the front alone, too.
+    bool isStroke = false;
 
-    bool empty() const { return triangles.empty() && !(radius > 0); }
+    bool empty() const { return triangles.empty() && round.size() == 0; }
 };
 
 /// Shapes that instances place together.
@@ -79,6 +81,7 @@ private:
     std::unique_ptr<Handles> handles_;
     std::vector<std::uint32_t> firstShapeOfInstance_;
     std::uint32_t worldShapes_ = 0;
+    float unit_ = 1; ///< Of the ray tracer: what it is given is so many times as large.
     bool hasTransparent_ = false;
     bool moves_ = false;
     Shutter shutter_;

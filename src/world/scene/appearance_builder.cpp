@@ -155,8 +155,8 @@ void AppearanceBuilder::finish() {
         const Shape &shape = points.shapes[shapes_[i]];
         appearance.offset = shape.offset, appearance.offsetShare = shape.offsetShare;
         appearance.elementSign = shape.elementSign * appearance.normalSign;
-        const bool tells =
-            shape.flat || (shape.naming == Naming::Sphere && !shape.surface->hasOwnNormals());
+        const bool tells = shape.flat || (shape.naming == Naming::Round && !shape.curved &&
+                                          !shape.surface->hasOwnNormals());
         if (!tells || shape.Cs >= 0 || shape.Os >= 0)
             points.codes[appearance.code].fromElements = false;
     }

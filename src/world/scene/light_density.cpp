@@ -39,7 +39,7 @@ void Lights::density(const LightQuery &query, const ShadingPoints &points,
             tables.appearances[tables.appearanceOf(points.instance[i], points.shape[i])];
         if (appearance.firstElement < 0)
             continue;
-        const bool isSphere = tables.shapes[points.shape[i]].naming == Naming::Sphere;
+        const bool isSphere = tables.shapes[points.shape[i]].naming == Naming::Round;
         element[i] = appearance.firstElement + (isSphere ? 0 : std::int32_t(points.element[i]));
         source[i] = state_->lights.elements[element[i]].source;
     }

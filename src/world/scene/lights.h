@@ -86,8 +86,8 @@ public:
     /// have met on elements at `elementPoint`. 0 where the point is no light, or off.
     void density(const LightQuery &query, const ShadingPoints &,
                  const std::array<const float *, 3> &elementPoint, float *pdf) const;
-    /// The same of points that are known by source and element (LightStarts); of delta lights, which
-    /// have no element, the probability of choosing them. Whether they are on is not asked.
+    /// The same of points that are known by source and element (LightStarts); of delta lights,
+    /// which have no element, the probability of choosing them. Whether they are on is not asked.
     void densityOf(const LightQuery &query, const std::int32_t *source, const std::int32_t *element,
                    const std::array<const float *, 3> &elementPoint, float *pdf) const;
     /// radiance[c][i] that area lights (si) and emitting surfaces send from the points to the
@@ -123,8 +123,8 @@ public:
     std::optional<std::array<double, 2>> guidedPlace(std::int32_t light, const Vec3 &direction,
                                                      const Vec3 &P) const;
     std::optional<std::array<double, 2>> guidedPlaceFor(std::int32_t light, const Vec3 &P) const;
-    /// A radiance of the order of what there is: as if all light were spread over a sphere around the
-    /// scene. 0 if none is known.
+    /// A radiance of the order of what there is: as if all light were spread over a sphere around
+    /// the scene. 0 if none is known.
     double typicalRadiance() const;
     /// How likely paths begin at the lights, by index, as long as nothing is learned.
     std::vector<double> startProbabilities() const;

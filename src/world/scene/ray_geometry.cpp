@@ -16,7 +16,11 @@ void dress(RayShape &shape, std::int32_t index, const PointTables &points,
     const ShadowCasting casting = shadowCasting(*points.details[index].attributes);
     shape.stopsLight = casting != ShadowCasting::None;
     shape.opaque = casting == ShadowCasting::Opaque || looks.isOpaque(index);
-    if (points.details[index].attributes->sides == 1)
+    const Shape &met = points.shapes[looks.shapes()[index]];
+    shape.isStroke = met.surface->isStroke();
+    if (shape.isStroke) // Opaque ones end rays where they come in.
+        shape.frontSign = shape.opaque ? 0 : met.elementSign < 0 ? -1 : 1;
+    else if (points.details[index].attributes->sides == 1)
         shape.frontSign = points.appearances[index].elementSign < 0 ? -1 : 1;
 }
 
@@ -47,7 +51,7 @@ RayGeometry arrange(std::vector<RayShape> meshes, std::span<const std::uint32_t>
             for (std::uint32_t k = 0; k < shapeCounts[i]; ++k) {
                 RayShape mesh = meshes[instance.firstShape + k];
                 mesh.opaque = object[k].opaque, mesh.stopsLight = object[k].stopsLight;
-                mesh.frontSign = object[k].frontSign;
+                mesh.frontSign = object[k].frontSign, mesh.isStroke = object[k].isStroke;
                 object[k] = std::move(mesh);
             }
             geometry.objects.push_back(std::move(object));
@@ -69,8 +73,8 @@ void measure(const std::vector<RayShape> &meshes, std::span<const std::uint32_t>
         const RayShape &mesh = meshes[i];
         for (Vec3 position : mesh.positions)
             own[i].add(position);
-        if (const Vec3 r{mesh.radius, mesh.radius, mesh.radius}; mesh.radius > 0)
-            own[i].add(mesh.centre - r), own[i].add(mesh.centre + r);
+        for (const auto &[x, y, z, r] : mesh.round.knots)
+            own[i].add(Vec3{x - r, y - r, z - r}), own[i].add(Vec3{x + r, y + r, z + r});
         state.statistics.triangles += mesh.triangles.size();
         if (i < points.worldShapes && !own[i].empty())
             box.add(own[i]);

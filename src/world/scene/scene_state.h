@@ -28,7 +28,7 @@ struct SceneState {
     std::vector<std::vector<int>> lightSets;     ///< Indices of the lights on, by lightSet.
     std::unique_ptr<RayWorld> rays;
     LightTable lights;
-    Emitters emitters; ///< Empty where no paths begin on lights.
+    Emitters emitters;                           ///< Empty where no paths begin on lights.
     std::vector<ShaderInstance> media;           ///< Volumes by their numbers; the first is none.
     std::vector<SurfaceMedia> mediaOfAppearance; ///< In the order of points.appearances.
     std::vector<std::int32_t> mediaOfLight;      ///< By index: the atmosphere of what shines.

@@ -295,7 +295,7 @@ private:
         if (shinesFrom(firstAppearance, shapes.count) &&
             (!keepsSpheres(currentFromObject) || turns(steps)))
             for (std::uint32_t k = 0; k < shapes.count; ++k)
-                points_.shapes[shapes.first + k].mayBeSphere = false;
+                points_.shapes[shapes.first + k].mayBeRound = false;
     }
 
     static bool turns(std::span<const Matrix4> steps) {
@@ -328,6 +328,9 @@ private:
         for (std::size_t i = 0; i < points_.appearances.size(); ++i)
             if (looks_.shines(std::int32_t(i))) {
                 const std::uint32_t number = looks_.shapes()[i];
+                Shape &shape = points_.shapes[number];
+                // Lights of these forms can't be sampled but by triangles.
+                shape.mayBeRound &= shape.surface->roundElements().isOneBall();
                 plan_.makeFine(number, points_.shapes[number]);
             }
     }

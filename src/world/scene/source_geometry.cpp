@@ -129,12 +129,14 @@ static float shareOfFarWall(const RayShape &sphere) {
 
 std::optional<LightElement> sphereOf(const LightElement &like, const RayShape &shape,
                                      const Matrix4 &currentFromOuter) {
-    if (!(shape.radius > 0) || !keepsSpheres(currentFromOuter))
+    const RoundElements &round = shape.round;
+    if (round.size() != 1 || !round.tubes.empty() || !keepsSpheres(currentFromOuter))
         return std::nullopt;
-    const Vec3 radius = transformVector(currentFromOuter, {shape.radius, 0, 0});
+    const auto [x, y, z, r] = round.knots[0];
+    const Vec3 radius = transformVector(currentFromOuter, {r, 0, 0});
     LightElement element = like;
     element.form = LightElement::Form::Sphere;
-    element.corner = transformPoint(currentFromOuter, shape.centre);
+    element.corner = transformPoint(currentFromOuter, {x, y, z});
     element.edgeA = {length(radius), 0, 0};
     element.edgeB = {shareOfFarWall(shape), 0, 0};
     return element;

@@ -43,7 +43,7 @@ float DicingPlan::nearestPixel(const Box3 &bound, const Matrix4 &currentFromObje
 }
 
 /// Its triangles depend on the rate.
-static bool isCurved(const Shape &shape) { return !shape.surface->isFlat() && !outerSphere(shape); }
+static bool isCurved(const Shape &shape) { return !shape.surface->isFlat() && !isMetRound(shape); }
 
 void DicingPlan::add(const Shape &shape, float shadingRate, std::span<const Matrix4> steps) {
     const Box3 box = transformBox(shape.outerFromShape, shape.surface->bound());

@@ -64,30 +64,60 @@ bool keepsSpheres(const Matrix4 &matrix) {
     return true;
 }
 
-std::optional<OuterSphere> outerSphere(const Shape &shape) {
-    std::optional<float> radius = shape.surface->wholeSphere();
-    if (!radius || shape.displacement || !shape.mayBeSphere || !keepsSpheres(shape.outerFromShape))
-        return std::nullopt;
+bool isMetRound(const Shape &shape) {
+    return shape.surface->isRound() && !shape.displacement && shape.mayBeRound &&
+           keepsSpheres(shape.outerFromShape);
+}
+
+/// The surface's round elements in the outer space.
+static RoundElements outerElements(const Shape &shape) {
     Vec3 row;
     for (int column = 0; column < 3; ++column)
         row[column] = shape.outerFromShape.at(0, column);
-    return OuterSphere{transformPoint(shape.outerFromShape, {0, 0, 0}), *radius * length(row)};
+    const float stretch = length(row);
+    RoundElements round = shape.surface->roundElements();
+    for (auto &[x, y, z, radius] : round.knots) {
+        const Vec3 place = transformPoint(shape.outerFromShape, {x, y, z});
+        x = place.x, y = place.y, z = place.z, radius *= stretch;
+    }
+    return round;
+}
+
+/// How far from a round element rays may find it. Of a tube it goes with its length: that is what
+/// the ray tracer computes with.
+static float roundRounding(const RoundElements &round) {
+    constexpr float tubeRounding = 4e-6f;
+    float radius = 0, longest = 0;
+    for (const auto &knot : round.knots)
+        radius = std::max(radius, knot[3]);
+    for (std::uint32_t first : round.tubes) {
+        const auto &a = round.knots[first], &b = round.knots[first + 3];
+        longest = std::max(longest, length(Vec3{b[0] - a[0], b[1] - a[1], b[2] - a[2]}));
+    }
+    return elementRounding * radius + tubeRounding * longest;
+}
+
+/// +1 where the natural normal of a round surface points outwards, as its elements' do: not on a
+/// sphere that is turned inside out in its parameters.
+static float outwardSign(const Surface &surface) {
+    const std::uint32_t piece[] = {0, 0};
+    const float u[] = {0.3f, 0.8f}, v[] = {0.4f, 0.4f}; // On either side.
+    float x[2], y[2], z[2], nx[2], ny[2], nz[2];
+    SurfaceAnswer answer;
+    answer.P = {x, y, z}, answer.Ng = {nx, ny, nz};
+    surface.evaluate({2, piece, u, v}, answer);
+    return dot(answer.Ng.get(0), answer.P.get(0) - answer.P.get(1)) < 0 ? -1.0f : 1.0f;
 }
 
 RayShape dice(Shape &shape, const DiceRate &rate, const Vec3 *eye) {
     RayShape result;
-    if (std::optional<OuterSphere> sphere = outerSphere(shape)) {
-        shape.naming = Naming::Sphere;
-        shape.elements = 1;
-        result.centre = sphere->centre, result.radius = sphere->radius;
-        // The natural normal of a sphere turned inside out in parameters points inwards.
-        float x, y, z, px, py, pz, u = 0.3f, v = 0.4f;
-        SurfaceAnswer answer;
-        answer.Ng = {&x, &y, &z}, answer.P = {&px, &py, &pz};
-        const std::uint32_t piece = 0;
-        shape.surface->evaluate({1, &piece, &u, &v}, answer);
-        shape.elementSign = dot(Vec3{x, y, z}, Vec3{px, py, pz}) < 0 ? -1 : 1;
-        shape.offset = elementRounding * sphere->radius;
+    if (isMetRound(shape)) {
+        result.round = outerElements(shape);
+        shape.naming = Naming::Round;
+        shape.elements = std::uint32_t(result.round.size());
+        shape.curved = !result.round.tubes.empty();
+        shape.elementSign = outwardSign(*shape.surface);
+        shape.offset = roundRounding(result.round);
         return result;
     }
     DicedMesh diced = shape.surface->dice(rate);

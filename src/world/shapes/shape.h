@@ -18,7 +18,7 @@ namespace candela {
 enum class Naming : std::uint8_t {
     Direct,  ///< The element is the piece, barycentric coordinates are (u,v).
     Corners, ///< (u,v) is interpolated from the element's corners.
-    Sphere,  ///< An exact sphere: (u,v) follows from where the point lies.
+    Round,   ///< A round element: (u,v) follows from where the point lies.
 };
 
 struct Shape {
@@ -27,8 +27,8 @@ struct Shape {
     std::shared_ptr<const Displacement> displacement;
     Matrix4 outerFromShape, shapeFromOuter;
     Naming naming = Naming::Direct;
-    /// It may be an exact sphere, if it is one: no instance that shines makes an ellipsoid of it.
-    bool mayBeSphere = true;
+    /// Rays may meet it as it is, if it is round: unless it shines otherwise than as a sphere.
+    bool mayBeRound = true;
     /// Every normal that shaders see is that of the element.
     bool flat = false;
     /// Normals are the surface's to tell, not the elements'.
@@ -65,13 +65,8 @@ int numericVariable(const Surface &, const std::string &name);
 
 /// The matrix leaves spheres spheres.
 bool keepsSpheres(const Matrix4 &);
-/// The whole sphere that the shape is in its outer space, if its surface is one and the matrix
-/// leaves it one.
-struct OuterSphere {
-    Vec3 centre;
-    float radius;
-};
-std::optional<OuterSphere> outerSphere(const Shape &);
+/// Rays meet the shape's round elements: the matrix leaves them round, and nothing moves them.
+bool isMetRound(const Shape &);
 
 /// Dices: fills in naming, signs and offset; what rays will meet. Triangles that are large against
 /// their distance from `eye` (outer space; null = nowhere) are cut, so that rounding goes with the
