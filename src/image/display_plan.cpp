@@ -3,11 +3,13 @@
 
 #include "foundation/base/whole_file.h"
 #include "image/output_path.h"
+#include "world/texture/module.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <filesystem>
+#include <iterator>
+#include <utility>
 
 namespace candela {
 
@@ -18,24 +20,43 @@ struct KnownType {
     FileFormat format;
 };
 /// Depths for shadows are files of any name.
-constexpr std::array<KnownType, 4> knownTypes{{{"openexr", ".exr", FileFormat::OpenExr},
-                                               {"png", ".png", FileFormat::Png},
-                                               {"zfile", "", FileFormat::OpenExr},
-                                               {"shadow", "", FileFormat::OpenExr}}};
+constexpr KnownType knownTypes[] = {
+    {"openexr", ".exr", FileFormat::OpenExr}, {"png", ".png", FileFormat::Png},
+    {"tiff", ".tif", FileFormat::Tiff},       {"tiff", ".tiff", FileFormat::Tiff},
+    {"hdr", ".hdr", FileFormat::RadianceHdr}, {"zfile", "", FileFormat::OpenExr},
+    {"shadow", "", FileFormat::OpenExr}};
+
+/// What other renderers call the same.
+constexpr std::pair<std::string_view, std::string_view> otherNames[] = {
+    {"exr", "openexr"}, {"tif", "tiff"}, {"radiance", "hdr"}, {"rgbe", "hdr"}};
 
 std::string namesOfTypes() {
     std::string names = "file";
+    std::string_view last;
     for (const KnownType &known : knownTypes)
-        names += ", " + std::string(known.type);
+        if (known.type != std::exchange(last, known.type))
+            names += ", " + std::string(known.type);
     return names;
+}
+
+std::string inSmallLetters(std::string text) {
+    std::ranges::transform(text, text.begin(),
+                           [](unsigned char c) { return char(std::tolower(c)); });
+    return text;
+}
+
+/// The type under the name that we have for it.
+std::string typeOf(const DisplayRecord &record) {
+    const std::string type = inSmallLetters(record.type);
+    for (const auto &[other, own] : otherNames)
+        if (type == other)
+            return std::string(own);
+    return type;
 }
 
 /// In small letters.
 std::string extensionOf(const std::string &name) {
-    std::string extension = std::filesystem::path(name).extension().string();
-    std::ranges::transform(extension, extension.begin(),
-                           [](unsigned char c) { return char(std::tolower(c)); });
-    return extension;
+    return inSmallLetters(std::filesystem::path(name).extension().string());
 }
 
 /// The format by the display's type; type "file" goes by the name's extension, OpenEXR if it has
@@ -43,10 +64,11 @@ std::string extensionOf(const std::string &name) {
 void chooseFormat(PlannedDisplay &display, std::string &warning) {
     DisplayRecord &record = display.record;
     const std::string extension = extensionOf(record.name);
-    const bool byName = record.type == "file";
+    const std::string type = typeOf(record);
+    const bool byName = type == "file";
     const auto known = byName ? std::ranges::find(knownTypes, extension, &KnownType::extension)
-                              : std::ranges::find(knownTypes, record.type, &KnownType::type);
-    if (known != knownTypes.end()) {
+                              : std::ranges::find(knownTypes, type, &KnownType::type);
+    if (known != std::end(knownTypes)) {
         display.format = known->format;
         return;
     }
@@ -60,11 +82,27 @@ void chooseFormat(PlannedDisplay &display, std::string &warning) {
     warning += ": it will be the OpenEXR file \"" + record.name + "\"";
 }
 
+/// Of a mode that may have alpha too.
+std::vector<DisplayPlane> colorPlanes(const std::vector<DisplayPlane> &planes) {
+    std::vector<DisplayPlane> colors;
+    std::ranges::copy_if(planes, std::back_inserter(colors), [](const DisplayPlane &plane) {
+        return plane.source != DisplayPlane::Source::Alpha &&
+               plane.source != DisplayPlane::Source::Depth;
+    });
+    return colors;
+}
+
 /// What keeps the planes out of the format; empty if nothing does.
 std::string formatDefect(const PlannedDisplay &display, const Options &options) {
     if (holdsDepths(display.record) &&
         (display.planes.size() != 1 || display.planes[0].source != DisplayPlane::Source::Depth))
         return "a display of type \"" + display.record.type + "\" holds depths: its mode is \"z\"";
+    if (display.format == FileFormat::RadianceHdr && colorPlanes(display.planes).size() != 3)
+        return "a Radiance HDR picture holds three colors: its mode is \"rgb\"";
+    std::string problem;
+    if ((display.format == FileFormat::RadianceHdr || display.format == FileFormat::Tiff) &&
+        !pictureLibrary(problem))
+        return problem;
     if (display.format != FileFormat::Png)
         return {};
     const bool depth = std::ranges::any_of(display.planes, [](const DisplayPlane &plane) {
@@ -91,6 +129,8 @@ bool settle(PlannedDisplay &display, const Options &options, std::span<const Cha
     problem = formatDefect(display, options);
     if (!problem.empty())
         return false;
+    if (display.format == FileFormat::RadianceHdr)
+        display.planes = colorPlanes(display.planes);
     const auto path =
         outputPath(display.record.name, policy.directory, policy.allowOutside, problem);
     if (!path || !canWriteFile(*path, problem))

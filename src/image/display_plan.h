@@ -7,7 +7,7 @@
 
 namespace candela {
 
-enum class FileFormat { OpenExr, Png };
+enum class FileFormat { OpenExr, Png, Tiff, RadianceHdr };
 
 /// A display that can be written.
 struct PlannedDisplay {

@@ -6,6 +6,7 @@
 #include "image/exr_file.h"
 #include "image/imaging.h"
 #include "image/png_file.h"
+#include "world/texture/module.h"
 
 #include <algorithm>
 #include <cmath>
@@ -103,8 +104,70 @@ std::optional<std::string> pngBytes(Job &job) {
     return encodePng(picture, largest > 255 ? 16 : 8, settings.gamma, job.problem);
 }
 
+/// What stands in a header that knows one text alone.
+std::string descriptionOf(const Picture &picture) {
+    std::string text;
+    for (const auto &[key, value] : picture.metadata)
+        text += (text.empty() ? "" : "; ") + key + ": " + value;
+    return text;
+}
+
+/// Formats of the module of pictures. Channels of colour and depth that are quantised make a file
+/// of whole numbers; anything else one of floats.
+std::optional<std::string> libraryBytes(Job &job, PictureToEncode::Format format) {
+    PlaneSettings settings = planeSettings(job);
+    settings.halves = false;
+    const bool isHdr = format == PictureToEncode::Format::RadianceHdr;
+    if (!isHdr) {
+        settings.color =
+            job.display.quantize.value_or(job.options.colorQuantize.value_or(eightBitQuantize));
+        settings.depth = depthQuantize(job.display, job.options);
+    }
+    auto isWhole = [&](const DisplayPlane &plane) {
+        return plane.source == Source::Depth ? settings.depth.one != 0
+               : plane.source == Source::Color || plane.source == Source::Alpha
+                   ? settings.color.one != 0
+                   : false;
+    };
+    const bool whole = std::ranges::all_of(job.planes, isWhole);
+    if (!whole)
+        settings.color = settings.depth = {};
+    Picture picture = developPicture(job.sources, job.planes, settings);
+    describe(job, picture);
+    noteQuantize(picture, settings.color);
+    PictureToEncode file;
+    file.format = format;
+    const float most = std::max(settings.color.maximum, settings.depth.maximum);
+    file.numbers = !whole       ? PictureToEncode::Numbers::Floats
+                   : most > 255 ? PictureToEncode::Numbers::Words
+                                : PictureToEncode::Numbers::Bytes;
+    file.width = picture.window.columns(), file.height = picture.window.rows();
+    file.description = descriptionOf(picture);
+    for (const PictureChannel &channel : picture.channels)
+        file.channels.push_back(channel.name);
+    file.values.reserve(picture.window.pixels() * picture.channels.size());
+    for (std::size_t i = 0; i < picture.window.pixels(); ++i)
+        for (const PictureChannel &channel : picture.channels)
+            file.values.push_back(channel.values[i]);
+    std::string bytes;
+    PictureLibrary *const library = pictureLibrary(job.problem);
+    if (!library || !library->encode(file, bytes, job.problem))
+        return std::nullopt;
+    return bytes;
+}
+
+std::optional<std::string> bytesOf(Job &job, FileFormat format) {
+    switch (format) {
+    case FileFormat::OpenExr: return exrBytes(job);
+    case FileFormat::Png: return pngBytes(job);
+    case FileFormat::Tiff: return libraryBytes(job, PictureToEncode::Format::Tiff);
+    case FileFormat::RadianceHdr: break;
+    }
+    return libraryBytes(job, PictureToEncode::Format::RadianceHdr);
+}
+
 bool write(Job &job, const PlannedDisplay &display) {
-    const auto bytes = display.format == FileFormat::Png ? pngBytes(job) : exrBytes(job);
+    const auto bytes = bytesOf(job, display.format);
     return bytes && writeWholeFile(display.path, *bytes, job.problem);
 }
 

@@ -5,6 +5,7 @@
 #include "image/exr_file.h"
 #include "image/imaging.h"
 #include "image/png_file.h"
+#include "world/texture/module.h"
 
 #include <cmath>
 #include <csignal>
@@ -212,28 +213,96 @@ TEST_F(DisplaysTest, FileGoesByItsExtension) {
     display("a.PNG", "file", "rgb");
     display("b.exr", "file", "rgb");
     display("c", "file", "rgb");
-    display("d.tif", "file", "rgb");
+    display("d.sgi", "file", "rgb");
     fill();
     EXPECT_EQ(writeAll().size(), 4u) << list_.text();
     EXPECT_EQ(list_.count(Severity::Warning), 1) << list_.text();
     readPng("a.PNG");
-    for (const char *name : {"b.exr", "c", "d.tif.exr"})
+    for (const char *name : {"b.exr", "c", "d.sgi.exr"})
         EXPECT_EQ(readExr(name).channels.size(), 3u);
+}
+
+/// A file read by the module of pictures, as its numbers are.
+PictureData readNumbers(const std::string &path) {
+    std::string problem;
+    PictureLibrary *library = pictureLibrary(problem);
+    EXPECT_TRUE(library) << problem;
+    PictureData picture;
+    if (library) {
+        EXPECT_TRUE(library->read(path, PictureCurve::Linear, picture, problem)) << problem;
+    }
+    return picture;
+}
+
+TEST_F(DisplaysTest, TiffAndHdrHoldTheirNumbers) {
+    std::string problem;
+    options_.colorQuantize = QuantizeRecord{255, 0, 255, 0};
+    display("bytes.tif", "TIFF", "rgba");
+    display("words.tif", "file", "rgb");
+    options_.displays.back().quantize = QuantizeRecord{65535, 0, 65535, 0};
+    display("floats.tiff", "tiff", "rgb");
+    options_.displays.back().quantize = QuantizeRecord{};
+    display("depth.tif", "tiff", "z");
+    display("normals.tif", "tiff", "N");
+    display("light.hdr", "hdr", "rgba");
+    fill();
+    EXPECT_EQ(writeAll().size(), 6u) << list_.text();
+    EXPECT_EQ(list_.text(), "");
+    struct {
+        const char *name;
+        int channels;
+        double tolerance;
+        std::vector<std::string> planes;
+    } files[] = {{"bytes.tif", 4, 0.5 / 255 + 1e-6, {"R", "G", "B", "A"}},
+                 {"words.tif", 3, 0.5 / 65535 + 1e-6, {"R", "G", "B"}},
+                 {"floats.tiff", 3, 0, {"R", "G", "B"}},
+                 {"depth.tif", 1, 0, {"Z"}},
+                 {"normals.tif", 3, 0, {"N.X", "N.Y", "N.Z"}},
+                 {"light.hdr", 3, 1.0 / 128, {"R", "G", "B"}}};
+    for (std::size_t i = 0; i < std::size(files); ++i) {
+        const auto &[name, channels, tolerance, planes] = files[i];
+        const PictureData read = readNumbers(folder_ + "/" + name);
+        ASSERT_EQ(read.facts.channels, channels) << name;
+        ASSERT_EQ(read.facts.width, 4) << name;
+        ASSERT_EQ(read.facts.height, 3) << name;
+        const Picture wanted = developPicture(*film_, plan()[i].planes, {});
+        for (int c = 0; c < channels; ++c) {
+            const PictureChannel *plane = wanted.find(planes[std::size_t(c)]);
+            ASSERT_TRUE(plane) << name << planes[std::size_t(c)];
+            for (std::size_t k = 0; k < 12; ++k)
+                EXPECT_NEAR(read.values[k * std::size_t(channels) + std::size_t(c)],
+                            plane->values[k], tolerance)
+                    << name;
+        }
+    }
+    const auto first = readWholeFile(folder_ + "/bytes.tif", problem);
+    EXPECT_EQ(writeAll().size(), 6u);
+    EXPECT_EQ(readWholeFile(folder_ + "/bytes.tif", problem), first);
+}
+
+TEST_F(DisplaysTest, HdrHoldsColorsAlone) {
+    display("depth.hdr", "hdr", "z");
+    display("both.hdr", "file", "rgb,N");
+    fill();
+    EXPECT_EQ(writeAll().size(), 0u);
+    EXPECT_EQ(list_.count(Severity::Error), 2);
+    EXPECT_NE(list_.text().find("holds three colors: its mode is \"rgb\""), std::string::npos)
+        << list_.text();
 }
 
 // No picture is lost because its type is for a later version.
 TEST_F(DisplaysTest, UnknownTypesBecomeOpenExr) {
-    display("a.tif", "tiff", "rgb");
+    display("a.sgi", "sgi", "rgb");
     display("window", "framebuffer", "rgba");
     display("b.exr", "zfile", "z");
     fill();
     EXPECT_EQ(writeAll().size(), 3u) << list_.text();
     EXPECT_EQ(list_.count(Severity::Warning), 2) << list_.text();
     EXPECT_EQ(list_.count(Severity::Error), 0) << list_.text();
-    EXPECT_NE(list_.text().find("no display type \"tiff\" (known are file, openexr, png, zfile, "
-                                "shadow)"),
+    EXPECT_NE(list_.text().find("no display type \"sgi\" (known are file, openexr, png, tiff, "
+                                "hdr, zfile, shadow)"),
               std::string::npos);
-    EXPECT_EQ(readExr("a.tif.exr").channels.size(), 3u);
+    EXPECT_EQ(readExr("a.sgi.exr").channels.size(), 3u);
     EXPECT_EQ(readExr("window.exr").channels.size(), 4u);
     EXPECT_EQ(readExr("b.exr").channels.size(), 1u);
 }

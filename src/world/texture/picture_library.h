@@ -74,6 +74,18 @@ struct TextureRecipe {
     std::string filter = "box";                   ///< By which smaller levels are made.
 };
 
+/// A picture that is to become the bytes of a file, as its numbers are.
+struct PictureToEncode {
+    enum class Format { Tiff, RadianceHdr };     ///< The latter holds three channels.
+    enum class Numbers { Bytes, Words, Floats }; ///< Whole numbers up to 255 and 65535.
+    Format format = Format::Tiff;
+    Numbers numbers = Numbers::Bytes;
+    int width = 0, height = 0;
+    std::vector<std::string> channels; ///< Names: "R", "A", "Z"...
+    std::vector<float> values;         ///< Channels side by side, row by row from the top.
+    std::string description;
+};
+
 /// One in a process; all functions may be called from any thread.
 class PictureLibrary {
 public:
@@ -96,10 +108,12 @@ public:
     /// Writes the picture with all smaller levels (a shadow map: as it is), whole or not at all.
     virtual bool write(const PictureData &, const TextureRecipe &, const std::string &path,
                        std::string &problem) = 0;
+    /// The bytes depend on the picture alone.
+    virtual bool encode(const PictureToEncode &, std::string &bytes, std::string &problem) = 0;
 };
 
 /// Changes with all that stands above: a module of another build is not taken.
-inline constexpr int pictureLibraryVersion = 1;
+inline constexpr int pictureLibraryVersion = 2;
 /// The module's one function, of the name `pictureLibraryFunction`: null if it is of another
 /// version.
 using PictureLibraryFunction = PictureLibrary *(*)(int version);

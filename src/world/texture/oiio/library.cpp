@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The module's one door: OpenImageIO's texture system and files behind PictureLibrary.
+#include "world/texture/oiio/encode.h"
 #include "world/texture/oiio/facts.h"
 #include "world/texture/oiio/files.h"
 #include "world/texture/oiio/linear_input.h"
@@ -64,6 +65,9 @@ public:
     bool write(const PictureData &picture, const TextureRecipe &recipe, const std::string &path,
                std::string &problem) override {
         return writePicture(picture, recipe, path, problem);
+    }
+    bool encode(const PictureToEncode &picture, std::string &bytes, std::string &problem) override {
+        return encodePicture(picture, bytes, problem);
     }
 
 private:
