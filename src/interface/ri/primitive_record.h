@@ -96,11 +96,18 @@ struct CurvesRecord {
     bool cubic = false, periodic = false;
     std::vector<int> vertexCounts;
 };
+/// RiBlobby: a program that combines fields of blobs, see RI 3.2, 5.6.
+struct BlobbyRecord {
+    int leaves = 0; ///< Values a varying or vertex variable has, one a blob.
+    std::vector<int> codes;
+    std::vector<float> floats;
+    std::vector<std::string> strings;
+};
 
 using ShapeRecord = std::variant<SphereRecord, ConeRecord, CylinderRecord, HyperboloidRecord,
                                  ParaboloidRecord, DiskRecord, TorusRecord, PolygonsRecord,
                                  PatchMeshRecord, NuPatchRecord, SubdivisionRecord, GeometryRecord,
-                                 PointsRecord, CurvesRecord>;
+                                 PointsRecord, CurvesRecord, BlobbyRecord>;
 
 /// The highest order of splines; their polynomials are of one degree less.
 inline constexpr int mostSplineOrder = 24;

@@ -163,6 +163,11 @@ void StateHandlers::points(const SourceLocation &where, const TokenList &tokens)
     emit(where, "Points", PointsRecord{pointsIn(tokens)}, tokens);
 }
 
+void StateHandlers::blobby(const SourceLocation &where, int leaves, const Integers &codes,
+                           const Floats &floats, const Strings &strings, const TokenList &tokens) {
+    emit(where, "Blobby", BlobbyRecord{leaves, codes, floats, strings}, tokens);
+}
+
 void StateHandlers::curves(const SourceLocation &where, const std::string &type,
                            const Integers &vertexCounts, const std::string &wrap,
                            const TokenList &tokens) {

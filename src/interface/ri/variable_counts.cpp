@@ -18,7 +18,8 @@ bool isQuadric(const ShapeRecord &shape) {
            !std::holds_alternative<NuPatchRecord>(shape) &&
            !std::holds_alternative<SubdivisionRecord>(shape) &&
            !std::holds_alternative<PointsRecord>(shape) &&
-           !std::holds_alternative<CurvesRecord>(shape);
+           !std::holds_alternative<CurvesRecord>(shape) &&
+           !std::holds_alternative<BlobbyRecord>(shape);
 }
 
 /// The defect of a quadric: non-finite numbers, or one of these that must not be zero is.
@@ -178,6 +179,10 @@ std::string defect(const PointsRecord &p) {
     return p.count < 1 ? "there are no points" : std::string();
 }
 
+std::string defect(const BlobbyRecord &b) {
+    return b.leaves < 1 ? "expected at least one primitive blob" : std::string();
+}
+
 std::string curvesDefect(const CurvesRecord &c, const Attributes &a) {
     if (c.vertexCounts.empty())
         return "there are no curves";
@@ -267,6 +272,10 @@ VariableCounts countsOf(const ShapeRecord &shape, const Attributes &attributes, 
     }
     if (std::holds_alternative<PointsRecord>(shape)) // Each value is a point's, whatever its class.
         return {1, vertexCount, vertexCount, vertexCount, vertexCount};
+    if (const auto *blobby = std::get_if<BlobbyRecord>(&shape)) {
+        const int leaves = blobby->leaves;
+        return {1, leaves, leaves, leaves, leaves};
+    }
     if (const auto *curves = std::get_if<CurvesRecord>(&shape))
         return curvesCounts(*curves, attributes, vertexCount);
     const auto &mesh = std::get<PatchMeshRecord>(shape);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "world/geometry/make_blobby.h"
 #include "world/geometry/make_geometry.h"
 #include "world/geometry/make_nu_patch.h"
 #include "world/geometry/make_patch_mesh.h"
@@ -36,6 +37,8 @@ makeSurfaces(std::shared_ptr<const PrimitiveRecord> record, const Attributes &at
             return makePoints(shape, *record, attributes, diagnostics);
         else if constexpr (std::is_same_v<Shape, CurvesRecord>)
             return makeCurves(shape, *record, attributes, diagnostics);
+        else if constexpr (std::is_same_v<Shape, BlobbyRecord>)
+            return makeBlobby(shape, *record, diagnostics);
         else
             return makeQuadric(shape, *record, attributes, diagnostics);
     };
