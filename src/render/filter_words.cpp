@@ -116,7 +116,7 @@ bool readFilters(const std::vector<std::string> &words, ShaderLookup &shaders,
     for (const std::string &word : words) {
         const bool isValue = word.find('=') != word.npos;
         if (!isValue) {
-            filters.push_back({word, {}, {}});
+            filters.push_back({word, {}, {}, {}});
             types = shaders.parametersOf(ShaderKind::Filter, word, options, {});
             good &= types.has_value();
             continue;

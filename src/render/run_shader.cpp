@@ -102,7 +102,7 @@ private:
                                    name + " runs it");
             return std::nullopt;
         }
-        ShaderRecord record{name, {}, {}};
+        ShaderRecord record{name, {}, {}, {}};
         const auto types =
             shaders_.parametersOf(interfaceKind(kind_), record.name, Options(), SourceLocation());
         for (const std::string &word : settings_.values) {

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A picture of what moves is the mean of pictures of it where it is at times: light and shadow,
 // patterns, in company of all that places things.
-#include "foundation/base/student.h"
-#include "tests/support/frames.h"
+#include "tests/motion/stills.h"
 
-#include <cmath>
 #include <gtest/gtest.h>
 #include <ostream>
 #include <sstream>
@@ -18,16 +16,6 @@ struct Move {
     const char *name;
     std::function<std::string(double share)> at;
 };
-
-std::string request(const char *name, std::initializer_list<double> numbers) {
-    std::ostringstream text;
-    text.precision(9);
-    text << name;
-    for (double number : numbers)
-        text << ' ' << number;
-    text << '\n';
-    return text.str();
-}
 
 const Move moves[] = {
     {"Translate",
@@ -43,13 +31,6 @@ const Move moves[] = {
          return request("Scale", {1 + s, 1 - .4 * s, 1 + .5 * s});
      }},
 };
-
-/// What stands in the place of "@\n" in the world: the motion, or the thing at a time.
-std::string withMotion(std::string world, const std::string &motion) {
-    for (std::size_t at; (at = world.find("@\n")) != std::string::npos;)
-        world.replace(at, 2, motion);
-    return world;
-}
 
 struct Scene {
     const char *name, *world;
@@ -106,59 +87,16 @@ const Scene scenes[] = {
                     "Translate 0 .5 0\nTorus .3 .1 0 360 360\n"},
 };
 
-/// A quarter of a picture of 8 x 8 pixels.
-FramePixels quarterOf(const FramePixels &picture, int quarter) {
-    FramePixels part;
-    for (int row = 0; row < 4; ++row)
-        for (int column = 0; column < 4; ++column)
-            part.red.push_back(
-                picture.red[std::size_t(8 * (row + quarter / 2 * 4) + column + quarter % 2 * 4)]);
-    return part;
-}
-
 class MovingScenes : public testing::TestWithParam<Scene> {};
 
 TEST_P(MovingScenes, AreTheMeanOfStills) {
-    constexpr int moments = 24, samples = 16;
     for (const char *integrator : {"classic", "path"})
         for (const Move &move : moves) {
             if (std::string(integrator) == "classic" &&
                 std::string(GetParam().name) == "ShiningSurface")
                 continue;
             SCOPED_TRACE(std::string(integrator) + " " + move.name);
-            const std::string options =
-                "Option \"render\" \"string integrator\" \"" + std::string(integrator) +
-                "\"\nShutter 0 1\nProjection \"orthographic\"\nScreenWindow -1 1 -1 1\n";
-            // At the ends alone, and where what turns may not go straight.
-            const std::string motion =
-                "MotionBegin [0 1]\n" + move.at(0) + move.at(1) + "MotionEnd\n";
-            std::vector<Frame> stills;
-            for (int moment = 0; moment < moments; ++moment)
-                stills.push_back({"still", options,
-                                  withMotion(GetParam().world, move.at((moment + .5) / moments))});
-            const auto each = render(stills, {samples, 1, "motion/shaders"});
-            const auto moving = render({{"moving", options, withMotion(GetParam().world, motion)}},
-                                       {samples * moments, 2, "motion/shaders"});
-            ASSERT_EQ(each.size(), stills.size());
-            ASSERT_EQ(moving.size(), 1u);
-            FramePixels mean = each.front();
-            for (std::size_t k = 0; k < mean.red.size(); ++k) {
-                mean.red[k] = 0;
-                for (const FramePixels &still : each)
-                    mean.red[k] += still.red[k] / moments;
-            }
-            const RedComparison found = compareRed(moving.front(), mean);
-            EXPECT_GT(found.mean, .01);
-            // The mean over moments is that of an integral by its midpoints.
-            EXPECT_NEAR(found.difference.mean, 0,
-                        4 * found.difference.standardError + .003 * found.mean);
-            for (int quarter = 0; quarter < 4; ++quarter) {
-                SCOPED_TRACE("quarter " + std::to_string(quarter));
-                const RedComparison part =
-                    compareRed(quarterOf(moving.front(), quarter), quarterOf(mean, quarter));
-                EXPECT_NEAR(part.difference.mean, 0,
-                            6 * part.difference.standardError + .01 * found.mean);
-            }
+            expectMeanOfStills(integrator, GetParam().world, move.at);
         }
 }
 

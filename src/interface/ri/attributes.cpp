@@ -9,8 +9,8 @@ Attributes attributesOfPart(const Attributes &instance, const Attributes &part) 
         if (part.ownSet & bit)
             result.*member = part.*member;
     };
-    take(own::Color, &Attributes::color);
-    take(own::Opacity, &Attributes::opacity);
+    take(own::Color, &Attributes::color), take(own::Color, &Attributes::colorMotion);
+    take(own::Opacity, &Attributes::opacity), take(own::Opacity, &Attributes::opacityMotion);
     take(own::Surface, &Attributes::surface);
     take(own::Displacement, &Attributes::displacement);
     take(own::Atmosphere, &Attributes::atmosphere);

@@ -5,6 +5,7 @@
 
 #include "foundation/base/matrix4.h"
 #include "foundation/units/color.h"
+#include "interface/ri/motion_of_numbers.h"
 #include "interface/ri/parameter_list.h"
 #include "interface/ri/transform_motion.h"
 
@@ -33,6 +34,8 @@ struct ShaderRecord {
     std::string name;
     ParameterList parameters;
     MotionTransform currentFromShader;
+    /// The parameters in time, those above the first; null: they stay the same.
+    SharedInTime<ParameterList> motion;
 };
 
 enum class LightUnits { Classic, Si }; ///< DESIGN section 4.
@@ -72,6 +75,7 @@ inline constexpr std::uint32_t Named = 4096; ///< Some of RiAttribute: Attribute
 struct Attributes {
     Color color{1.0f};
     Color opacity{1.0f};
+    SharedInTime<Color> colorMotion, opacityMotion; ///< Null: they stay the same.
     /// s,t at (u,v) = (0,0), (1,0), (0,1), (1,1).
     std::array<float, 8> textureCoordinates{0, 0, 1, 0, 0, 1, 1, 1};
     std::shared_ptr<const ShaderRecord> surface; ///< Null = "defaultsurface".

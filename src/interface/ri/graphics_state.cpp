@@ -20,20 +20,6 @@ const char *beginOf(int kind) {
 
 } // namespace
 
-bool isTransformation(RequestId id) {
-    switch (id) {
-    case RequestId::Identity:
-    case RequestId::Transform:
-    case RequestId::ConcatTransform:
-    case RequestId::Perspective:
-    case RequestId::Translate:
-    case RequestId::Rotate:
-    case RequestId::Scale:
-    case RequestId::Skew: return true;
-    default: return false;
-    }
-}
-
 GraphicsState::GraphicsState(SceneBuilder &builder, ShaderLookup &shaders, ErrorPolicy &policy,
                              GraphicsStateSettings settings)
     : policy_(policy), diagnostics_(policy),
@@ -99,7 +85,7 @@ void GraphicsState::reportScope(RequestId id, const SourceLocation &where, unsig
 
 bool GraphicsState::isMotionSample(RequestId id) const {
     return !blocks_.empty() && blocks_.back().kind == BlockKind::Motion &&
-           (isTransformation(id) || describe(id).legalScopes != scope::Everywhere);
+           (describe(id).legalScopes & scope::Moves);
 }
 
 bool GraphicsState::admit(RequestId id, const SourceLocation &where) {

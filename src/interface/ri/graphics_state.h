@@ -19,9 +19,6 @@ namespace candela {
 
 class StateHandlers;
 
-/// Transform, Translate and their like: what motion blocks may say in time.
-bool isTransformation(RequestId);
-
 class GraphicsState final : public RequestSink {
 public:
     /// All three must outlive it. Who else finds something wrong in the user's files is to report

@@ -50,6 +50,16 @@ void GraphicsState::motionEnd(const SourceLocation &where) {
     handlers_->endMotion(where);
 }
 
+/// All that motion blocks may hold moves, but for what does not show.
+static bool saysMotion(RequestId id) {
+    switch (id) {
+    case RequestId::ShadingRate:
+    case RequestId::Bound:
+    case RequestId::Detail: return false;
+    default: return true;
+    }
+}
+
 /// The first sample tells what the block is about; the others must be of the same kind. False for
 /// those that do nothing.
 bool GraphicsState::takeMotionSample(RequestId id, const SourceLocation &where) {
@@ -59,15 +69,15 @@ bool GraphicsState::takeMotionSample(RequestId id, const SourceLocation &where) 
                                  std::string(describe(id).name));
         return false;
     }
-    const bool moves = isTransformation(id) && !motion_.times.empty();
+    const bool moves = saysMotion(id) && !motion_.times.empty();
     const bool isFirst = motion_.samples++ == 0;
     motion_.request = id;
     if (isFirst && moves)
         handlers_->beginMotion(motion_.times);
     if (isFirst && !moves && !motion_.times.empty())
-        diagnostics_.warnOnce(where, "MotionBegin",
-                              "MotionBegin: this version moves transformations alone; other "
-                              "requests are done as they are at the first time");
+        diagnostics_.warnOnce(where, "motion of " + std::string(describe(id).name),
+                              std::string(describe(id).name) +
+                                  " does not move: it is done as it is at the first time");
     return isFirst || moves;
 }
 

@@ -196,4 +196,75 @@ TEST_F(State, unclosedMotionBlocksDoNotSwallowTheWorld) {
     EXPECT_TRUE(builder.worlds.back().ended);
 }
 
+TEST_F(State, shapesMoveBetweenWhatABlockSays) {
+    state.worldBegin(at);
+    state.motionBegin(at, {{1, 3}});
+    state.sphere(at, 1, -1, 1, 360, {});
+    state.sphere(at, 2, -2, 1, 180, {});
+    state.motionEnd(at);
+    state.motionBegin(at, {{0, 1, 2}});
+    triangle({0, 0, 0, 1, 0, 0, 0, 1, 0});
+    triangle({0, 0, 2, 1, 0, 2, 0, 1, 2});
+    triangle({0, 0, 0, 1, 0, 0, 0, 5, 0});
+    state.motionEnd(at);
+    ASSERT_EQ(primitives().size(), 2u);
+    const auto half = recordAt(primitives()[0].record, 2);
+    EXPECT_EQ(std::get<SphereRecord>(half->shape).radius, 1.5f);
+    EXPECT_EQ(std::get<SphereRecord>(half->shape).zMin, -1.5f);
+    EXPECT_EQ(std::get<SphereRecord>(half->shape).thetaMax, 270);
+    EXPECT_EQ(recordAt(primitives()[1].record, .5)->variables.find("P")->floats,
+              (Floats{0, 0, 1, 1, 0, 1, 0, 1, 1}));
+    EXPECT_EQ(recordAt(primitives()[1].record, 9)->variables.find("P")->floats,
+              (Floats{0, 0, 0, 1, 0, 0, 0, 5, 0}));
+    EXPECT_EQ(errors() + warnings(), 0) << found.text();
+}
+
+TEST_F(State, shapesThatCannotBecomeEachOtherStayAsTheyAre) {
+    state.worldBegin(at);
+    state.motionBegin(at, {{0, 1}});
+    triangle({0, 0, 0, 1, 0, 0, 0, 1, 0});
+    triangle({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0});
+    state.motionEnd(at);
+    ASSERT_EQ(primitives().size(), 1u);
+    EXPECT_FALSE(primitives()[0].record->motion);
+    EXPECT_TRUE(says("the same counts")) << found.text();
+    EXPECT_EQ(errors(), 1);
+}
+
+TEST_F(State, coloursAndParametersMove) {
+    state.worldBegin(at);
+    state.motionBegin(at, {{0, 1}});
+    state.color(at, Color{.25f});
+    state.color(at, Color{.75f});
+    state.motionEnd(at);
+    state.motionBegin(at, {{0, 1}});
+    state.surface(at, "marble", numbers("scale", {1}));
+    state.surface(at, "marble", numbers("scale", {3}));
+    state.motionEnd(at);
+    sphere();
+    state.color(at, Color{1.0f});
+    sphere();
+    ASSERT_TRUE(primitives()[0].attributes->colorMotion);
+    EXPECT_EQ(primitives()[0].attributes->color, Color{.25f});
+    EXPECT_EQ(primitives()[0].attributes->colorMotion->values[1], Color{.75f});
+    EXPECT_FALSE(primitives()[1].attributes->colorMotion);
+    const ShaderRecord &surface = *primitives()[0].attributes->surface;
+    ASSERT_TRUE(surface.motion);
+    EXPECT_EQ(between(surface.motion->values[0], surface.motion->values[1], .25).number("scale", 0),
+              1.5f);
+    EXPECT_EQ(errors() + warnings(), 0) << found.text();
+}
+
+TEST_F(State, lightsOfABlockAreOne) {
+    state.worldBegin(at);
+    state.motionBegin(at, {{0, 1}});
+    light("key");
+    light("key");
+    state.motionEnd(at);
+    sphere();
+    ASSERT_EQ(builder.worlds.back().lights.size(), 1u);
+    EXPECT_TRUE(builder.worlds.back().lights[0]->shader.motion);
+    EXPECT_EQ(last().lightsOn, std::vector<int>{0});
+}
+
 } // namespace candela::testing

@@ -56,4 +56,19 @@ std::string NamedParameters::string(const std::string &qualifiedName, std::strin
     return firstString(find(qualifiedName), std::move(fallback));
 }
 
+ParameterList between(const ParameterList &a, const ParameterList &b, double share) {
+    ParameterList result = a;
+    for (Parameter &parameter : result.all) {
+        const Parameter *later = b.find(parameter.name);
+        if (!later || !(later->declaration == parameter.declaration) ||
+            later->floats.size() != parameter.floats.size())
+            continue;
+        for (std::size_t k = 0; k < parameter.floats.size(); ++k) {
+            const double from = parameter.floats[k], to = later->floats[k];
+            parameter.floats[k] = float(from + share * (to - from));
+        }
+    }
+    return result;
+}
+
 } // namespace candela

@@ -46,6 +46,10 @@ public:
     std::string string(std::string_view name, std::string fallback) const;
 };
 
+/// The list with numbers of a share of the way from those of `a` to those of `b`, where these have
+/// parameters alike.
+ParameterList between(const ParameterList &a, const ParameterList &b, double share);
+
 /// The values of Option or Attribute requests as "category:name", for example "render:integrator".
 class NamedParameters {
 public:

@@ -102,7 +102,7 @@ std::shared_ptr<const PrimitiveRecord> checkedPrimitive(const char *request, Sha
             diagnostics.error(where, request, defect + "; the variable is left out");
     }
     return std::make_shared<const PrimitiveRecord>(
-        PrimitiveRecord{std::move(shape), std::move(kept), where});
+        PrimitiveRecord{std::move(shape), std::move(kept), where, {}});
 }
 
 } // namespace candela

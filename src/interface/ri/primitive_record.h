@@ -6,6 +6,7 @@
 
 #include "foundation/base/vec3.h"
 #include "interface/ri/attributes.h"
+#include "interface/ri/motion_of_numbers.h"
 #include "interface/ri/parameter_list.h"
 
 #include <array>
@@ -122,6 +123,15 @@ struct PrimitiveRecord {
     ShapeRecord shape;
     ParameterList variables;
     SourceLocation where;
+    /// The same in time: all of one kind and of the same counts, this one the first. Null: it keeps
+    /// its shape.
+    SharedInTime<std::shared_ptr<const PrimitiveRecord>> motion;
 };
+
+/// The shape and variables at that time, which stay so.
+std::shared_ptr<const PrimitiveRecord> recordAt(const std::shared_ptr<const PrimitiveRecord> &,
+                                                double time);
+/// Whether one can become the other: of one kind, with as many vertices, and variables alike.
+bool canBecome(const PrimitiveRecord &, const PrimitiveRecord &);
 
 } // namespace candela

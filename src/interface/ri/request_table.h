@@ -38,14 +38,16 @@ inline constexpr unsigned Outside = 1; ///< In no world block, no object definit
 inline constexpr unsigned InWorld = 2;
 inline constexpr unsigned InObject = 4; ///< Between ObjectBegin and ObjectEnd.
 inline constexpr unsigned InMotion = 8;
+/// In motion blocks it is one of the samples.
+inline constexpr unsigned Moves = 16;
 
 inline constexpr unsigned Option = Outside;
 inline constexpr unsigned Attribute = Outside | InWorld;
-inline constexpr unsigned MovingAttribute = Attribute | InMotion;
+inline constexpr unsigned MovingAttribute = Attribute | InMotion | Moves;
 inline constexpr unsigned ShapeAttribute = Outside | InWorld | InObject;
-inline constexpr unsigned MovingShapeAttribute = ShapeAttribute | InMotion;
-inline constexpr unsigned Transform = Outside | InWorld | InObject | InMotion;
-inline constexpr unsigned Geometry = InWorld | InObject | InMotion;
+inline constexpr unsigned MovingShapeAttribute = ShapeAttribute | InMotion | Moves;
+inline constexpr unsigned Transform = Outside | InWorld | InObject | InMotion | Moves;
+inline constexpr unsigned Geometry = InWorld | InObject | InMotion | Moves;
 inline constexpr unsigned Block = Outside | InWorld | InObject;
 inline constexpr unsigned Everywhere = Outside | InWorld | InObject | InMotion;
 } // namespace scope

@@ -16,15 +16,22 @@ void StateHandlers::color(const SourceLocation &where, const Color &value) {
     if (!allFinite(value))
         return diagnostics_.error(where, "Color",
                                   "expected finite numbers; the request is left out");
-    state_.edit(own::Color).color = value;
+    Attributes &attributes = state_.edit(own::Color);
+    if (addToMotion(value, attributes.color, attributes.colorMotion))
+        return;
+    attributes.color = value, attributes.colorMotion = nullptr;
 }
 
 void StateHandlers::opacity(const SourceLocation &where, const Color &value) {
     if (!allFinite(value))
         return diagnostics_.error(where, "Opacity",
                                   "expected finite numbers; the request is left out");
-    state_.edit(own::Opacity).opacity = value;
-    diagnostics_.clampOpacity(where, "Opacity", state_.edit().opacity.c);
+    Color within = value;
+    diagnostics_.clampOpacity(where, "Opacity", within.c);
+    Attributes &attributes = state_.edit(own::Opacity);
+    if (addToMotion(within, attributes.opacity, attributes.opacityMotion))
+        return;
+    attributes.opacity = within, attributes.opacityMotion = nullptr;
 }
 
 void StateHandlers::textureCoordinates(const SourceLocation &where, float s1, float t1, float s2,

@@ -11,6 +11,7 @@
 #include "interface/ri/request_sink.h"
 #include "interface/ri/resources.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -26,7 +27,7 @@ public:
     void handler(const SourceLocation &where CANDELA_PARAMETERS(__VA_ARGS__));
 #include "interface/ri/requests.def"
 
-    /// Around the requests of a motion block about transformations; times in increasing order.
+    /// Around the requests of a motion block; times in increasing order.
     void beginMotion(const std::vector<double> &times);
     void endMotion(const SourceLocation &);
 
@@ -36,12 +37,24 @@ public:
     std::optional<StateValue> valueOf(const std::string &name) const;
 
 private:
-    /// A motion block about the transformation.
+    /// A motion block: what its requests, of one kind, have said so far.
     struct OpenMotion {
         std::vector<double> times;
         std::vector<TransformSample> samples;
         bool fromBase = false; ///< Transform, Identity: they replace what there is.
+        std::vector<Color> colors;
+        std::vector<ShaderRecord> shaders;
+        std::function<void(ShaderRecord)> useShader; ///< What the request does with it.
+        std::vector<std::shared_ptr<const PrimitiveRecord>> primitives;
     };
+    void endTransformation(const SourceLocation &, const OpenMotion &);
+    /// In motion blocks colours are samples, the first of which counts from now on, and all when
+    /// there is one for each time. False outside of them.
+    bool addToMotion(const Color &, Color &first, SharedInTime<Color> &all);
+    /// In motion blocks shaders wait for the block's end.
+    void withMotion(ShaderRecord, std::function<void(ShaderRecord)> use);
+    void tellPrimitive(std::shared_ptr<const PrimitiveRecord>);
+
     /// What the blocks inside frames and worlds save.
     struct SavedBlock {
         TransformState transform;
@@ -61,8 +74,12 @@ private:
     bool isFlat(const SourceLocation &, const char *request, const char *what);
     ShaderRecord shader(const SourceLocation &, const char *request, ShaderKind,
                         const std::string &name, const TokenList &);
-    std::shared_ptr<const ShaderRecord> volume(const SourceLocation &, const char *request,
-                                               const std::string &name, const TokenList &);
+    using Shader = std::shared_ptr<const ShaderRecord>;
+    void setShader(const SourceLocation &, const char *request, ShaderKind, std::uint32_t own,
+                   Shader Attributes::*, const std::string &name, const TokenList &);
+    void setOrNone(const SourceLocation &, const char *request, ShaderKind, std::uint32_t own,
+                   Shader Attributes::*, const std::string &name, const TokenList &);
+    void tellLight(LightRecord);
     ShaderRecord pictureShader(const SourceLocation &, const char *request, ShaderKind,
                                const std::string &name, const TokenList &);
     /// Hands an order for a texture on, its parameters read.

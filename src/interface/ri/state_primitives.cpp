@@ -12,8 +12,12 @@ void StateHandlers::emit(const SourceLocation &where, const char *request, Shape
     auto primitive =
         checkedPrimitive(request, std::move(shape), parameters_.ofPrimitive(where, tokens, request),
                          *state_.attributes, diagnostics_);
-    if (primitive && !isFlat(where, request, "the primitive"))
-        object_.tell({std::move(primitive), -1, state_.attributes, state_.currentFromObject()});
+    if (!primitive || isFlat(where, request, "the primitive"))
+        return;
+    if (motion_)
+        motion_->primitives.push_back(std::move(primitive));
+    else
+        tellPrimitive(std::move(primitive));
 }
 
 void StateHandlers::sphere(const SourceLocation &where, float radius, float zMin, float zMax,

@@ -13,66 +13,71 @@ ShaderRecord StateHandlers::shader(const SourceLocation &where, const char *requ
         diagnostics_.warning(where, request,
                              "the transformation is singular (it flattens space), and so is "
                              "shader space");
-    return {name, parameters_.ofShader(where, tokens, request, kind, name, state_.options),
-            state_.currentFromObject()};
+    return {name,
+            parameters_.ofShader(where, tokens, request, kind, name, state_.options),
+            state_.currentFromObject(),
+            {}};
+}
+
+void StateHandlers::setShader(const SourceLocation &where, const char *request, ShaderKind kind,
+                              std::uint32_t bit, Shader Attributes::*member,
+                              const std::string &name, const TokenList &tokens) {
+    withMotion(shader(where, request, kind, name, tokens), [this, bit, member](ShaderRecord made) {
+        state_.edit(bit).*member = std::make_shared<const ShaderRecord>(std::move(made));
+    });
+}
+
+/// RI 3.2, 4.2.1 and 5.6: the null shader is none at all.
+void StateHandlers::setOrNone(const SourceLocation &where, const char *request, ShaderKind kind,
+                              std::uint32_t bit, Shader Attributes::*member,
+                              const std::string &name, const TokenList &tokens) {
+    if (name.empty() || name == "null")
+        (state_.edit(bit).*member).reset();
+    else
+        setShader(where, request, kind, bit, member, name, tokens);
 }
 
 void StateHandlers::surface(const SourceLocation &where, const std::string &name,
                             const TokenList &tokens) {
-    state_.edit(own::Surface).surface = std::make_shared<const ShaderRecord>(
-        shader(where, "Surface", ShaderKind::Surface, name, tokens));
-}
-
-/// RI 3.2, 5.6: the null shader is none at all.
-std::shared_ptr<const ShaderRecord> StateHandlers::volume(const SourceLocation &where,
-                                                          const char *request,
-                                                          const std::string &name,
-                                                          const TokenList &tokens) {
-    if (name.empty() || name == "null")
-        return nullptr;
-    return std::make_shared<const ShaderRecord>(
-        shader(where, request, ShaderKind::Volume, name, tokens));
+    setShader(where, "Surface", ShaderKind::Surface, own::Surface, &Attributes::surface, name,
+              tokens);
 }
 
 void StateHandlers::atmosphere(const SourceLocation &where, const std::string &name,
                                const TokenList &tokens) {
-    state_.edit(own::Atmosphere).atmosphere = volume(where, "Atmosphere", name, tokens);
+    setOrNone(where, "Atmosphere", ShaderKind::Volume, own::Atmosphere, &Attributes::atmosphere,
+              name, tokens);
 }
 
 void StateHandlers::interior(const SourceLocation &where, const std::string &name,
                              const TokenList &tokens) {
-    state_.edit(own::Interior).interior = volume(where, "Interior", name, tokens);
+    setOrNone(where, "Interior", ShaderKind::Volume, own::Interior, &Attributes::interior, name,
+              tokens);
 }
 
 void StateHandlers::exterior(const SourceLocation &where, const std::string &name,
                              const TokenList &tokens) {
-    state_.edit(own::Exterior).exterior = volume(where, "Exterior", name, tokens);
+    setOrNone(where, "Exterior", ShaderKind::Volume, own::Exterior, &Attributes::exterior, name,
+              tokens);
 }
 
 void StateHandlers::displacement(const SourceLocation &where, const std::string &name,
                                  const TokenList &tokens) {
-    // RI 3.2, 4.2.1: the null shader is none at all.
-    if (name.empty() || name == "null")
-        state_.edit(own::Displacement).displacement.reset();
-    else
-        state_.edit(own::Displacement).displacement = std::make_shared<const ShaderRecord>(
-            shader(where, "Displacement", ShaderKind::Displacement, name, tokens));
+    setOrNone(where, "Displacement", ShaderKind::Displacement, own::Displacement,
+              &Attributes::displacement, name, tokens);
 }
 
 void StateHandlers::deformation(const SourceLocation &where, const std::string &name,
                                 const TokenList &tokens) {
-    if (name.empty() || name == "null")
-        state_.edit(own::Deformation).deformation.reset();
-    else
-        state_.edit(own::Deformation).deformation = std::make_shared<const ShaderRecord>(
-            shader(where, "Deformation", ShaderKind::Transformation, name, tokens));
+    setOrNone(where, "Deformation", ShaderKind::Transformation, own::Deformation,
+              &Attributes::deformation, name, tokens);
 }
 
 /// Of a picture, which lies in no space.
 ShaderRecord StateHandlers::pictureShader(const SourceLocation &where, const char *request,
                                           ShaderKind kind, const std::string &name,
                                           const TokenList &tokens) {
-    return {name, parameters_.ofShader(where, tokens, request, kind, name, state_.options), {}};
+    return {name, parameters_.ofShader(where, tokens, request, kind, name, state_.options), {}, {}};
 }
 
 void StateHandlers::pushFilter(const SourceLocation &where, const std::string &name,
@@ -122,18 +127,26 @@ static bool lightShadows(const FrameState &state, RequestDiagnostics &diagnostic
 void StateHandlers::addLight(const SourceLocation &where, const char *request,
                              const std::string &name, const Handle &handle, const TokenList &tokens,
                              bool area) {
-    auto light = std::make_shared<LightRecord>();
-    light->index = int(state_.lights.all.size());
-    light->handle = handle.text;
-    light->area = area;
-    light->shader = shader(where, request, ShaderKind::Light, name, tokens);
-    light->units = lightUnits(state_, diagnostics_, where);
-    light->shadows = lightShadows(state_, diagnostics_, where);
+    LightRecord light;
+    light.handle = handle.text;
+    light.area = area;
+    light.units = lightUnits(state_, diagnostics_, where);
+    light.shadows = lightShadows(state_, diagnostics_, where);
+    withMotion(shader(where, request, ShaderKind::Light, name, tokens),
+               [this, light](ShaderRecord made) mutable {
+                   light.shader = std::move(made);
+                   tellLight(light);
+               });
+}
+
+void StateHandlers::tellLight(LightRecord record) {
+    record.index = int(state_.lights.all.size());
+    const auto light = std::make_shared<const LightRecord>(std::move(record));
     state_.lights.all.push_back(light);
-    state_.lights.byHandle[handle.text] = light->index;
+    state_.lights.byHandle[light->handle] = light->index;
     Attributes &attributes = state_.edit();
     attributes.lightsOn.push_back(light->index); // The highest so far: the list stays sorted.
-    if (area)
+    if (light->area)
         attributes.areaLight = light;
     if (state_.inWorld)
         builder_.light(light);

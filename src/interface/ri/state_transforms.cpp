@@ -96,30 +96,6 @@ void StateHandlers::skew(const SourceLocation &where, float angle, float dx1, fl
     concatenate(where, "Skew", {Kind::Skew, {}, angle, turned, towards});
 }
 
-void StateHandlers::beginMotion(const std::vector<double> &times) {
-    motion_ = OpenMotion{times, {}, false};
-}
-
-void StateHandlers::endMotion(const SourceLocation &where) {
-    if (!motion_)
-        return;
-    const OpenMotion motion = std::move(*motion_);
-    motion_.reset();
-    if (motion.samples.empty())
-        return;
-    CurrentTransform around = motion.fromBase ? state_.transform.base : state_.transform.current;
-    MotionBlock block{motion.times, motion.samples};
-    const std::size_t samples = std::min(block.times.size(), block.samples.size());
-    block.times.resize(samples), block.samples.resize(samples);
-    const TransformDefect defect =
-        samples == 1 ? candela::concatenate(around, block.samples.front().factor())
-                     : candela::concatenate(around, std::make_shared<const MotionBlock>(block),
-                                            state_.options.camera.shutterOpen);
-    report(where, "MotionEnd", defect);
-    if (defect == TransformDefect::None)
-        state_.transform.current = around;
-}
-
 void StateHandlers::coordinateSystem(const SourceLocation &, const std::string &name) {
     const Matrix4 currentFromSpace = state_.transform.current.matrix.rounded();
     state_.coordinateSystems[name] = state_.transform.current;

@@ -2,8 +2,7 @@
 #include "interface/ri/transform_motion.h"
 
 #include "foundation/base/matrix_blend.h"
-
-#include <algorithm>
+#include "interface/ri/motion_of_numbers.h"
 
 namespace candela {
 
@@ -33,15 +32,9 @@ Matrix4d between(const TransformSample &a, const TransformSample &b, double shar
 }
 
 Matrix4d MotionBlock::at(double time) const {
-    const auto later = std::ranges::upper_bound(times, time);
-    const std::size_t next = std::size_t(later - times.begin());
-    if (next == 0)
-        return samples.front().factor();
-    if (next == times.size())
-        return samples.back().factor();
-    const double begin = times[next - 1], share = (time - begin) / (times[next] - begin);
-    return share > 0 ? between(samples[next - 1], samples[next], share)
-                     : samples[next - 1].factor();
+    const KnotPlace place = placeAmong(times, time);
+    return place.share > 0 ? between(samples[place.knot], samples[place.next], place.share)
+                           : samples[place.knot].factor();
 }
 
 TransformMotion::Shared TransformMotion::after(const Matrix4d &inner) const {

@@ -6,7 +6,10 @@
 #include "world/geometry/make_quadric.h"
 #include "world/geometry/make_strokes.h"
 #include "world/geometry/make_subdivision.h"
+#include "world/geometry/moving_surface.h"
 #include "world/geometry/polygon_surface.h"
+
+#include <algorithm>
 
 namespace candela {
 
@@ -43,6 +46,40 @@ makeSurfaces(std::shared_ptr<const PrimitiveRecord> record, const Attributes &at
             return makeQuadric(shape, *record, attributes, diagnostics);
     };
     return std::visit(make, record->shape);
+}
+
+std::vector<std::shared_ptr<const Surface>>
+makeSurfaces(const std::shared_ptr<const PrimitiveRecord> &record, const Attributes &attributes,
+             const Shutter &shutter, DiagnosticSink &diagnostics) {
+    SurfaceList surfaces = makeSurfaces(recordAt(record, shutter.open), attributes, diagnostics);
+    if (!record->motion || !shutter.hasInterval())
+        return surfaces;
+    const int steps = stepsThrough(record->motion->times, shutter.open, shutter.close);
+    std::vector<SurfaceList> inTime{surfaces};
+    DiagnosticList heard; // It has been said of the first.
+    for (int step = 1; step <= steps; ++step) {
+        const double time = shutter.open + double(step) / steps * (shutter.close - shutter.open);
+        SurfaceList &later = inTime.emplace_back();
+        const auto moved = recordAt(record, time);
+        for (const auto &surface : surfaces) {
+            const auto *polygons = dynamic_cast<const PolygonSurface *>(surface.get());
+            later.push_back(polygons ? polygons->movedTo(*moved, heard) : nullptr);
+        }
+        if (std::ranges::count(later, nullptr) > 0)
+            later = makeSurfaces(moved, attributes, heard);
+        if (later.size() != surfaces.size()) {
+            diagnostics.warning(record->where, "the primitive comes to nothing while the shutter "
+                                               "is open; it keeps its shape");
+            return surfaces;
+        }
+    }
+    for (std::size_t k = 0; k < surfaces.size(); ++k) {
+        SurfaceList own;
+        for (const SurfaceList &step : inTime)
+            own.push_back(step[k]);
+        surfaces[k] = std::make_shared<MovingSurface>(std::move(own));
+    }
+    return surfaces;
 }
 
 } // namespace candela

@@ -24,7 +24,7 @@ static bool consistent(const PolygonsRecord &record, std::size_t pointCount) {
            });
 }
 
-static std::vector<Vec3> pointsOf(const PrimitiveRecord &record, DiagnosticSink &diagnostics) {
+std::vector<Vec3> pointsOf(const PrimitiveRecord &record, DiagnosticSink &diagnostics) {
     std::vector<float> homogeneous = homogeneousPoints(record, diagnostics);
     std::vector<Vec3> points;
     points.reserve(homogeneous.size() / 4);

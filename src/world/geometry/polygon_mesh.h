@@ -22,6 +22,9 @@ struct PolygonMesh {
     std::size_t vertexCount = 0; ///< Of PolygonsRecord::vertices.
 };
 
+/// The record's points; empty if it has none that are sound.
+std::vector<Vec3> pointsOf(const PrimitiveRecord &, DiagnosticSink &);
+
 /// Checks the record and triangulates it. Faces without area are left out and holes that do not fit
 /// filled, with one report for the primitive. Nothing if no triangle is left.
 std::optional<PolygonMesh> triangulateFaces(const PolygonsRecord &, const PrimitiveRecord &,

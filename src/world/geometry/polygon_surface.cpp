@@ -61,6 +61,15 @@ PolygonSurface::PolygonSurface(PolygonMesh mesh, const PrimitiveRecord &record,
     addPieces();
 }
 
+std::shared_ptr<const PolygonSurface> PolygonSurface::movedTo(const PrimitiveRecord &record,
+                                                              DiagnosticSink &diagnostics) const {
+    PolygonMesh mesh = mesh_;
+    mesh.points = pointsOf(record, diagnostics);
+    if (mesh.points.size() != mesh_.points.size())
+        return nullptr;
+    return std::make_shared<PolygonSurface>(std::move(mesh), record, diagnostics);
+}
+
 void PolygonSurface::takeVariables(const PrimitiveRecord &record, DiagnosticSink &diagnostics) {
     for (const NumericVariable &variable : numericVariables(record, diagnostics)) {
         auto onMesh = onPolygons(variable, mesh_, record.where, diagnostics);

@@ -20,6 +20,10 @@ class PolygonSurface final : public Surface {
 public:
     PolygonSurface(PolygonMesh, const PrimitiveRecord &, DiagnosticSink &);
 
+    /// The same faces, cut into the same triangles, with the record's points and variables. Null if
+    /// it has not as many.
+    std::shared_ptr<const PolygonSurface> movedTo(const PrimitiveRecord &, DiagnosticSink &) const;
+
     Box3 bound() const override { return bound_; }
     SurfaceDomain domain() const override { return {std::uint32_t(mesh_.triangles.size()), true}; }
     DicedMesh dice(const DiceRate &) const override;

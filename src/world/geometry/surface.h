@@ -6,6 +6,7 @@
 
 #include "foundation/base/box3.h"
 #include "foundation/base/round_elements.h"
+#include "foundation/base/shutter.h"
 #include "interface/ri/primitive_record.h"
 
 #include <algorithm>
@@ -65,6 +66,9 @@ struct SurfaceQuery {
     int count = 0;
     const std::uint32_t *piece = nullptr;
     const float *u = nullptr, *v = nullptr;
+    /// Of surfaces that change their shape: how much of the shutter's interval has passed; null =
+    /// 0.
+    const float *share = nullptr;
 };
 
 /// Three planes of floats, one a component.
@@ -136,6 +140,12 @@ public:
     /// once, where it comes from outside, and leaves it unseen.
     virtual bool isStroke() const { return false; }
 
+    /// It changes its shape while the shutter is open: what it is at that many even steps, between
+    /// which its points go straight. dice() names points of the first.
+    virtual int steps() const { return 1; }
+    /// Null: the surface itself.
+    virtual std::shared_ptr<const Surface> step(int) const { return nullptr; }
+
     /// Made of flat faces: dicing leaves them as they are, whatever the rate.
     virtual bool isFlat() const { return false; }
     /// The user has given normals ("N"): N is not Ng.
@@ -155,5 +165,9 @@ public:
 /// object-space x and y (RI 3.2, 5.1 and table 5.2).
 std::vector<std::shared_ptr<const Surface>> makeSurfaces(std::shared_ptr<const PrimitiveRecord>,
                                                          const Attributes &, DiagnosticSink &);
+/// The same of a primitive that may change its shape while the shutter is open.
+std::vector<std::shared_ptr<const Surface>>
+makeSurfaces(const std::shared_ptr<const PrimitiveRecord> &, const Attributes &, const Shutter &,
+             DiagnosticSink &);
 
 } // namespace candela

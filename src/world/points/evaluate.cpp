@@ -18,6 +18,9 @@ namespace {
 /// Rounding of a point's coordinates and of the rays that come and go there: sixteen units.
 constexpr float pointRounding = 16 * 0x1p-24f;
 
+constexpr int rowWords = sizeof(Appearance) / sizeof(float);
+static_assert(rowWords == 16);
+
 Vec3Planes vec3(ShadingPoints &points, ShaderInput input) {
     return {points.input(input, 0), points.input(input, 1), points.input(input, 2)};
 }
@@ -46,6 +49,26 @@ void takeAppearances(const PointTables &tables, const SurfaceCode &code, const i
     }
     lanes::gatherRows(points.count, reinterpret_cast<const float *>(tables.appearances.data()), row,
                       columns, planes);
+}
+
+/// Cs and Os of what changes them with time.
+void takeColorsInTime(const PointTables &tables, const SurfaceCode &code, const int *row,
+                      ShadingPoints &points) {
+    const auto take = [&](const std::vector<Color> &steps, float share, ShaderInput input, int i) {
+        const float place = share * float(steps.size() - 1);
+        const std::size_t step = std::min(std::size_t(place), steps.size() - 2);
+        const float to = place - float(step);
+        for (int c = 0; c < colorSamples; ++c)
+            points.input(input, c)[i] = steps[step].c[c] * (1 - to) + steps[step + 1].c[c] * to;
+    };
+    for (int i = 0; i < points.count; ++i) {
+        const AppearanceDetail &detail = tables.details[std::size_t(row[i] / rowWords)];
+        const float share = tables.shutter.share(points.input(ShaderInput::time, 0)[i]);
+        if (code.wanted.Cs && !detail.colors.empty())
+            take(detail.colors, share, ShaderInput::Cs, i);
+        if (code.wanted.Os && !detail.opacities.empty())
+            take(detail.opacities, share, ShaderInput::Os, i);
+    }
 }
 
 /// Lanes on instances: their number, size and "object" space.
@@ -84,9 +107,6 @@ void takeInstances(const PointTables &tables, const SurfaceCode &code, ShadingPo
     }
 }
 
-constexpr int rowWords = sizeof(Appearance) / sizeof(float);
-static_assert(rowWords == 16);
-
 /// The world's own shapes and their appearances have one order.
 CANDELA_HOT void findRows(int count, const std::uint32_t *__restrict shape, int *__restrict row) {
     for (int i = 0; i < count; ++i)
@@ -104,6 +124,8 @@ void locate(const PointTables &tables, const SurfaceCode &code, float *normalSig
         for (int i = 0; i < points.count; ++i)
             row[i] = rowWords * tables.appearanceOf(points.instance[i], points.shape[i]);
     takeAppearances(tables, code, row, normalSign, elementSign, offsetShare, points);
+    if (tables.colorsChange)
+        takeColorsInTime(tables, code, row, points);
     if (tables.instances.empty())
         std::copy_n(reinterpret_cast<const std::int32_t *>(points.shape), points.count,
                     points.objectIndex);

@@ -40,6 +40,8 @@ struct AppearanceDetail {
     std::shared_ptr<const Attributes> attributes;
     /// For each distinct name in the code's variables: which variable of the surface it is.
     std::vector<int> overriding;
+    /// Cs and Os at even steps over the shutter's interval; empty: as the appearance has them.
+    std::vector<Color> colors, opacities;
 };
 
 /// A placed object, or what moves together in the world. Its shapes are consecutive, and so are
@@ -100,6 +102,8 @@ struct PointTables {
     std::vector<float> instanceMatrices;
     std::vector<Matrix4> steps; ///< Where moving instances are over the shutter's interval.
     Shutter shutter;
+    bool shapesChange = false;           ///< While the shutter is open.
+    bool colorsChange = false;           ///< So do some of AppearanceDetail::colors or opacities.
     std::vector<Appearance> appearances; ///< Those of the world's shapes first, in their order.
     std::vector<AppearanceDetail> details;
     std::vector<SurfaceCode> codes;
@@ -113,7 +117,7 @@ struct PointTables {
     }
     Matrix4 currentFromShape(std::uint32_t instance, std::uint32_t shape, float time) const;
     /// False where all stands still: times need not be looked at.
-    bool anythingMoves() const { return !steps.empty(); }
+    bool anythingMoves() const { return !steps.empty() || shapesChange; }
     std::span<const Matrix4> stepsOf(std::uint32_t instance) const {
         const Instance &placed = instances[instance];
         return {steps.data() + placed.firstStep, placed.steps};

@@ -62,6 +62,14 @@ void place(ShapeRun &run, const ShadingPoints &points, std::uint32_t *row, RunSc
     run.matrices = matrices;
 }
 
+const float *sharesOf(const ShapeRun &run, const ShadingPoints &points, RunScratch &own) {
+    float *shares = own.shares.get(std::size_t(run.stride));
+    const float *time = points.inputTable[std::size_t(ShaderInput::time)];
+    for (int k = 0; k < run.count; ++k)
+        shares[k] = run.tables.shutter.share(time[run.order[k]]);
+    return shares;
+}
+
 } // namespace
 
 ShapeRun makeRun(const PointTables &tables, ShadingPoints &points, const std::int32_t *order,
@@ -81,7 +89,8 @@ ShapeRun makeRun(const PointTables &tables, ShadingPoints &points, const std::in
                  names + stride,
                  names + 2 * stride,
                  integers,
-                 integers + stride};
+                 integers + stride,
+                 nullptr};
     for (int k = 0; k < count; ++k) {
         const int i = order[k];
         run.sign[k] = normalSign ? normalSign[i] : 1;
@@ -89,6 +98,8 @@ ShapeRun makeRun(const PointTables &tables, ShadingPoints &points, const std::in
         run.u[k] = points.u[i], run.v[k] = points.v[i];
     }
     place(run, points, integers + 2 * stride, own);
+    if (run.shape.surface->steps() > 1)
+        run.share = sharesOf(run, points, own);
     name(run, points, own);
     return run;
 }

@@ -19,14 +19,15 @@ struct ShapeRun {
     const std::uint32_t *row;  ///< which of them places each point.
     float *u, *v, *sign;       ///< Sign: of normals against the natural ones.
     std::uint32_t *element, *piece;
+    const float *share; ///< Of the shutter's interval, where the surface changes its shape.
 
-    SurfaceQuery query() const { return {count, piece, u, v}; }
+    SurfaceQuery query() const { return {count, piece, u, v, share}; }
 };
 
 /// Storage of a thread's runs.
 struct RunScratch {
     Scratch<std::uint32_t> integers;
-    Scratch<float> names, planes, matrices;
+    Scratch<float> names, planes, matrices, shares;
     Scratch<float *> variablePlanes;
 };
 

@@ -38,15 +38,22 @@ RTCGeometry makeTriangles(RTCDevice device, const RayShape &shape, float unit) {
     const std::size_t count = shape.triangles.size();
     if (!geometry)
         return nullptr;
-    auto *corners = static_cast<Vec3 *>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3), 3 * count));
+    rtcSetGeometryTimeStepCount(geometry, unsigned(1 + shape.later.size()));
+    for (std::size_t step = 0; step <= shape.later.size(); ++step) {
+        auto *corners = static_cast<Vec3 *>(
+            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, unsigned(step),
+                                    RTC_FORMAT_FLOAT3, sizeof(Vec3), 3 * count));
+        if (!corners) // The device has been told of it.
+            return geometry;
+        sealTriangles(step == 0 ? shape.positions : shape.later[step - 1], shape.triangles,
+                      corners);
+        if (unit != 1)
+            std::for_each_n(corners, 3 * count, [unit](Vec3 &corner) { corner *= unit; });
+    }
     auto *indices = static_cast<std::uint32_t *>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), count));
-    if (!corners || !indices) // The device has been told of it.
+    if (!indices)
         return geometry;
-    sealTriangles(shape.positions, shape.triangles, corners);
-    if (unit != 1)
-        std::for_each_n(corners, 3 * count, [unit](Vec3 &corner) { corner *= unit; });
     std::iota(indices, indices + 3 * count, 0u);
     return geometry;
 }

@@ -284,6 +284,10 @@ RayWorld::RayWorld(const RayObject &world, std::span<const RayObject> objects,
     if (failed())
         return;
     unsigned mask = maskOf(world);
+    const auto changes = [](const RayObject &object) {
+        return std::ranges::any_of(object, [](const RayShape &s) { return !s.later.empty(); });
+    };
+    moves_ = changes(world) || std::ranges::any_of(objects, changes);
     for (const RayObject &object : objects) {
         RTCScene scene = makeScene(handles_->device, object, unit_);
         handles_->objects.push_back(scene);

@@ -22,6 +22,8 @@ struct RayShape {
     std::vector<Vec3> positions;
     std::vector<std::array<std::uint32_t, 3>> triangles;
     RoundElements round; ///< Where there are any, there are no triangles.
+    /// It changes its shape: positions at later even steps over the shutter's interval. Else empty.
+    std::vector<std::vector<Vec3>> later;
     bool opaque = true;
     bool stopsLight = true; ///< False: rays see it and shadow rays pass through.
     /// Not zero: only rays that come against this sign times the normal are stopped; the normal is

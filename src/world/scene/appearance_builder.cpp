@@ -21,6 +21,24 @@ OtherShaders shadersOf(const Attributes &attributes) {
             attributes.exterior.get()};
 }
 
+/// Over the shutter's interval; none if it stays the same.
+std::vector<Color> colorSteps(const SharedInTime<Color> &motion, const Shutter &shutter) {
+    if (!motion || !shutter.hasInterval())
+        return {};
+    std::vector<Color> colors;
+    const int steps = stepsThrough(motion->times, shutter.open, shutter.close);
+    for (int step = 0; step <= steps; ++step) {
+        const double time = shutter.open + double(step) / steps * (shutter.close - shutter.open);
+        const KnotPlace place = placeAmong(motion->times, time);
+        Color &color = colors.emplace_back();
+        for (int c = 0; c < colorSamples; ++c) {
+            const float from = motion->values[place.knot].c[c];
+            color.c[c] = float(from + place.share * (motion->values[place.next].c[c] - from));
+        }
+    }
+    return colors;
+}
+
 } // namespace
 
 AppearanceBuilder::AppearanceBuilder(SceneState &state, ShaderLibrary &library)
@@ -119,7 +137,11 @@ bool AppearanceBuilder::add(std::uint32_t shape,
     appearance.lightSet = lightSetOf(*attributes);
     appearance.normalSign = turned ? -1 : 1;
     appearance.Cs = attributes->color.c, appearance.Os = attributes->opacity.c;
-    AppearanceDetail detail{attributes, {}};
+    AppearanceDetail detail{attributes,
+                            {},
+                            colorSteps(attributes->colorMotion, points.shutter),
+                            colorSteps(attributes->opacityMotion, points.shutter)};
+    points.colorsChange |= !detail.colors.empty() || !detail.opacities.empty();
     for (const std::string &name : points.codes[shading.code].variableNames)
         detail.overriding.push_back(numericVariable(surface, name));
     points.appearances.push_back(appearance);
@@ -138,7 +160,8 @@ bool AppearanceBuilder::shines(std::int32_t index) const {
 bool AppearanceBuilder::isOpaque(std::int32_t index) const {
     const PointTables &points = state_.points;
     const Color &opacity = points.details[index].attributes->opacity;
-    bool full = points.shapes[shapes_[index]].Os < 0 &&
+    // What changes its opacity is not opaque for long.
+    bool full = points.details[index].opacities.empty() && points.shapes[shapes_[index]].Os < 0 &&
                 std::ranges::all_of(opacity.c, [](float o) { return o >= 1; });
     return full && points.codes[points.appearances[index].code].code->facts().opaqueIfOsIs1;
 }

@@ -129,6 +129,7 @@ void LightBuilder::declare(const std::vector<std::shared_ptr<const LightRecord>>
         light.castsShadow =
             (!state_.classic || record->shadows) && !(instance && bringsShadows(*instance->code));
         placeShader(record->shader.currentFromShader, state_.points.shutter, light);
+        light.parametersChange = record->shader.motion && state_.points.shutter.hasInterval();
         state_.lights.lights.push_back(std::move(light));
         tags_.push_back(std::move(tags));
     }
@@ -504,7 +505,7 @@ std::vector<EmitterBound> LightBuilder::boundsOfSources() const {
             }
             share = source.area / light.area;
         } else if (light.kind == LightKind::Point) {
-            bound.box = light.place;
+            bound.box = light.parametersChange ? Box3{} : light.place;
             bound.axis = light.axis;
             bound.emissionSpread = light.spread, bound.isLoose = true;
             if (!light.steps.empty()) {

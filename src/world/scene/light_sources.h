@@ -77,8 +77,9 @@ struct SceneLight {
     /// Shader and surfaces look at position and normals alone: elements tell all, and the sources
     /// may be rectangles.
     bool plain = false;
-    Matrix4 currentFromShader;  ///< When the shutter opens.
-    std::vector<Matrix4> steps; ///< The same over its interval; empty where it stands still.
+    Matrix4 currentFromShader;     ///< When the shutter opens.
+    std::vector<Matrix4> steps;    ///< The same over its interval; empty where it stands still.
+    bool parametersChange = false; ///< With time: it may shine from elsewhere then.
     std::int32_t firstSource = 0, sources = 0;
     std::vector<double> cumulative; ///< With geometry: running sum of the sources' share of area.
     double area = 0;                ///< Of all sources, m^2.

@@ -8,11 +8,11 @@ namespace candela {
 
 namespace {
 
-Box3 boundOf(const DeclaredGroup &object) {
+Box3 boundOf(const DeclaredGroup &object, const Shutter &shutter) {
     DiagnosticList silent; // It is reported when shapes are made in earnest.
     Box3 bound;
     for (const DeclaredPrimitive &primitive : object.primitives)
-        for (auto &surface : makeSurfaces(primitive.record, *primitive.attributes, silent))
+        for (auto &surface : makeSurfaces(primitive.record, *primitive.attributes, shutter, silent))
             bound.add(transformBox(primitive.outerFromPrimitive, surface->bound()));
     return bound;
 }
@@ -25,7 +25,7 @@ std::vector<PlacementDetail> detailsOf(std::span<const Placement> placements,
     std::vector<Box3> bounds(timesPlaced.size());
     for (std::size_t object = 0; object < bounds.size(); ++object)
         if (timesPlaced[object] > 1)
-            bounds[object] = boundOf(declared.objects[object]);
+            bounds[object] = boundOf(declared.objects[object], declared.shutter);
     std::vector<PlacementDetail> details(placements.size());
     std::vector<float> finest(bounds.size(), INFINITY);
     for (std::size_t i = 0; i < placements.size(); ++i) {

@@ -75,6 +75,9 @@ void measure(const std::vector<RayShape> &meshes, std::span<const std::uint32_t>
             own[i].add(position);
         for (const auto &[x, y, z, r] : mesh.round.knots)
             own[i].add(Vec3{x - r, y - r, z - r}), own[i].add(Vec3{x + r, y + r, z + r});
+        for (const std::vector<Vec3> &positions : mesh.later)
+            for (Vec3 position : positions)
+                own[i].add(position);
         state.statistics.triangles += mesh.triangles.size();
         if (i < points.worldShapes && !own[i].empty())
             box.add(own[i]);

@@ -148,10 +148,11 @@ static void prepareMirrors(PointTables &points) {
 
 /// Paths from lights and from the camera meet at one time only: where things move, those from the
 /// camera do alone. Radiosity is solved for one instant.
-static void keepToOneTime(SceneState &state, DiagnosticSink &sink) {
-    const bool lightsMove = std::ranges::any_of(
-        state.lights.lights, [](const SceneLight &light) { return !light.steps.empty(); });
-    if (!state.points.anythingMoves() && !state.camera.moves() && !lightsMove)
+static void keepToOneTime(SceneState &state, const ShaderLibrary &library, DiagnosticSink &sink) {
+    const bool shadersChange =
+        std::ranges::any_of(library.all(), [](const auto &code) { return code->hasMotion(); });
+    if (!state.points.anythingMoves() && !state.points.colorsChange && !state.camera.moves() &&
+        !shadersChange)
         return;
     if (state.bidirectional)
         sink.warning({}, "things move while the shutter is open: all paths begin at the camera, as "
@@ -185,7 +186,7 @@ void SceneCompiler::worldEnd() {
     start = std::chrono::steady_clock::now();
     LightBuilder lights(*state, state_->library);
     lights.declare(declared.lights);
-    keepToOneTime(*state, state_->sink);
+    keepToOneTime(*state, state_->library, state_->sink);
     makeReady(state_->library, state->points);
     prepareMirrors(state->points);
     lights.attachShapes(geometry);

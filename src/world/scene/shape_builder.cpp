@@ -53,6 +53,8 @@ public:
         details_ = detailsOf(placements_, timesPlaced_, declared_, plan_);
         addInstances();
         markShining();
+        points_.shapesChange = std::ranges::any_of(
+            points_.shapes, [](const Shape &shape) { return shape.surface->steps() > 1; });
         std::vector<RayShape> meshes = plan_.dice(points_.shapes);
         displacements_.report(sink_);
         looks_.finish();
@@ -90,6 +92,12 @@ private:
                 return;
             }
             DisplacedStages displaced = displacedBy(surface, outerFromPrimitive, displacing);
+            if (surface->steps() > 1 && displaced.surface != surface) {
+                sink_.warning(primitive.record->where,
+                              "a primitive that is displaced keeps the shape that it has when the "
+                              "shutter opens");
+                displaced = displacedBy(surface->step(0), outerFromPrimitive, displacing);
+            }
             shape->surface = displaced.surface, shape->displacement = displaced.mover;
             points_.shapes.push_back(std::move(*shape));
             displaced_.push_back(std::move(displaced));
@@ -101,7 +109,8 @@ private:
     void addToWorld(const DeclaredPrimitive &primitive, const Matrix4 &currentFromPrimitive,
                     const std::shared_ptr<const Attributes> &attributes, bool turned) {
         const Displacing displacing{attributes, {}, turned, 0};
-        const Surfaces surfaces = makeSurfaces(primitive.record, *primitive.attributes, sink_);
+        const Surfaces surfaces =
+            makeSurfaces(primitive.record, *primitive.attributes, declared_.shutter, sink_);
         addShapes(primitive, currentFromPrimitive, surfaces, displacing, [&](std::uint32_t shape) {
             if (!looks_.add(shape, attributes, turned))
                 return false;
@@ -174,7 +183,7 @@ private:
     const Surfaces &surfacesOf(const DeclaredPrimitive &of) {
         auto [place, isNew] = surfaces_.try_emplace(&of);
         if (isNew)
-            place->second = makeSurfaces(of.record, *of.attributes, sink_);
+            place->second = makeSurfaces(of.record, *of.attributes, declared_.shutter, sink_);
         return place->second;
     }
 
@@ -329,6 +338,11 @@ private:
             if (looks_.shines(std::int32_t(i))) {
                 const std::uint32_t number = looks_.shapes()[i];
                 Shape &shape = points_.shapes[number];
+                if (shape.surface->steps() > 1) {
+                    shape.surface = shape.surface->step(0);
+                    sink_.warning({}, "what shines keeps the shape that it has when the shutter "
+                                      "opens");
+                }
                 // Lights of these forms can't be sampled but by triangles.
                 shape.mayBeRound &= shape.surface->roundElements().isOneBall();
                 plan_.makeFine(number, points_.shapes[number]);

@@ -207,20 +207,36 @@ ToldValues ShaderLibrary::State::askOthers(const OtherShaders &others, const Opt
     return told;
 }
 
-/// The record at the steps of its motion after the first one; none if it stands still.
+/// The record at the steps of its motion, the first as it is when the shutter opens; none if it
+/// stands still.
 static std::vector<ShaderRecord> recordsInTime(const ShaderRecord &record, const Options &options) {
     const TransformMotion::Shared &motion = record.currentFromShader.motion;
     const Shutter shutter{options.camera.shutterOpen, options.camera.shutterClose};
-    if (!motion || !shutter.hasInterval())
+    if ((!motion && !record.motion) || !shutter.hasInterval())
         return {};
-    std::vector<double> times;
-    motion->addTimes(times);
-    const std::vector<Matrix4> steps =
-        motionSteps([&](double time) { return motion->at(time); }, times, shutter);
+    std::size_t steps = 1;
+    if (motion) {
+        std::vector<double> times;
+        motion->addTimes(times);
+        const auto at = [&](double time) { return motion->at(time); };
+        steps = std::max<std::size_t>(1, motionSteps(at, times, shutter).size() - 1);
+    }
+    if (record.motion)
+        steps *= std::size_t(stepsThrough(record.motion->times, shutter.open, shutter.close));
+    steps = std::min<std::size_t>(steps, 128);
     std::vector<ShaderRecord> records;
-    for (std::size_t step = 1; step < steps.size(); ++step) {
-        records.push_back(record);
-        records.back().currentFromShader = {steps[step], nullptr};
+    for (std::size_t step = 0; step <= steps; ++step) {
+        const double time =
+            shutter.open + double(step) / double(steps) * (double(shutter.close) - shutter.open);
+        ShaderRecord &moved = records.emplace_back(record);
+        if (motion)
+            moved.currentFromShader = {motion->at(time).rounded(), nullptr};
+        if (!record.motion)
+            continue;
+        const auto &lists = record.motion->values;
+        const KnotPlace place = placeAmong(record.motion->times, time);
+        moved.parameters = between(lists[place.knot], lists[place.next], place.share);
+        moved.parameters.where = record.parameters.where;
     }
     return records;
 }
@@ -240,7 +256,7 @@ std::optional<ShaderInstance> ShaderLibrary::instance(ShaderKind kind, const Sha
     if (!lowered) {
         if (kind != ShaderKind::Surface || record.name.empty())
             return std::nullopt;
-        return instance(kind, {{}, {}, record.currentFromShader}, options, rule, {}, {},
+        return instance(kind, {{}, {}, record.currentFromShader, {}}, options, rule, {}, {},
                         attributes);
     }
 
@@ -250,6 +266,24 @@ std::optional<ShaderInstance> ShaderLibrary::instance(ShaderKind kind, const Sha
     auto [controlRelevant, isNew] = state_->controlRelevant.try_emplace(lowered);
     if (isNew)
         controlRelevant->second = ir::controlRelevantParameters(lowered->whole);
+    std::vector<std::vector<float>> blocks;
+    DiagnosticList heard; // It is said of the first block.
+    for (const ShaderRecord &moved : recordsInTime(record, options))
+        blocks.push_back(parameterBlock(*lowered, moved, options, told, heard, attributes));
+    if (!blocks.empty())
+        block = blocks.front();
+    const auto isSteady = [&](const std::vector<float> &later) {
+        return std::ranges::all_of(controlRelevant->second,
+                                   [&](int slot) { return later[slot] == block[slot]; });
+    };
+    if (!std::ranges::all_of(blocks, isSteady)) {
+        state_->diagnostics.warning(
+            record.parameters.where,
+            "shader \"" + record.name +
+                "\": parameters that change with time decide what it does; they stay as they are "
+                "when the shutter opens");
+        blocks.clear();
+    }
     for (int slot : controlRelevant->second) {
         folded.push_back({slot, block[slot]});
         key += " " + std::to_string(slot) + "=" +
@@ -264,26 +298,11 @@ std::optional<ShaderInstance> ShaderLibrary::instance(ShaderKind kind, const Sha
         state_->inOrder.push_back(code);
     }
     const ShaderInstance made{code, code->addBlock(block)};
-    const std::vector<ShaderRecord> moved = recordsInTime(record, options);
-    std::vector<std::vector<float>> blocks;
-    DiagnosticList heard; // It has been said of the first block.
-    for (const ShaderRecord &later : moved)
-        blocks.push_back(parameterBlock(*lowered, later, options, told, heard, attributes));
-    const auto isSteady = [&](const std::vector<float> &later) {
-        return std::ranges::all_of(controlRelevant->second,
-                                   [&](int slot) { return later[slot] == block[slot]; });
-    };
-    if (!std::ranges::all_of(blocks, isSteady)) {
-        state_->diagnostics.warning(record.parameters.where,
-                                    "shader \"" + record.name +
-                                        "\": parameters that change with time decide what it does; "
-                                        "they stay as they are when the shutter opens");
-        return made;
+    if (!blocks.empty()) {
+        for (std::size_t step = 1; step < blocks.size(); ++step)
+            code->addBlock(blocks[step]);
+        code->setSteps(made.parameterOffset, int(blocks.size()));
     }
-    for (const std::vector<float> &later : blocks)
-        code->addBlock(later);
-    if (!blocks.empty())
-        code->setSteps(made.parameterOffset, int(blocks.size()) + 1);
     return made;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/shapes/shape.h"
 
+#include "world/geometry/moving_surface.h"
 #include "world/shapes/corner_order.h"
 #include "world/shapes/cut_triangles.h"
 #include "world/shapes/dice_rate.h"
@@ -125,8 +126,15 @@ RayShape dice(Shape &shape, const DiceRate &rate, const Vec3 *eye) {
         position = transformPoint(shape.outerFromShape, position);
     shape.flat = hasFlatNormals(*shape.surface, diced);
     shape.curved = shape.away = !diced.vertexUv.empty();
+    if (shape.surface->steps() > 1) // It goes anywhere.
+        eye = nullptr;
     if (!shape.curved)
         diced.pieces = cutTriangles(diced, eye);
+    std::vector<LaterMesh> later;
+    for (int step = 1; step < shape.surface->steps(); ++step)
+        later.push_back(meshAtStep(*shape.surface->step(step), diced));
+    for (const LaterMesh &mesh : later)
+        diced.chordError = std::max(diced.chordError, mesh.chordError);
     shape.naming = diced.vertexUv.empty() ? Naming::Direct : Naming::Corners;
     if (shape.naming == Naming::Corners) {
         beginAtBluntCorners(diced);
@@ -135,6 +143,11 @@ RayShape dice(Shape &shape, const DiceRate &rate, const Vec3 *eye) {
         shape.pieces = std::move(diced.pieces);
     }
     shape.elements = std::uint32_t(diced.triangles.size());
+    for (LaterMesh &mesh : later) {
+        for (Vec3 &position : mesh.positions)
+            position = transformPoint(shape.outerFromShape, position);
+        result.later.push_back(std::move(mesh.positions));
+    }
     result.positions = std::move(diced.positions);
     result.triangles = std::move(diced.triangles);
     shape.elementSign = signByVote(shape, result);
