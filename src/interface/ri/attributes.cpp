@@ -30,4 +30,18 @@ Attributes attributesOfPart(const Attributes &instance, const Attributes &part) 
     return result;
 }
 
+Visibility visibilityOf(const Attributes &attributes) {
+    const auto isOn = [&](const char *name, bool otherwise) {
+        const std::string qualified = std::string("visibility:") + name;
+        const std::string word = attributes.named.string(qualified, "");
+        if (!word.empty())
+            return word != "transparent" && word != "none" && word != "off";
+        return attributes.named.number(qualified, otherwise ? 1 : 0) != 0;
+    };
+    const bool traced = isOn("trace", true);
+    return {isOn("camera", true), isOn("diffuse", isOn("indirect", traced)),
+            isOn("specular", isOn("reflection", traced)),
+            isOn("shadow", isOn("transmission", true))};
+}
+
 } // namespace candela

@@ -116,4 +116,16 @@ inline ShadowCasting shadowCasting(const Attributes &attributes) {
                              : ShadowCasting::Shader;
 }
 
+/// Attribute "visibility": what kinds of rays meet a primitive. Old spellings: "trace" for diffuse
+/// and specular, "indirect", "reflection", "transmission" by words.
+struct Visibility {
+    bool camera = true;   ///< From the eye, also straight through what is not opaque.
+    bool diffuse = true;  ///< Scattered by lobes.
+    bool specular = true; ///< Along one direction: mirrors, glass, trace().
+    bool shadow = true;
+
+    bool isWhole() const { return camera && diffuse && specular && shadow; }
+};
+Visibility visibilityOf(const Attributes &);
+
 } // namespace candela

@@ -141,6 +141,20 @@ TEST_F(State, cameraMotionIsTheCamerasAlone) {
     EXPECT_EQ(camera.cameraFromWorld, translation(0, 0, 6));
 }
 
+TEST_F(State, lightsBeforeTheWorldDoNotMoveWithTheCamera) {
+    state.motionBegin(at, {{0, 1}});
+    state.translate(at, 0, 0, 4);
+    state.translate(at, 0, 0, 8);
+    state.motionEnd(at);
+    state.translate(at, 1, 0, 0);
+    light("key");
+    state.worldBegin(at);
+    const auto &lights = builder.worlds.back().lights;
+    ASSERT_EQ(lights.size(), 1u);
+    EXPECT_FALSE(lights[0]->shader.currentFromShader.moving());
+    EXPECT_EQ(lights[0]->shader.currentFromShader.atOpen(), translation(1, 0, 4));
+}
+
 TEST_F(State, faultyMotionBlocksAreReported) {
     struct Row {
         Floats times;

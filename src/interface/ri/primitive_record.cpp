@@ -70,6 +70,11 @@ struct SameCounts {
     bool operator()(const GeometryRecord &a, const GeometryRecord &b) const {
         return a.type == b.type;
     }
+    bool operator()(const CurvesRecord &a, const CurvesRecord &b) const {
+        return a.cubic == b.cubic && a.periodic == b.periodic && a.vertexCounts == b.vertexCounts;
+    }
+    /// Level surfaces have no names that would mean the same.
+    bool operator()(const BlobbyRecord &, const BlobbyRecord &) const { return false; }
     template <class Record> bool operator()(const Record &, const Record &) const { return true; }
     template <class A, class B> bool operator()(const A &, const B &) const { return false; }
 

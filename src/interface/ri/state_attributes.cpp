@@ -53,12 +53,7 @@ void StateHandlers::shadingInterpolation(const SourceLocation &where, const std:
     state_.edit(own::Interpolation).smoothInterpolation = type == "smooth";
 }
 
-void StateHandlers::matte(const SourceLocation &where, bool on) {
-    state_.edit(own::Matte).matte = on;
-    if (on)
-        diagnostics_.warnOnce(where, "Matte",
-                              "Matte: this version draws matte objects as all others");
-}
+void StateHandlers::matte(const SourceLocation &, bool on) { state_.edit(own::Matte).matte = on; }
 
 /// A hint for culling; this renderer bounds its primitives itself.
 void StateHandlers::bound(const SourceLocation &where, float xMin, float xMax, float yMin,

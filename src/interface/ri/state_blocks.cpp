@@ -88,6 +88,20 @@ void StateHandlers::frameBegin(const SourceLocation &, int number) {
 
 void StateHandlers::frameEnd(const SourceLocation &) { restoreFrame(); }
 
+/// Lights that were declared where the camera's motion stood already stand still in the world.
+void StateHandlers::keepLightsInTheWorld() {
+    const TransformMotion::Shared &camera = state_.options.camera.motion;
+    for (auto &light : state_.lights.all) {
+        const MotionTransform &placed = light->shader.currentFromShader;
+        if (!camera || !placed.motion || !placed.motion->movesLike(*camera))
+            continue;
+        auto still = std::make_shared<LightRecord>(*light);
+        still->shader.currentFromShader = {
+            placed.motion->at(state_.options.camera.shutterOpen).rounded(), nullptr};
+        light = std::move(still);
+    }
+}
+
 void StateHandlers::worldBegin(const SourceLocation &where) {
     saveFrame();
     if (state_.transform.current.flat) {
@@ -102,6 +116,7 @@ void StateHandlers::worldBegin(const SourceLocation &where) {
     if (state_.options.camera.motion)
         assign(state_.transform.current,
                state_.options.camera.motion->at(state_.options.camera.shutterOpen));
+    keepLightsInTheWorld();
     const Matrix4 cameraFromWorld = state_.transform.current.matrix.rounded();
     state_.options.camera.cameraFromWorld = cameraFromWorld;
     state_.options.camera.exactCameraFromWorld = state_.transform.current.matrix;

@@ -64,6 +64,7 @@ private:
     void saveBlock(bool attributes);
     void restoreBlock();
     void saveFrame();
+    void keepLightsInTheWorld();
     void restoreFrame();
 
     void report(const SourceLocation &, const char *request, TransformDefect);

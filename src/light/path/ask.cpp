@@ -18,12 +18,12 @@ void seeOpacity(PathWave &wave) {
         float *opacity = wave.results.opacity[c];
         const float *through = scene.hasVolumes() ? paths.cover[c] : paths.throughput[c];
         const float *Oi = wave.chunk.vertices.prepared().Oi[c];
-        if (slotsAreConsecutive(wave)) { // All of them are seen.
+        if (!scene.hasMatte() && slotsAreConsecutive(wave)) { // All of them are seen.
             lanes::multiplyAdd(count, through, Oi, opacity + paths.slot[0]);
             continue;
         }
         for (int i = 0; i < count; ++i)
-            if (paths.seen[i])
+            if (paths.seen[i] && !(scene.hasMatte() && paths.heldOut[i]))
                 opacity[paths.slot[i]] += through[i] * Oi[i];
     }
 }
@@ -109,8 +109,17 @@ void ask(PathWave &wave) {
     chunk.vertices.prepare(chunk.ambient, chunk.irradiance);
 }
 
+static void holdOut(VertexChunk &chunk, const Scene &scene) {
+    const ShadingPoints &points = chunk.vertices.points;
+    for (int i = 0; i < chunk.count(); ++i)
+        chunk.paths.heldOut[i] =
+            chunk.paths.seen[i] && scene.isMatte(points.instance[i], points.shape[i]);
+}
+
 void see(PathWave &wave) {
     VertexChunk &chunk = wave.chunk;
+    if (wave.frame.scene.hasMatte())
+        holdOut(chunk, wave.frame.scene);
     if (wave.frame.scene.hasVolumes())
         for (int c = 0; c < colorSamples; ++c)
             lanes::multiplyAdd(chunk.count(), chunk.paths.veil[c], chunk.vertices.prepared().Oi[c],

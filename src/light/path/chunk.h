@@ -18,9 +18,9 @@ namespace candela {
 /// The paths that met the vertices.
 struct PathsAtVertices {
     explicit PathsAtVertices(int capacity)
-        : throughput(colorSamples, capacity), light(colorSamples, capacity), integers(3, capacity),
+        : throughput(colorSamples, capacity), light(colorSamples, capacity), integers(4, capacity),
           keys(2, capacity) {
-        slot = integers[0], depth = integers[1], seen = integers[2];
+        slot = integers[0], depth = integers[1], seen = integers[2], heldOut = integers[3];
         pixelKey = keys[0], sampleIndex = keys[1];
         veil = Planes<float>(colorSamples, capacity), cover = Planes<float>(colorSamples, capacity);
     }
@@ -29,6 +29,9 @@ struct PathsAtVertices {
     Planes<float> light;       ///< Gathered at this vertex, times throughput.
     Planes<int> integers;
     int *slot, *depth, *seen;
+    /// Of what the camera sees and is matte: nothing is to be seen of it. Filled where the scene
+    /// has such.
+    int *heldOut;
     Planes<std::uint32_t> keys;
     std::uint32_t *pixelKey, *sampleIndex;
 };

@@ -34,10 +34,21 @@ void addBySlot(int count, const int *slot, const Planes<float> &light,
     }
 }
 
+/// Nothing of them is seen.
+void dropHeldOut(PathWave &wave) {
+    PathsAtVertices &paths = wave.chunk.paths;
+    for (int c = 0; c < colorSamples; ++c)
+        for (int i = 0; i < wave.chunk.count(); ++i)
+            if (paths.heldOut[i])
+                paths.light[c][i] = 0;
+}
+
 } // namespace
 
 void deliver(PathWave &wave) {
     dropNonFinite(wave);
+    if (wave.frame.scene.hasMatte())
+        dropHeldOut(wave);
     const PathsAtVertices &paths = wave.chunk.paths;
     const Planes<float> &radiance = wave.results.radiance;
     const int count = wave.chunk.count();

@@ -91,6 +91,10 @@ void respond(PathWave &wave, const ConstVec3Planes &direction) {
         chunk.events.event(), way.scale, {after[0], after[1], after[2]}, way.brightest);
     if (wave.frame.scene.hasVolumes() && !chunk.events.finite())
         weighOpacityBehind(wave);
+    if (wave.frame.scene.hasMatte()) // They pass on what is behind, and nothing else.
+        for (int i = 0; i < count; ++i)
+            if (chunk.paths.heldOut[i] && chunk.events.event()[i] != straightThrough)
+                way.brightest[i] = 0;
     if (lanes::allFinite(count, way.brightest))
         return;
     for (int i = 0; i < count; ++i)

@@ -86,8 +86,9 @@ struct PathWave {
     std::vector<ActivePaths> spare; ///< Room for those that will have to wait.
     HitBatch hits;
     HitBins bins;
-    Planes<float> cameraNumbers; ///< Camera pairs of the wave's samples.
-    SampleShares shares;         ///< Of their pixels.
+    Planes<float> cameraNumbers;        ///< Camera pairs of the wave's samples.
+    SampleShares shares;                ///< Of their pixels.
+    std::vector<std::uint8_t> rayKinds; ///< RayBatch::kinds of the active rays, where they matter.
     VertexChunk chunk;
     std::unique_ptr<ClassicLight> classic;   ///< Made when the first vertex needs it,
     std::unique_ptr<GatheredLight> gathered; ///< this too,

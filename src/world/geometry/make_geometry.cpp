@@ -11,7 +11,7 @@ namespace candela {
 SurfaceList makeGeometry(const GeometryRecord &, const PrimitiveRecord &record,
                          const Attributes &attributes, DiagnosticSink &diagnostics) {
     const PatchMeshRecord mesh{true, 4, 4, false, false};
-    PrimitiveRecord patch{mesh, record.variables, record.where};
+    PrimitiveRecord patch{mesh, record.variables, record.where, {}};
     std::erase_if(patch.variables.all, [](const Parameter &variable) {
         return variable.declaration.storage > StorageClass::Varying;
     });

@@ -54,6 +54,11 @@ makeSurfaces(const std::shared_ptr<const PrimitiveRecord> &record, const Attribu
     SurfaceList surfaces = makeSurfaces(recordAt(record, shutter.open), attributes, diagnostics);
     if (!record->motion || !shutter.hasInterval())
         return surfaces;
+    if (std::ranges::any_of(surfaces, [](const auto &surface) { return surface->isStroke(); })) {
+        diagnostics.warning(record->where, "points and curves keep the shape that they have when "
+                                           "the shutter opens");
+        return surfaces;
+    }
     const int steps = stepsThrough(record->motion->times, shutter.open, shutter.close);
     std::vector<SurfaceList> inTime{surfaces};
     DiagnosticList heard; // It has been said of the first.

@@ -183,9 +183,7 @@ LaterMesh meshAtStep(const Surface &step, const DicedMesh &mesh) {
                                      : mesh.vertexUv[mesh.triangles[triangle][corner]];
     };
     const auto pieceOf = [&](std::uint32_t triangle) {
-        return !mesh.pieces.empty()     ? mesh.pieces[triangle]
-               : mesh.vertexUv.empty() ? triangle
-                                       : 0;
+        return !mesh.pieces.empty() ? mesh.pieces[triangle] : mesh.vertexUv.empty() ? triangle : 0;
     };
     Named vertices, middles;
     std::vector<int> number(mesh.positions.size(), -1);

@@ -40,6 +40,7 @@ struct AppearanceDetail {
     std::shared_ptr<const Attributes> attributes;
     /// For each distinct name in the code's variables: which variable of the surface it is.
     std::vector<int> overriding;
+    Visibility visibility;
     /// Cs and Os at even steps over the shutter's interval; empty: as the appearance has them.
     std::vector<Color> colors, opacities;
 };

@@ -85,9 +85,8 @@ RTCGeometry makeRound(RTCDevice device, const RoundElements &round, float unit) 
 }
 
 unsigned maskOf(const RayShape &shape) {
-    if (!shape.stopsLight)
-        return shadowlessBit;
-    return shape.opaque ? opaqueBit : transparentBit;
+    const unsigned seen = maskOfKinds(std::uint8_t(allKinds & ~shape.hiddenFrom));
+    return !shape.stopsLight ? seen : seen | (shape.opaque ? opaqueBit : transparentBit);
 }
 
 RTCGeometry makeGeometry(RTCDevice device, const RayShape &shape, float unit) {

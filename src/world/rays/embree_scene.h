@@ -10,8 +10,11 @@
 
 namespace candela {
 
-/// Ray masks: shadow rays look for opaque shapes first, and walk through the others afterwards.
-inline constexpr unsigned opaqueBit = 1, transparentBit = 2, shadowlessBit = 4;
+/// Ray masks: shadow rays look for opaque shapes first, and walk through the others afterwards;
+/// all others have the bits of their kinds.
+inline constexpr unsigned opaqueBit = 1, transparentBit = 2;
+inline constexpr unsigned maskOfKinds(std::uint8_t kinds) { return unsigned(kinds) << 2; }
+inline constexpr std::uint8_t allKinds = ray_kind::camera | ray_kind::diffuse | ray_kind::specular;
 
 /// What a call tells the filters of one-sided shapes.
 struct RayContext {

@@ -18,6 +18,11 @@ struct PixelShares {
     const float *wide, *high;
 };
 
+/// Kinds of rays, from which shapes may be hidden: bits.
+namespace ray_kind {
+inline constexpr std::uint8_t camera = 1, diffuse = 2, specular = 4;
+}
+
 /// Points of a ray are origin + t direction with tMin < t <= tMax. A ray that passes a surface
 /// straight on keeps its origin and direction and raises tMin to the t of the surface.
 struct RayBatch {
@@ -41,6 +46,8 @@ struct RayBatch {
     float *width, *spread;
     /// Of camera rays, whose footprints these tell better; else null.
     const PixelShares *shares = nullptr;
+    /// Of what kind each ray is; null: they see what either diffuse or specular ones do.
+    const std::uint8_t *kinds = nullptr;
 };
 
 /// The tMin of a ray that passes what it has met at t: beyond t by more than the rounding with

@@ -164,8 +164,15 @@ template <int width> void prime(unsigned mask, Packet<width> &packet) {
 }
 
 template <int width>
-void traceNearest(RTCScene scene, RTCIntersectContext &context, unsigned mask, const RayBatch &rays,
-                  const RayUnits &units, HitBatch &hits) {
+void tellKinds(const RayBatch &rays, int first, Packet<width> &packet) {
+    const int count = std::min(width, rays.count - first);
+    for (int i = 0; i < count; ++i)
+        packet.bundle.ray.mask[i] = maskOfKinds(rays.kinds[first + i]);
+}
+
+template <int width>
+void traceNearest(RTCScene scene, RTCIntersectContext &context, unsigned mask, bool tellsKinds,
+                  const RayBatch &rays, const RayUnits &units, HitBatch &hits) {
     alignas(64) Packet<width> packet;
     alignas(64) int valid[width];
     prime(mask, packet);
@@ -173,6 +180,8 @@ void traceNearest(RTCScene scene, RTCIntersectContext &context, unsigned mask, c
     auto &hit = packet.bundle.hit;
     for (int first = 0; first < rays.count; first += width) {
         load(judged, first, packet, valid);
+        if (tellsKinds)
+            tellKinds(rays, first, packet);
         std::fill_n(hit.geomID, width, noHit);
         std::fill_n(hit.instID[0], width, noHit);
         packet.intersect(valid, scene, &context);
@@ -284,6 +293,10 @@ RayWorld::RayWorld(const RayObject &world, std::span<const RayObject> objects,
     if (failed())
         return;
     unsigned mask = maskOf(world);
+    const auto hides = [](const RayObject &object) {
+        return std::ranges::any_of(object, [](const RayShape &s) { return s.hiddenFrom != 0; });
+    };
+    hidesShapes_ = hides(world) || std::ranges::any_of(objects, hides);
     const auto changes = [](const RayObject &object) {
         return std::ranges::any_of(object, [](const RayShape &s) { return !s.later.empty(); });
     };
@@ -332,14 +345,15 @@ void RayWorld::intersect(const RayBatch &rays, HitBatch &hits, Which which, bool
     rtcInitIntersectContext(&context);
     context.flags =
         coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+    const bool tellsKinds = which == Which::All && hidesShapes_ && rays.kinds;
     const unsigned mask =
-        which == Which::All ? opaqueBit | transparentBit | shadowlessBit : transparentBit;
+        which == Which::All ? maskOfKinds(ray_kind::diffuse | ray_kind::specular) : transparentBit;
     RTCScene scene = handles_->scene;
     const RayUnits units{unit_, moves_ ? &shutter_ : nullptr};
     switch (handles_->width) {
-    case 16: traceNearest<16>(scene, context, mask, rays, units, hits); break;
-    case 8: traceNearest<8>(scene, context, mask, rays, units, hits); break;
-    default: traceNearest<4>(scene, context, mask, rays, units, hits);
+    case 16: traceNearest<16>(scene, context, mask, tellsKinds, rays, units, hits); break;
+    case 8: traceNearest<8>(scene, context, mask, tellsKinds, rays, units, hits); break;
+    default: traceNearest<4>(scene, context, mask, tellsKinds, rays, units, hits);
     }
     if (!firstShapeOfInstance_.empty())
         nameInstances(rays.count, worldShapes_, firstShapeOfInstance_.data(), hits.instance,

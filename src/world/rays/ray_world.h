@@ -25,7 +25,8 @@ struct RayShape {
     /// It changes its shape: positions at later even steps over the shutter's interval. Else empty.
     std::vector<std::vector<Vec3>> later;
     bool opaque = true;
-    bool stopsLight = true; ///< False: rays see it and shadow rays pass through.
+    bool stopsLight = true;      ///< False: rays see it and shadow rays pass through.
+    std::uint8_t hiddenFrom = 0; ///< Bits of ray_kind.
     /// Not zero: only rays that come against this sign times the normal are stopped; the normal is
     /// (p1 - p0) x (p2 - p0), of what is round the outward one.
     int frontSign = 0;
@@ -67,6 +68,8 @@ public:
     RayWorld(const RayWorld &) = delete;
 
     bool hasTransparent() const { return hasTransparent_; }
+    /// Some shapes are hidden from some kinds of rays: RayBatch::kinds matters.
+    bool hidesShapes() const { return hidesShapes_; }
     /// What went wrong while it was built, for the user ("out of memory"); empty if nothing did.
     std::string failure() const;
 
@@ -84,7 +87,7 @@ private:
     std::vector<std::uint32_t> firstShapeOfInstance_;
     std::uint32_t worldShapes_ = 0;
     float unit_ = 1; ///< Of the ray tracer: what it is given is so many times as large.
-    bool hasTransparent_ = false;
+    bool hasTransparent_ = false, hidesShapes_ = false;
     bool moves_ = false;
     Shutter shutter_;
     mutable std::atomic<std::uint64_t> nanoseconds_{0};

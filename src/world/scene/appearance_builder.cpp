@@ -139,6 +139,7 @@ bool AppearanceBuilder::add(std::uint32_t shape,
     appearance.Cs = attributes->color.c, appearance.Os = attributes->opacity.c;
     AppearanceDetail detail{attributes,
                             {},
+                            visibilityOf(*attributes),
                             colorSteps(attributes->colorMotion, points.shutter),
                             colorSteps(attributes->opacityMotion, points.shutter)};
     points.colorsChange |= !detail.colors.empty() || !detail.opacities.empty();

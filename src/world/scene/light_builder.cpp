@@ -393,7 +393,8 @@ void LightBuilder::bindCategories(const ShaderLibrary &library) {
     // Directions would meet what shadow rays pass: they would find less light than these.
     state_.lights.leftToSamples =
         std::ranges::any_of(state_.points.details, [](const AppearanceDetail &detail) {
-            return shadowCasting(*detail.attributes) == ShadowCasting::None;
+            return shadowCasting(*detail.attributes) == ShadowCasting::None ||
+                   !detail.visibility.shadow || !detail.visibility.diffuse;
         });
     if (state_.lights.leftToSamples)
         for (const auto &code : library.all())

@@ -14,7 +14,11 @@ namespace {
 void dress(RayShape &shape, std::int32_t index, const PointTables &points,
            const AppearanceBuilder &looks) {
     const ShadowCasting casting = shadowCasting(*points.details[index].attributes);
-    shape.stopsLight = casting != ShadowCasting::None;
+    const Visibility &visible = points.details[index].visibility;
+    shape.stopsLight = casting != ShadowCasting::None && visible.shadow;
+    shape.hiddenFrom = std::uint8_t((visible.camera ? 0 : ray_kind::camera) |
+                                    (visible.diffuse ? 0 : ray_kind::diffuse) |
+                                    (visible.specular ? 0 : ray_kind::specular));
     shape.opaque = casting == ShadowCasting::Opaque || looks.isOpaque(index);
     const Shape &met = points.shapes[looks.shapes()[index]];
     shape.isStroke = met.surface->isStroke();
@@ -42,7 +46,8 @@ RayGeometry arrange(std::vector<RayShape> meshes, std::span<const std::uint32_t>
         for (std::uint32_t k = 0; k < shapeCounts[i]; ++k) {
             RayShape met;
             dress(met, instance.firstAppearance + std::int32_t(k), points, looks);
-            key.push_back(met.stopsLight * 8 + met.opaque * 4 + met.frontSign);
+            key.push_back(met.hiddenFrom * 16 + met.stopsLight * 8 + met.opaque * 4 +
+                          met.frontSign);
             object.push_back(std::move(met));
         }
         auto [place, isNew] =
@@ -52,6 +57,7 @@ RayGeometry arrange(std::vector<RayShape> meshes, std::span<const std::uint32_t>
                 RayShape mesh = meshes[instance.firstShape + k];
                 mesh.opaque = object[k].opaque, mesh.stopsLight = object[k].stopsLight;
                 mesh.frontSign = object[k].frontSign, mesh.isStroke = object[k].isStroke;
+                mesh.hiddenFrom = object[k].hiddenFrom;
                 object[k] = std::move(mesh);
             }
             geometry.objects.push_back(std::move(object));

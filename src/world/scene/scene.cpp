@@ -113,6 +113,12 @@ bool Scene::isOneSided(std::uint32_t instance, std::uint32_t shape) const {
     const PointTables &points = state_->points;
     return points.details[points.appearanceOf(instance, shape)].attributes->sides == 1;
 }
+bool Scene::hidesShapes() const { return state_->rays->hidesShapes(); }
+bool Scene::hasMatte() const { return state_->hasMatte; }
+bool Scene::isMatte(std::uint32_t instance, std::uint32_t shape) const {
+    const PointTables &points = state_->points;
+    return points.details[points.appearanceOf(instance, shape)].attributes->matte;
+}
 int Scene::escapedBin() const { return state_->binOfAppearance.back(); }
 
 void Scene::bins(int count, const HitBatch &hits, int *bin) const {

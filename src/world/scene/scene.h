@@ -73,6 +73,11 @@ public:
     /// code; rays are those that made the hits. I is the ray's direction times t.
     void shadingPoints(const RayBatch &, const HitBatch &, const int *order, int count,
                        ShadingPoints &) const;
+    /// Some shapes are hidden from some kinds of rays: RayBatch::kinds matters.
+    bool hidesShapes() const;
+    /// Some shapes are held out (RiMatte): what the eye sees of them is black and clear.
+    bool hasMatte() const;
+    bool isMatte(std::uint32_t instance, std::uint32_t shape) const;
     /// shadingPoints() fills this plane of ShaderInput at points of the code: position and normals,
     /// and of s, t, u, v, Cs and Os what its shader reads.
     bool tells(int code, int input) const;

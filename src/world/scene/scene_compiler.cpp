@@ -164,6 +164,21 @@ static void keepToOneTime(SceneState &state, const ShaderLibrary &library, Diagn
                      "when it opens");
 }
 
+/// What the eye alone is not to see, or alone is to see, paths from lights cannot tell.
+static void keepToTheEye(SceneState &state, DiagnosticSink &sink) {
+    const auto &details = state.points.details;
+    state.hasMatte = std::ranges::any_of(
+        details, [](const AppearanceDetail &detail) { return detail.attributes->matte; });
+    const bool hides = std::ranges::any_of(
+        details, [](const AppearanceDetail &detail) { return !detail.visibility.isWhole(); });
+    if (!state.bidirectional || !(state.hasMatte || hides))
+        return;
+    sink.warning({},
+                 "things are matte, or hidden from some rays: all paths begin at the camera, as "
+                 "under \"path\"");
+    state.bidirectional = false;
+}
+
 void SceneCompiler::worldEnd() {
     DeclaredWorld declared = std::move(state_->declared);
     state_->declared = {};
@@ -187,6 +202,7 @@ void SceneCompiler::worldEnd() {
     LightBuilder lights(*state, state_->library);
     lights.declare(declared.lights);
     keepToOneTime(*state, state_->library, state_->sink);
+    keepToTheEye(*state, state_->sink);
     makeReady(state_->library, state->points);
     prepareMirrors(state->points);
     lights.attachShapes(geometry);

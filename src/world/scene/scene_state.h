@@ -21,6 +21,7 @@ struct SceneState {
     Camera camera;
     bool classic = false;       ///< The integrator is "classic".
     bool bidirectional = false; ///< Paths begin on lights, too.
+    bool hasMatte = false;
 
     PointTables points;
     std::vector<int> binOfAppearance, codeOfBin; ///< See Scene::bins.
