@@ -59,6 +59,12 @@ std::vector<Motion> motions() {
          "MotionBegin [0 1]\nRotate 0 0 0 1\nRotate 90 0 0 1\nMotionEnd\n", turned(0, 90)},
         {"TurnAndAHalf", "Shutter 0 1\n",
          "MotionBegin [0 1]\nRotate 0 0 0 1\nRotate 540 0 0 1\nMotionEnd\n", turned(0, 540)},
+        {"FourWholeTurns", "Shutter 0 1\n",
+         "MotionBegin [0 1]\nRotate 0 0 0 1\nRotate 1440 0 0 1\nMotionEnd\n", turned(0, 1440)},
+        {"TwoTurnsInTwo", "Shutter 0 1\n",
+         "MotionBegin [0 1]\nRotate 0 0 0 1\nRotate 720 0 0 1\nMotionEnd\n"
+         "MotionBegin [0 1]\nRotate 0 0 0 1\nRotate 720 0 0 1\nMotionEnd\n",
+         turned(0, 1440)},
         {"AboutTheOppositeAxis", "Shutter 0 1\n",
          "MotionBegin [0 1]\nRotate 30 0 0 1\nRotate 30 0 0 -1\nMotionEnd\n", turned(30, -30)},
         {"MatricesTurn", "Shutter 0 1\n",

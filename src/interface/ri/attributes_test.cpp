@@ -230,12 +230,18 @@ TEST_F(State, nonsenseInOptionsIsReportedAndHasNoEffect) {
     EXPECT_EQ(options.xSamples, 2);
 }
 
-TEST_F(State, matteIsForLater) {
-    state.matte(at, false);
-    EXPECT_EQ(warnings(), 0);
+TEST_F(State, matteHoldsForItsBlock) {
+    state.worldBegin(at);
+    state.attributeBegin(at);
     state.matte(at, true);
-    state.matte(at, true);
-    EXPECT_EQ(warnings(), 1);
+    state.sphere(at, 1, -1, 1, 360, {});
+    state.attributeEnd(at);
+    state.sphere(at, 1, -1, 1, 360, {});
+    state.worldEnd(at);
+    EXPECT_EQ(found.text(), "");
+    const auto &primitives = builder.worlds[0].primitives;
+    EXPECT_TRUE(primitives[0].attributes->matte);
+    EXPECT_FALSE(primitives[1].attributes->matte);
 }
 
 TEST_F(State, trimCurvesAreKeptTillTheBlockEnds) {

@@ -4,6 +4,9 @@
 #include "foundation/base/matrix_blend.h"
 #include "interface/ri/motion_of_numbers.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace candela {
 
 Matrix4d TransformSample::factor() const {
@@ -17,16 +20,28 @@ Matrix4d TransformSample::factor() const {
     return matrix;
 }
 
+namespace {
+
+/// The same turn about the opposite axis.
+bool areOpposite(const TransformSample &a, const TransformSample &b) {
+    return a.kind == TransformSample::Kind::Rotation && dot(a.first, b.first) < 0;
+}
+
+/// By how many degrees the angle changes.
+double turnBetween(const TransformSample &a, const TransformSample &b) {
+    return (areOpposite(a, b) ? -b.angle : b.angle) - a.angle;
+}
+
+} // namespace
+
 Matrix4d between(const TransformSample &a, const TransformSample &b, double share) {
     if (a.kind == TransformSample::Kind::Matrix)
         return blend(a.matrix, b.matrix, share);
     TransformSample result = a;
-    // The same turn about the opposite axis.
-    const bool opposite = a.kind == TransformSample::Kind::Rotation && dot(a.first, b.first) < 0;
-    const double sign = opposite ? -1 : 1;
-    result.angle = a.angle * (1 - share) + sign * b.angle * share;
+    const float sign = areOpposite(a, b) ? -1 : 1;
+    result.angle = a.angle + share * turnBetween(a, b);
     const float to = float(share), from = 1 - to;
-    result.first = a.first * from + b.first * float(sign) * to;
+    result.first = a.first * from + b.first * sign * to;
     result.second = a.second * from + b.second * to;
     return result.factor();
 }
@@ -43,8 +58,21 @@ TransformMotion::Shared TransformMotion::after(const Matrix4d &inner) const {
     return result;
 }
 
+/// Adds the block's times, and others so near that nothing turns by more than a quarter between two
+/// (up to a hundred turns): who looks at these alone must not see one attitude at all of them.
+static void addTimesOf(const MotionBlock &block, std::vector<double> &all) {
+    constexpr double quarter = 90, most = 400;
+    all.insert(all.end(), block.times.begin(), block.times.end());
+    for (std::size_t k = 0; k + 1 < block.times.size(); ++k) {
+        const double turn = std::fabs(turnBetween(block.samples[k], block.samples[k + 1]));
+        const int parts = int(std::min(std::ceil(turn / quarter), most));
+        for (int part = 1; part < parts; ++part)
+            all.push_back(block.times[k] + (block.times[k + 1] - block.times[k]) * part / parts);
+    }
+}
+
 void TransformMotion::addTimes(std::vector<double> &times) const {
-    times.insert(times.end(), block_->times.begin(), block_->times.end());
+    addTimesOf(*block_, times);
     if (movingAround_)
         movingAround_->addTimes(times);
 }
