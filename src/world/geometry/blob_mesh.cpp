@@ -56,12 +56,15 @@ public:
         }
         origin_ = all.low;
         size_ = smallest / cellsAcross;
+        smallest_ = smallest;
         const Vec3 extent = all.extent();
         const float longest = std::max({extent.x, extent.y, extent.z});
         size_ = std::max(size_, longest / float(1 << 18));
         for (double cells = cellsWithin(); cells > mostCells; cells = cellsWithin())
             size_ *= float(std::cbrt(cells / mostCells)) * 1.01f;
     }
+
+    float cellsAcrossSmallest() const { return smallest_ / size_; }
 
     /// The blocks that any blob reaches into, in an order of their own.
     std::vector<Cell> blocks() const {
@@ -178,7 +181,7 @@ private:
 
     const BlobField &field_;
     Vec3 origin_;
-    float size_ = 1;
+    float size_ = 1, smallest_ = 1;
 };
 
 } // namespace
@@ -188,6 +191,7 @@ BlobMesh meshOf(const BlobField &field) {
     if (field.blobs().empty())
         return mesh;
     const Grid grid(field);
+    mesh.cellsAcross = grid.cellsAcrossSmallest();
     const std::vector<Cell> blocks = grid.blocks();
     std::vector<BlockMesh> parts(blocks.size());
     parallelFor(blocks.size(), [&](std::size_t i) { parts[i] = grid.meshOf(blocks[i]); });

@@ -184,6 +184,24 @@ TEST(Blobs, ValuesBlendAsFieldsDo) {
     EXPECT_GT(middles, 0);
 }
 
+/// What the grid cannot hold is said, and not that there is nothing.
+TEST(Blobs, ThatAreTooSmallBesideOthersAreToldOf) {
+    const std::pair<std::vector<float>, bool> pairs[] = {
+        {together({placed(3, 0, 0, 1, 1, 1), placed(0, 0, 0, 0.01f, 0.01f, 0.01f)}), true},
+        {together({placed(0, 0, 0, 1, 1, 1), placed(0, 0, 0, 1, 1, 0.001f)}), true},
+        {together({placed(1e7f, 0, 0, 1, 1, 1), placed(0, 0, 0, 1, 1, 1)}), true},
+        {together({placed(3, 0, 0, 1, 1, 1), placed(0, 0, 0, 0.2f, 0.2f, 0.2f)}), false},
+    };
+    for (const auto &[floats, isTold] : pairs) {
+        DiagnosticList diagnostics;
+        makeSurfaces(record(BlobbyRecord{2, {1001, 0, 1001, 16, 0, 2, 0, 1}, floats, {}}), {},
+                     diagnostics);
+        EXPECT_EQ(diagnostics.text().find("come out coarse") != std::string::npos, isTold)
+            << diagnostics.text();
+        EXPECT_EQ(diagnostics.text().find("has no surface"), std::string::npos);
+    }
+}
+
 TEST(Blobs, ProgramsThatAreWrongAreDropped) {
     const std::pair<std::vector<int>, const char *> wrong[] = {
         {{}, "has no codes"},

@@ -51,6 +51,13 @@ makeBlobby(const BlobbyRecord &blobby, const PrimitiveRecord &record, Diagnostic
     if (!field)
         return {};
     BlobMesh mesh = meshOf(*field);
+    const bool isCoarse = !field->blobs().empty() && mesh.cellsAcross < fewestCellsAcross;
+    if (isCoarse)
+        diagnostics.warning(record.where,
+                            "blobs of this blobby are so much smaller or flatter than it is large "
+                            "that they come out coarse or not at all; a blobby of their own helps");
+    if (mesh.triangles.empty() && isCoarse)
+        return {};
     if (mesh.triangles.empty()) {
         diagnostics.warning(record.where,
                             "the blobby has no surface: its field is the threshold nowhere");
