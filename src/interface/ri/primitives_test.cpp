@@ -326,7 +326,8 @@ TEST_F(State, degenerateQuadricsAreReported) {
 
 TEST_F(State, basesAreKnownByNameOrMatrix) {
     state.worldBegin(at);
-    for (const char *name : {"bezier", "b-spline", "catmull-rom", "hermite", "power"}) {
+    for (const char *name :
+         {"bezier", "b-spline", "catmull-rom", "hermite", "power", "bspline", "catmullrom"}) {
         state.basis(at, std::string(name), 1, std::string("bezier"), 3);
         sphere();
         // Whatever the basis, a curve through equal points stays there: except for the bases

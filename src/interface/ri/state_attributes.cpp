@@ -117,8 +117,12 @@ static std::optional<BasisRecord> basisOf(RequestDiagnostics &diagnostics,
         }
         return BasisRecord{*matrix, step};
     }
+    // As some files write them.
+    static const std::map<std::string, std::string> otherSpellings = {
+        {"bspline", "b-spline"}, {"catmullrom", "catmull-rom"}};
     const std::string &name = std::get<std::string>(basis);
-    auto found = standard.find(name);
+    const auto other = otherSpellings.find(name);
+    const auto found = standard.find(other == otherSpellings.end() ? name : other->second);
     if (found == standard.end()) {
         diagnostics.error(where, "Basis",
                           "'" + name +

@@ -16,7 +16,10 @@ namespace {
 
 bool isDigit(int c) { return c >= '0' && c <= '9'; }
 bool isLetter(int c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-bool isBlank(int c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f'; }
+/// DOS ended files with Ctrl-Z.
+bool isBlank(int c) {
+    return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == '\x1a';
+}
 bool isWordPart(int c) { return isLetter(c) || isDigit(c); }
 /// No part of RIB; some programs write them between numbers or behind requests.
 bool isSeparator(int c) { return c == ',' || c == ';'; }

@@ -124,7 +124,7 @@ TEST_F(Reading, requestsOfLaterVersionsAreReadToTheirEnd) {
 
 TEST_F(Reading, lineEndsAndAMissingLastOneDoNotMatter) {
     std::string text = "# caf\xe9\nWorldBegin\n\tSphere 1 -1 1 360 # x\n\tColor 1 0\n 0\nWorldEnd";
-    for (const char *lineEnd : {"\n", "\r\n", "\r"}) {
+    for (const char *lineEnd : {"\n", "\r\n", "\r", "\x1a\n"}) { // As DOS ended files.
         std::string other;
         for (char c : text)
             other += c == '\n' ? std::string(lineEnd) : std::string(1, c);

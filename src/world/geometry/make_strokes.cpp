@@ -114,6 +114,9 @@ std::vector<std::shared_ptr<const Surface>> makeCurves(const CurvesRecord &curve
     position.values.reserve(3 * points.size());
     for (Vec3 point : points)
         position.values.insert(position.values.end(), {point.x, point.y, point.z});
+    if (variables.normal && std::ranges::count(variables.normal->values, 0.0f) ==
+                                std::ptrdiff_t(variables.normal->values.size()))
+        variables.normal.reset(); // They face nowhere: tubes.
     if (std::ranges::all_of(variables.width.values, [](float width) { return !(width > 0); }))
         return refuse("curves have no width", record, diagnostics);
     auto surface = std::make_shared<CurvesSurface>(
