@@ -197,16 +197,16 @@ TEST(StrokeLamps, LightAsQuadricsDo) {
     const std::string floor =
         "Surface \"matte\" \"float Kd\" 1 Polygon \"P\" [-2 0 -2 -2 0 2 2 0 2 "
         "2 0 -2]\n";
-    for (const char *lights : {"", "Scale -1 1 1 "}) {
+    for (const char *mirror : {"", "Scale -1 1 1 "}) {
         std::vector<Frame> frames;
         for (const auto &[quadric, stroke] : pairs)
             for (const char *lamp : {quadric, stroke})
-                frames.push_back({lamp, options,
-                                  floor +
-                                      "Attribute \"visibility\" \"int camera\" 0\n"
-                                      "Surface \"matte\" \"float Kd\" 0 \"float Ka\" 0 "
-                                      "AreaLightSource \"arealight\" 1 \"float radiance\" 5\n" +
-                                      lights + lamp + "\n"});
+                frames.push_back(
+                    {lamp, options,
+                     std::string("AttributeBegin Attribute \"visibility\" \"int camera\" 0\n"
+                                 "Surface \"matte\" \"float Kd\" 0 \"float Ka\" 0\n"
+                                 "AreaLightSource \"arealight\" 1 \"float radiance\" 5\n") +
+                         mirror + lamp + "\nAttributeEnd Illuminate 1 1\n" + floor});
         const auto pictures = render(frames, {256, 1, "", true});
         ASSERT_EQ(pictures.size(), frames.size());
         for (std::size_t i = 0; i < frames.size(); i += 2) {
