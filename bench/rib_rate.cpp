@@ -23,7 +23,7 @@ double cpuSeconds() {
 }
 
 /// Hears requests and does nothing.
-class Listener final : public StreamSink {
+class Listener final : public StatelessSink {
 public:
     std::size_t requests = 0;
 
@@ -36,15 +36,6 @@ public:
 #define REQUEST_OF_STREAM(Name, handler, scopes, ...) HEARD(Name, handler, __VA_ARGS__)
 #define REQUEST_LATER(Name, handler, scopes, consequence, ...) HEARD(Name, handler, __VA_ARGS__)
 #include "interface/ri/requests.def"
-
-    bool skips() const override { return false; }
-    bool stopped() const override { return false; }
-    std::optional<StateValue> valueOf(const std::string &) const override { return std::nullopt; }
-    std::optional<std::string> locate(const char *, const std::string &,
-                                      const SourceLocation &) const override {
-        return std::nullopt;
-    }
-    float detailOf(const std::array<float, 6> &) const override { return 0; }
 };
 
 /// A rolling ground of a million triangles, with normals.

@@ -2,7 +2,7 @@
 // For tests: a sink that lists its calls, a line each, every float to the bit.
 #pragma once
 
-#include "interface/ri/stream_sink.h"
+#include "interface/ri/stateless_sink.h"
 
 #include <bit>
 #include <cmath>
@@ -11,7 +11,7 @@
 
 namespace candela::testing {
 
-class ListingSink final : public StreamSink {
+class ListingSink final : public StatelessSink {
 public:
     std::string list, comments;
 
@@ -34,14 +34,6 @@ public:
         comments += text + "\n";
     }
     bool wantsComments() const override { return true; }
-    bool skips() const override { return false; }
-    bool stopped() const override { return false; }
-    std::optional<StateValue> valueOf(const std::string &) const override { return std::nullopt; }
-    std::optional<std::string> locate(const char *, const std::string &,
-                                      const SourceLocation &) const override {
-        return std::nullopt;
-    }
-    float detailOf(const std::array<float, 6> &) const override { return 0; }
 
 private:
     /// One not-a-number is like another.

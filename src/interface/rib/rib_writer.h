@@ -3,7 +3,7 @@
 // again, to the last bit of every float.
 #pragma once
 
-#include "interface/ri/stream_sink.h"
+#include "interface/ri/stateless_sink.h"
 #include "interface/rib/byte_output.h"
 
 #include <memory>
@@ -15,7 +15,7 @@ class RibEncoder;
 
 enum class RibEncoding { Ascii, Binary };
 
-class RibWriter final : public StreamSink {
+class RibWriter final : public StatelessSink {
 public:
     /// The output must outlive it.
     RibWriter(ByteOutput &, RibEncoding);
@@ -33,14 +33,7 @@ public:
 
     void comment(const SourceLocation &, const std::string &text) override;
     bool wantsComments() const override { return true; }
-    bool skips() const override { return false; }
     bool stopped() const override { return output_.failed(); }
-    std::optional<StateValue> valueOf(const std::string &) const override { return std::nullopt; }
-    std::optional<std::string> locate(const char *, const std::string &,
-                                      const SourceLocation &) const override {
-        return std::nullopt;
-    }
-    float detailOf(const std::array<float, 6> &) const override { return 0; }
 
     /// Hands all that has been written on to the output.
     void flush();

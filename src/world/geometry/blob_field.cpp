@@ -8,11 +8,6 @@ namespace candela {
 
 namespace {
 
-Vec3 gradientToObject(const Matrix4 &blobFromObject, Vec3 g) {
-    // A covector: by the transpose of the matrix that takes points.
-    return transformNormal(blobFromObject, g);
-}
-
 FieldValue sum(FieldValue a, FieldValue b) { return {a.value + b.value, a.gradient + b.gradient}; }
 
 FieldValue product(FieldValue a, FieldValue b) {
@@ -37,8 +32,8 @@ FieldValue Blob::at(Vec3 P) const {
     const float rest = 1 - dot(out, out);
     if (!(rest > 0))
         return {};
-    return {rest * rest * rest,
-            gradientToObject(blobFromObject, out * (-6 * rest * rest / radius))};
+    // Gradients are covectors, as normals are.
+    return {rest * rest * rest, transformNormal(blobFromObject, out * (-6 * rest * rest / radius))};
 }
 
 FieldValue BlobField::compute(const Instruction &of, Vec3 P,
@@ -72,19 +67,22 @@ FieldValue BlobField::compute(const Instruction &of, Vec3 P,
     return {-operand(0).value, -operand(0).gradient};
 }
 
-FieldValue BlobField::at(Vec3 P) const {
-    thread_local std::vector<FieldValue> values;
+void BlobField::computeAll(Vec3 P, std::vector<FieldValue> &values) const {
     values.resize(instructions_.size());
     for (std::size_t i = 0; i < instructions_.size(); ++i)
         values[i] = compute(instructions_[i], P, values);
+}
+
+FieldValue BlobField::at(Vec3 P) const {
+    thread_local std::vector<FieldValue> values;
+    computeAll(P, values);
     return values.empty() ? FieldValue{} : values.back();
 }
 
 void BlobField::sharesAt(Vec3 P, std::span<float> shares) const {
     std::ranges::fill(shares, 0.0f);
-    std::vector<FieldValue> values(instructions_.size());
-    for (std::size_t i = 0; i < instructions_.size(); ++i)
-        values[i] = compute(instructions_[i], P, values);
+    std::vector<FieldValue> values;
+    computeAll(P, values);
     // Backwards: by how much the field changes with each value.
     std::vector<float> slope(instructions_.size(), 0.0f);
     if (!slope.empty())

@@ -76,6 +76,8 @@ private:
         return {operands_.data() + of.first, of.operands};
     }
     FieldValue compute(const Instruction &, Vec3 P, std::span<const FieldValue> earlier) const;
+    /// One an instruction.
+    void computeAll(Vec3 P, std::vector<FieldValue> &values) const;
 
     std::vector<Blob> blobs_;
     std::vector<Instruction> instructions_;

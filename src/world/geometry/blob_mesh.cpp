@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <set>
 #include <unordered_map>
 
 namespace candela {
@@ -68,7 +68,7 @@ public:
 
     /// The blocks that any blob reaches into, in an order of their own.
     std::vector<Cell> blocks() const {
-        std::map<Cell, bool> found;
+        std::set<Cell> found;
         for (const Blob &blob : field_.blobs()) {
             Cell low, high;
             for (int axis = 0; axis < 3; ++axis) {
@@ -78,12 +78,9 @@ public:
             for (int z = low[2]; z <= high[2]; ++z)
                 for (int y = low[1]; y <= high[1]; ++y)
                     for (int x = low[0]; x <= high[0]; ++x)
-                        found[{x, y, z}] = true;
+                        found.insert({x, y, z});
         }
-        std::vector<Cell> result;
-        for (const auto &[block, _] : found)
-            result.push_back(block);
-        return result;
+        return {found.begin(), found.end()};
     }
 
     BlockMesh meshOf(const Cell &block) const {

@@ -171,10 +171,8 @@ void CurvesSurface::answerNormals(const CurveSegment &segment, const SurfaceQuer
                                   const SurfaceAnswer &answer) const {
     const std::uint32_t number = query.piece[k];
     const float u = query.u[k], v = query.v[k], along = float(layout_.segmentsBeside(number));
-    const Vec3 N =
-        answer.N.x || answer.dNdu.x || answer.dNdv.x ? normalOn(segment, number, u, v) : Vec3{};
     if (answer.N.x)
-        answer.N.set(k, N);
+        answer.N.set(k, normalOn(segment, number, u, v));
     // Cubics go on beyond their ends, and so do differences.
     constexpr float step = 1e-3f;
     auto differ = [&](const Vec3Planes &byU, const Vec3Planes &byV, auto normal) {
