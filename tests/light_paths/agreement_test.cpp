@@ -2,7 +2,7 @@
 // `bidir` and `path` give the same light, region by region, whatever techniques are taken and
 // however they are weighed; so weights sum to 1, and what one end makes of a surface is what the
 // other does. `vcm` does, too, but for what light is spread by merging.
-#include "tests/light_paths/worlds.h"
+#include "tests/light_paths/regions.h"
 #include "tests/support/frames.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ static void PrintTo(const World &world, std::ostream *stream) { *stream << world
 
 namespace {
 
-constexpr int seeds = 8, pixels = 20;
+constexpr int seeds = 8;
 /// The long test, which the environment asks for, has 10 x 10 regions.
 const bool fine = std::getenv("CANDELA_FINE") != nullptr;
 const int regions = fine ? 10 : 5, moreSamples = fine ? 4 : 1;
@@ -52,37 +52,13 @@ const Techniques mergings[] = {
                     "Option \"vcm\" \"float trust\" [1000]\n"},
 };
 
-/// Metres a unit of the world.
-double scaleOf(const World &world) {
-    return world.name == "Tiny" ? .001 : world.name == "Huge" ? 1000 : 1;
-}
-
 std::string optionsOf(const World &world, const std::string &integrator) {
-    return "Format 20 20 1\nOption \"render\" \"string integrator\" [\"" + integrator + "\"]\n" +
-           "Option \"vcm\" \"float radius\" [" + std::to_string(.03 * scaleOf(world)) + "]\n" +
-           "Projection \"perspective\" \"fov\" [60]\n" + world.camera + "Translate 0 0 " +
-           std::to_string(2.6 * scaleOf(world)) + "\n";
+    return "Option \"vcm\" \"float radius\" [" + std::to_string(.03 * scaleOf(world)) + "]\n" +
+           viewOf(world, integrator);
 }
-
-/// values[region][seed], of red and green.
-using Regions = std::vector<std::vector<double>>;
 
 Regions renderRegions(const World &world, const std::string &options, int samples) {
-    Regions result(2 * regions * regions, std::vector<double>(seeds));
-    for (int seed = 0; seed < seeds; ++seed) {
-        const std::vector<FramePixels> frames =
-            render(std::vector<Frame>{{world.name, options, world.text}},
-                   {samples, seed + 1, "light_paths/shaders", world.mayWarn});
-        if (frames.empty())
-            return {};
-        const int side = pixels / regions;
-        for (int k = 0; k < pixels * pixels; ++k) {
-            const int region = k / pixels / side * regions + k % pixels / side;
-            result[region][seed] += frames[0].red[k] / (side * side);
-            result[regions * regions + region][seed] += frames[0].green[k] / (side * side);
-        }
-    }
-    return result;
+    return renderRegions(world, options, {regions, seeds, samples, world.mayWarn});
 }
 
 std::vector<double> sumsOf(const Regions &values) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Radiosity and `path` give the same light, region by region, whatever the final pass: one scene,
 // four answers.
-#include "tests/light_paths/worlds.h"
+#include "tests/light_paths/regions.h"
 #include "tests/support/frames.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ static void PrintTo(const World &world, std::ostream *stream) { *stream << world
 
 namespace {
 
-constexpr int seeds = 4, regions = 5, pixels = 20;
+constexpr int seeds = 4, regions = 5;
 constexpr double familyWiseLevel = 1e-3;
 const char *const passes[] = {"fe", "fe+direct", "gather"};
 
@@ -31,42 +31,15 @@ double toleranceOf(const World &world) {
     return found == coarser.end() ? 0.015 : found->second;
 }
 
-std::string optionsOf(const World &world, const std::string &integrator) {
-    const bool tiny = world.name == "Tiny", huge = world.name == "Huge";
-    return "Format 20 20 1\nOption \"render\" \"string integrator\" [\"" + integrator + "\"]\n" +
-           "Projection \"perspective\" \"fov\" [60]\n" + world.camera + "Translate 0 0 " +
-           (tiny   ? ".0026"
-            : huge ? "2600"
-                   : "2.6") +
-           "\n";
-}
-
-/// values[region][seed], of red and green.
-using Regions = std::vector<std::vector<double>>;
-
-Regions renderRegions(const World &world, const std::string &options, int samples) {
-    Regions result(2 * regions * regions, std::vector<double>(seeds));
-    for (int seed = 0; seed < seeds; ++seed) {
-        const std::vector<FramePixels> frames =
-            render(std::vector<Frame>{{world.name, options, world.text}},
-                   {samples, seed + 1, "light_paths/shaders", true});
-        if (frames.empty())
-            return {};
-        constexpr int side = pixels / regions;
-        for (int k = 0; k < pixels * pixels; ++k) {
-            const int region = k / pixels / side * regions + k % pixels / side;
-            result[region][seed] += frames[0].red[k] / (side * side);
-            result[regions * regions + region][seed] += frames[0].green[k] / (side * side);
-        }
-    }
-    return result;
+Regions renderRegions(const World &world, const std::string &options) {
+    return renderRegions(world, options, {regions, seeds, 64, true});
 }
 
 class RadiosityAgreement : public testing::TestWithParam<World> {};
 
 TEST_P(RadiosityAgreement, WithPathRegionByRegion) {
     const World &world = GetParam();
-    const Regions path = renderRegions(world, optionsOf(world, "path"), 64);
+    const Regions path = renderRegions(world, viewOf(world, "path"));
     ASSERT_FALSE(path.empty());
     double mean = 0;
     for (const std::vector<double> &region : path)
@@ -78,7 +51,7 @@ TEST_P(RadiosityAgreement, WithPathRegionByRegion) {
         SCOPED_TRACE(pass);
         const std::string option =
             std::string("Option \"radiosity\" \"string finalpass\" [\"") + pass + "\"]\n";
-        const Regions found = renderRegions(world, option + optionsOf(world, "radiosity"), 64);
+        const Regions found = renderRegions(world, option + viewOf(world, "radiosity"));
         ASSERT_FALSE(found.empty());
         double worst = 0, sum = 0;
         for (std::size_t region = 0; region < path.size(); ++region) {
