@@ -59,8 +59,9 @@ std::string extensionOf(const std::string &name) {
     return inSmallLetters(std::filesystem::path(name).extension().string());
 }
 
-/// The format by the display's type; type "file" goes by the name's extension, OpenEXR if it has
-/// none. What is not known becomes OpenEXR, under a name that says so, and is warned about.
+/// The format by the display's type; type "file" goes by the name's extension: OpenEXR if it has
+/// none, TIFF if it has one that says nothing ("env.xp"). A type that is not known becomes OpenEXR,
+/// under a name that says so, and is warned about.
 void chooseFormat(PlannedDisplay &display, std::string &warning) {
     DisplayRecord &record = display.record;
     const std::string extension = extensionOf(record.name);
@@ -74,12 +75,16 @@ void chooseFormat(PlannedDisplay &display, std::string &warning) {
     }
     if (byName && extension.empty())
         return;
+    if (byName) { // What "file" has always been; whoever names a file wants it under that name.
+        display.format = FileFormat::Tiff;
+        warning = "files are not written as \"" + extension + "\": it will be TIFF under its name";
+        return;
+    }
+    display.standsIn = true;
     if (extension != ".exr" && !record.name.empty())
         record.name += ".exr";
-    warning = byName ? "files are not written as \"" + extension + "\""
-                     : "this version has no display type \"" + record.type + "\" (known are " +
-                           namesOfTypes() + ")";
-    warning += ": it will be the OpenEXR file \"" + record.name + "\"";
+    warning = "this version has no display type \"" + record.type + "\" (known are " +
+              namesOfTypes() + "): it will be the OpenEXR file \"" + record.name + "\"";
 }
 
 /// Of a mode that may have alpha too.
@@ -118,9 +123,10 @@ std::string formatDefect(const PlannedDisplay &display, const Options &options) 
 }
 
 /// Settles planes and path; false, and `problem` says why, if the display cannot be written.
-/// `renamed` as tellApart() has it.
+/// `renamed` as tellApart() has it, `moved` as the note of outputPath().
 bool settle(PlannedDisplay &display, const Options &options, std::span<const ChannelInfo> available,
-            const OutputPolicy &policy, std::string &renamed, std::string &problem) {
+            const OutputPolicy &policy, std::string &renamed, std::string &moved,
+            std::string &problem) {
     auto planes = displayPlanes(display.record.mode, available, problem);
     if (!planes)
         return false;
@@ -132,7 +138,7 @@ bool settle(PlannedDisplay &display, const Options &options, std::span<const Cha
     if (display.format == FileFormat::RadianceHdr)
         display.planes = colorPlanes(display.planes);
     const auto path =
-        outputPath(display.record.name, policy.directory, policy.allowOutside, problem);
+        outputPath(display.record.name, policy.directory, policy.allowOutside, moved, problem);
     if (!path || !canWriteFile(*path, problem))
         return false;
     display.path = *path;
@@ -158,12 +164,14 @@ std::vector<PlannedDisplay> planDisplays(const Options &options,
     for (const DisplayRecord &record : displaysOf(options)) {
         const SourceLocation &where = record.parameters.where;
         const std::string about = "Display \"" + record.name + "\": ";
-        PlannedDisplay display{record, {}, {}, {}};
-        std::string warning, renamed, problem;
+        PlannedDisplay display{record, {}, {}, {}, {}};
+        std::string warning, renamed, moved, problem;
         chooseFormat(display, warning);
         if (!warning.empty())
             sink.warning(where, about + warning);
-        const bool settled = settle(display, options, available, policy, renamed, problem);
+        const bool settled = settle(display, options, available, policy, renamed, moved, problem);
+        if (!moved.empty())
+            sink.warning(where, about + moved);
         if (!renamed.empty())
             sink.warning(where, about +
                                     "two planes of the file have one name; the second is "

@@ -15,6 +15,7 @@ struct PlannedDisplay {
     FileFormat format = FileFormat::OpenExr;
     std::vector<DisplayPlane> planes;
     std::string path;
+    bool standsIn = false; ///< For a type that is not known: written as it comes, unquantised.
 };
 
 struct OutputPolicy {

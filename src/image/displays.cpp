@@ -30,6 +30,7 @@ struct Job {
     const Options &options;
     const FrameDescription &frame;
     const DisplayRecord &display;
+    bool standsIn;
     const std::vector<DisplayPlane> &planes;
     std::string problem, warning;
 };
@@ -40,7 +41,22 @@ PlaneSettings planeSettings(const Job &job) {
     settings.gain = job.options.exposureGain;
     settings.gamma = usable(job.options.exposureGamma) ? job.options.exposureGamma : 1;
     settings.halves = wantsHalves(job.display);
+    settings.channels = job.options.channelQuantize;
+    settings.own = job.display.quantize;
     return settings;
+}
+
+/// What is done with a plane; one == 0: it stays as it is.
+QuantizeRecord quantizeOf(const DisplayPlane &plane, const PlaneSettings &settings) {
+    switch (plane.source) {
+    case Source::Depth: return settings.depth;
+    case Source::Color:
+    case Source::Alpha: return settings.color;
+    default: break;
+    }
+    if (const auto named = settings.channels.find(plane.channel); named != settings.channels.end())
+        return named->second;
+    return settings.own.value_or(settings.quantizeAll ? settings.color : QuantizeRecord{});
 }
 
 void describe(const Job &job, Picture &picture) {
@@ -75,6 +91,8 @@ std::optional<std::string> exrBytes(Job &job) {
     const QuantizeRecord none;
     settings.color = job.display.quantize.value_or(job.options.colorQuantize.value_or(none));
     settings.depth = depthQuantize(job.display, job.options);
+    if (job.standsIn) // Those numbers were meant for another format.
+        settings.color = settings.depth = none, settings.channels.clear(), settings.own.reset();
     Picture picture = developPicture(job.sources, job.planes, settings);
     describe(job, picture);
     noteQuantize(picture, settings.color);
@@ -87,6 +105,8 @@ std::optional<std::string> pngBytes(Job &job) {
     PlaneSettings settings = planeSettings(job);
     settings.quantizeAll = true;
     settings.halves = false;
+    settings.own.reset();
+    std::erase_if(settings.channels, [](const auto &named) { return named.second.one == 0; });
     settings.color =
         job.display.quantize.value_or(job.options.colorQuantize.value_or(eightBitQuantize));
     if (settings.color.one == 0) {
@@ -112,8 +132,8 @@ std::string descriptionOf(const Picture &picture) {
     return text;
 }
 
-/// Formats of the module of pictures. Channels of colour and depth that are quantised make a file
-/// of whole numbers; anything else one of floats.
+/// Formats of the module of pictures. Channels that are all quantised make a file of whole numbers;
+/// anything else one of floats.
 std::optional<std::string> libraryBytes(Job &job, PictureToEncode::Format format) {
     PlaneSettings settings = planeSettings(job);
     settings.halves = false;
@@ -123,21 +143,20 @@ std::optional<std::string> libraryBytes(Job &job, PictureToEncode::Format format
             job.display.quantize.value_or(job.options.colorQuantize.value_or(eightBitQuantize));
         settings.depth = depthQuantize(job.display, job.options);
     }
-    auto isWhole = [&](const DisplayPlane &plane) {
-        return plane.source == Source::Depth ? settings.depth.one != 0
-               : plane.source == Source::Color || plane.source == Source::Alpha
-                   ? settings.color.one != 0
-                   : false;
-    };
-    const bool whole = std::ranges::all_of(job.planes, isWhole);
+    bool whole = !isHdr;
+    float most = 0;
+    for (const DisplayPlane &plane : job.planes) {
+        const QuantizeRecord quantize = quantizeOf(plane, settings);
+        whole = whole && quantize.one != 0;
+        most = std::max(most, quantize.maximum);
+    }
     if (!whole)
-        settings.color = settings.depth = {};
+        settings.color = settings.depth = {}, settings.channels.clear(), settings.own.reset();
     Picture picture = developPicture(job.sources, job.planes, settings);
     describe(job, picture);
     noteQuantize(picture, settings.color);
     PictureToEncode file;
     file.format = format;
-    const float most = std::max(settings.color.maximum, settings.depth.maximum);
     file.numbers = !whole       ? PictureToEncode::Numbers::Floats
                    : most > 255 ? PictureToEncode::Numbers::Words
                                 : PictureToEncode::Numbers::Bytes;
@@ -174,14 +193,12 @@ bool write(Job &job, const PlannedDisplay &display) {
 void develop(SourcePlane &from, const DisplayPlane &plane, int planeNumber, const FrameWindow &w,
              const PlaneSettings &settings) {
     const bool color = plane.source == Source::Color;
-    const bool depth = plane.source == Source::Depth;
-    const bool whole = color || depth || plane.source == Source::Alpha || settings.quantizeAll;
-    const QuantizeRecord &quantize = depth ? settings.depth : settings.color;
+    const QuantizeRecord quantize = quantizeOf(plane, settings);
     std::vector<float> &values = from.values;
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (color && !from.exposed)
             values[i] = exposed(values[i], settings.gain, settings.gamma);
-        if (whole && quantize.one != 0) {
+        if (quantize.one != 0) {
             const int x = w.x0 + int(i % w.columns()), y = w.y0 + int(i / w.columns());
             values[i] = quantized(values[i], quantize, ditherNoise(x, y, planeNumber));
         }
@@ -263,7 +280,8 @@ std::vector<std::string> writeDisplays(const DisplaySources &sources,
     for (const PlannedDisplay &display : displays) {
         std::string warning;
         const std::vector<DisplayPlane> planes = planesOfOneSize(sources, display.planes, warning);
-        Job job{sources, options, frame, display.record, planes, {}, std::move(warning)};
+        Job job{sources,          options, frame, display.record,
+                display.standsIn, planes,  {},    std::move(warning)};
         if (planes.empty())
             job.problem = "there is nothing to write";
         const SourceLocation &where = display.record.parameters.where;

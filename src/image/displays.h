@@ -32,11 +32,14 @@ std::vector<std::string> writeDisplays(const DisplaySources &, std::span<const P
 struct PlaneSettings {
     float gain = 1, gamma = 1;
     QuantizeRecord color, depth;
-    bool quantizeAll = false; ///< The format holds whole numbers only.
+    std::map<std::string, QuantizeRecord> channels; ///< Of other channels, by name.
+    std::optional<QuantizeRecord> own;              ///< The display's, of all others.
+    bool quantizeAll = false;                       ///< The format holds whole numbers only.
     bool halves = false;
 };
 /// The picture a display shows: Ci through exposure and, if `color.one` is not 0, quantised, as
-/// alpha and depth are; other channels as they are unless `quantizeAll`. Planes of the halves lie
+/// alpha and depth are; other channels as they are unless `quantizeAll`, `own` or `channels` says
+/// otherwise. Planes of the halves lie
 /// under "half0" and "half1" if wanted and the film has them.
 Picture developPicture(const DisplaySources &, const std::vector<DisplayPlane> &,
                        const PlaneSettings &);

@@ -36,7 +36,8 @@ float ditherNoise(int x, int y, int component) {
 float quantized(float value, const QuantizeRecord &quantize, float noise) {
     if (quantize.one == 0)
         return value;
-    const float level = std::floor(quantize.one * value + quantize.ditherAmplitude * noise + 0.5f);
+    const float scaled = quantize.zero + (quantize.one - quantize.zero) * value;
+    const float level = std::floor(scaled + quantize.ditherAmplitude * noise + 0.5f);
     return std::min(std::max(level, quantize.minimum), quantize.maximum);
 }
 

@@ -55,7 +55,11 @@ ShaderFolders shaderFolders(const std::string &ribFile, const std::vector<std::s
     for (const std::string &folder : shaderPath)
         add(folders.all, folder);
     fs::path beside = fs::path(ribFile).parent_path();
-    add(folders.all, beside.empty() ? "." : beside);
+    if (beside.empty())
+        beside = ".";
+    add(folders.all, beside);
+    for (const char *neighbour : {"shaders", "../shaders"})
+        add(folders.all, (beside / neighbour).lexically_normal());
     add(folders.all, ".");
     for (const auto *library : {&listed, &shipped})
         for (const std::string &folder : *library)

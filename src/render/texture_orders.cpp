@@ -12,7 +12,9 @@ namespace candela {
 static bool findPictures(TextureOrder &order, std::vector<std::string> folders,
                          std::string &problem) {
     for (std::string &picture : order.pictures) {
-        const auto found = findFile(picture, folders);
+        auto found = findFile(picture, folders);
+        if (!found)
+            found = findNamesake(picture, folders);
         if (!found) {
             problem = "there is no picture \"" + picture + "\"";
             return false;
@@ -27,14 +29,17 @@ void makeOrderedTexture(TextureOrder order, const Options &options,
     std::vector<std::string> folders = searchFolders(options, "texture");
     folders.insert(folders.end(), settings.folders.begin(), settings.folders.end());
     const std::string name = order.texture;
-    std::string problem;
-    const auto path = outputPath(name, settings.outputDirectory, settings.allowOutside, problem);
+    const SourceLocation &where = order.parameters.where;
+    std::string moved, problem;
+    const auto path =
+        outputPath(name, settings.outputDirectory, settings.allowOutside, moved, problem);
+    if (!moved.empty())
+        diagnostics.warning(where, order.request + ": \"" + name + "\": " + moved);
     if (path)
         order.texture = *path;
     if (!path || !canWriteFile(*path, problem) || !findPictures(order, folders, problem) ||
         !makeTexture(order, problem))
-        diagnostics.error(order.parameters.where,
-                          order.request + ": " + problem + "; \"" + name + "\" is not made");
+        diagnostics.error(where, order.request + ": " + problem + "; \"" + name + "\" is not made");
 }
 
 } // namespace candela

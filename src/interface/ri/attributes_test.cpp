@@ -210,7 +210,6 @@ TEST_F(State, nonsenseInOptionsIsReportedAndHasNoEffect) {
     state.screenWindow(at, 0, 0, 0, 1);
     state.cropWindow(at, 0.5f, 0.25f, 0, 1);
     state.cropWindow(at, NAN, 1, 0, 1);
-    state.projection(at, "fisheye", {});
     state.projection(at, "perspective", numbers("fov", {180}));
     state.clipping(at, 2, 1);
     state.depthOfField(at, {{1, 2}});
@@ -218,8 +217,8 @@ TEST_F(State, nonsenseInOptionsIsReportedAndHasNoEffect) {
     state.pixelSamples(at, 0, 1);
     state.pixelFilter(at, "box", 0, 1);
     state.exposure(at, 1, 0);
-    state.quantize(at, "cmyk", 1, 2, 3, 0);
-    EXPECT_EQ(errors(), 14);
+    state.quantize(at, "rgba", 1, 3, 2, 0);
+    EXPECT_EQ(errors(), 13);
     state.worldBegin(at);
     const Options &options = builder.worlds[0].options, standard;
     EXPECT_EQ(options.format.xResolution, standard.format.xResolution);

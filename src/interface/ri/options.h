@@ -20,9 +20,10 @@ struct PixelFilterRecord {
     float xWidth = 2, yWidth = 2;
 };
 
-/// RiQuantize: round(one * value + dither * random), clamped; one == 0 leaves floats.
+/// RiQuantize: round(one * value + dither * random), clamped; one == 0 leaves floats. A display's
+/// own may say what 0 becomes, too.
 struct QuantizeRecord {
-    float one = 0, minimum = 0, maximum = 0, ditherAmplitude = 0;
+    float one = 0, minimum = 0, maximum = 0, ditherAmplitude = 0, zero = 0;
 };
 
 /// More samples of a pixel would do no good and are not counted.
@@ -80,6 +81,7 @@ struct Options {
     std::optional<ShaderRecord> imager;          ///< Unset = none.
     std::optional<QuantizeRecord> colorQuantize; ///< RiQuantize "rgba"; unset = display's default.
     std::optional<QuantizeRecord> depthQuantize; ///< RiQuantize "z".
+    std::map<std::string, QuantizeRecord> channelQuantize; ///< And of any other channel, by name.
     std::vector<DisplayRecord> displays;         ///< Empty = the default display.
     std::map<std::string, std::string> channels; ///< DisplayChannel: name to what it shows.
     std::string hider = "hidden";

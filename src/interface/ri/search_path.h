@@ -12,8 +12,9 @@
 namespace candela {
 
 /// The folders of a path as a flat list "a:b:c", with '&' replaced by the previous value of the
-/// path, '@' by the default one, %NAME% by the environment variable of that name (nothing if it
-/// is not set) and a leading ~ by the home folder. Empty and repeated entries vanish.
+/// path, '@' by the default one, %NAME% and ${NAME} by the environment variable of that name
+/// (nothing if it is not set) and a leading ~ by the home folder. Empty and repeated entries vanish;
+/// ';' parts entries as ':' does.
 std::string expandSearchPath(std::string_view text, std::string_view previous,
                              std::string_view standard);
 /// The entries of an expanded path.
@@ -24,5 +25,12 @@ std::vector<std::string> searchFolders(const Options &, const std::string &kind)
 /// does.
 std::optional<std::string> findFile(const std::string &name,
                                     const std::vector<std::string> &folders);
+/// For a file that is not where its name says: names of other systems and other people's folders.
+/// The name with '/' for '\\', else its last part. Nothing if the name names no folder.
+std::optional<std::string> findNamesake(const std::string &name,
+                                        const std::vector<std::string> &folders);
+/// An expanded path in which each relative folder is followed by that of the same name as seen from
+/// the folder of `file`, if there is one: scenes are rendered from anywhere.
+std::string withFoldersBeside(const std::string &expanded, const std::string &file);
 
 } // namespace candela

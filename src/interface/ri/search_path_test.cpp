@@ -19,6 +19,9 @@ TEST(SearchPath, expands) {
         {"&:@:&", "old1:old2:std"},
         {"%CANDELA_TEST_FOLDER%/x:y", "/somewhere/x:y"},
         {"%CANDELA_TEST_UNSET%:y", "y"},
+        {"${CANDELA_TEST_FOLDER}/x:y", "/somewhere/x:y"},
+        {"${CANDELA_TEST_UNSET}:y", "y"},
+        {"C;d:e", "C:d:e"},
         {"100%", "100%"},
         {"", ""},
     };
@@ -38,6 +41,23 @@ TEST(SearchPath, filesAreFoundInOrder) {
     EXPECT_EQ(findFile("options.h", {"/nowhere"}), std::nullopt);
     EXPECT_EQ(findFile(here + "/options.h", {}), here + "/options.h");
     EXPECT_EQ(findFile("ri", {CANDELA_SOURCE_DIR "/src/interface"}), std::nullopt); // A folder.
+}
+
+TEST(SearchPath, namesakesLieInOtherFolders) {
+    const std::string here = CANDELA_SOURCE_DIR "/src/interface/ri";
+    for (const char *name : {"/somebody/options.h", "C:\\x\\options.h", "x/y/options.h"})
+        EXPECT_EQ(findNamesake(name, {"/nowhere", here}), here + "/options.h") << name;
+    EXPECT_EQ(findNamesake("ri\\options.h", {CANDELA_SOURCE_DIR "/src/interface"}),
+              here + "/options.h");
+    for (const char *name : {"options.h", "/somebody/", "/somebody/else.h"})
+        EXPECT_EQ(findNamesake(name, {here}), std::nullopt) << name;
+}
+
+TEST(SearchPath, foldersAreSeenFromTheFileToo) {
+    const std::string source = CANDELA_SOURCE_DIR;
+    EXPECT_EQ(withFoldersBeside("src:nowhere:/usr", source + "/scene.rib"),
+              "src:" + source + "/src:nowhere:/usr");
+    EXPECT_EQ(withFoldersBeside("src", "scene.rib"), "src");
 }
 
 } // namespace candela

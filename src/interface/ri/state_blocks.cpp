@@ -33,7 +33,15 @@ std::optional<std::string> StateHandlers::locate(const char *path, const std::st
         folders.push_back(folder.empty() ? "." : folder);
     }
     folders.push_back(".");
-    return findFile(name, folders);
+    auto found = findFile(name, folders);
+    if (!found && std::string_view(path) == "archive") {
+        found = findNamesake(name, folders);
+        if (found)
+            diagnostics_.warnOnce(where, "namesake " + name,
+                                  "there is no archive '" + name + "'; " + *found +
+                                      " is taken in its place");
+    }
+    return found;
 }
 
 float StateHandlers::detailOf(const std::array<float, 6> &bound) const {

@@ -81,6 +81,7 @@ private:
     void setOrNone(const SourceLocation &, const char *request, ShaderKind, std::uint32_t own,
                    Shader Attributes::*, const std::string &name, const TokenList &);
     void tellLight(LightRecord);
+    void switchOnEverywhere(const SourceLocation &, const Handle &);
     ShaderRecord pictureShader(const SourceLocation &, const char *request, ShaderKind,
                                const std::string &name, const TokenList &);
     /// Hands an order for a texture on, its parameters read.

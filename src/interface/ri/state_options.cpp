@@ -68,10 +68,13 @@ static Matrix4 screenFromProjected(RequestDiagnostics &diagnostics, const Source
 void StateHandlers::projection(const SourceLocation &where, const std::string &name,
                                const TokenList &tokens) {
     const bool none = name == "null" || name.empty();
-    if (name != "perspective" && name != "orthographic" && !none)
-        return diagnostics_.error(
-            where, "Projection",
-            "'" + name + "' is unknown: expected \"perspective\", \"orthographic\" or \"null\"");
+    const bool orthographic = name == "orthographic" || name == "PxrOrthographic";
+    if (name != "perspective" && !orthographic && !none && name != "PxrPerspective" &&
+        name != "PxrCamera")
+        diagnostics_.warning(where, "Projection",
+                             "'" + name +
+                                 "' is not known here: it is drawn as \"perspective\" (known are "
+                                 "\"perspective\", \"orthographic\" and \"null\")");
     float fieldOfView = parameters_.ofRequest(where, tokens, "Projection").number("fov", 90);
     if (!(fieldOfView > 0 && fieldOfView < 180)) {
         diagnostics_.error(where, "Projection",
@@ -79,7 +82,7 @@ void StateHandlers::projection(const SourceLocation &where, const std::string &n
         fieldOfView = 90;
     }
     CameraRecord &camera = state_.options.camera;
-    camera.perspective = name == "perspective";
+    camera.perspective = !orthographic && !none;
     camera.fieldOfView = fieldOfView;
     // RI 3.2, 4.1.1: without a projection, what stands before it leads from the world to the
     // camera; with one, it moves the projected picture, and camera space starts here.
@@ -173,8 +176,7 @@ void StateHandlers::quantize(const SourceLocation &where, const std::string &typ
     else if (type == "z")
         state_.options.depthQuantize = record;
     else
-        diagnostics_.error(where, "Quantize",
-                           "'" + type + "' is unknown: expected \"rgba\" or \"z\"");
+        state_.options.channelQuantize[type] = record;
 }
 
 static std::optional<QuantizeRecord> displayQuantize(const ParameterList &list) {
@@ -182,7 +184,7 @@ static std::optional<QuantizeRecord> displayQuantize(const ParameterList &list) 
     if (!levels || levels->floats.size() != 4)
         return std::nullopt;
     const Floats &v = levels->floats;
-    return QuantizeRecord{v[1], v[2], v[3], list.number("dither", v[1] > 0 ? 0.5f : 0.0f)};
+    return QuantizeRecord{v[1], v[2], v[3], list.number("dither", v[1] > 0 ? 0.5f : 0.0f), v[0]};
 }
 
 /// PRMan's: a channel's declaration, and where it comes from if it is not what its name says.
@@ -254,7 +256,7 @@ void StateHandlers::relativeDetail(const SourceLocation &where, float detail) {
 
 /// What the path's text stands for becomes its value.
 static void expandSearchPath(Parameter &path, const GraphicsStateSettings::SearchPaths &standards,
-                             const Options &options) {
+                             const Options &options, const SourceLocation &where) {
     std::string text;
     for (const std::string &each : path.strings)
         text += (text.empty() ? "" : ":") + each;
@@ -263,7 +265,8 @@ static void expandSearchPath(Parameter &path, const GraphicsStateSettings::Searc
                            : path.name == "archive" ? standards.archive
                                                     : "";
     std::string previous = options.named.string("searchpath:" + path.name, "");
-    path.strings = {expandSearchPath(text, previous, standard)};
+    path.strings = {withFoldersBeside(expandSearchPath(text, previous, standard),
+                                      where.file ? *where.file : std::string())};
 }
 
 void StateHandlers::option(const SourceLocation &where, const std::string &category,
@@ -272,7 +275,7 @@ void StateHandlers::option(const SourceLocation &where, const std::string &categ
         if (!checkOption(diagnostics_, where, category, parameter))
             continue;
         if (category == "searchpath" && !parameter.strings.empty())
-            expandSearchPath(parameter, settings_.searchPaths, state_.options);
+            expandSearchPath(parameter, settings_.searchPaths, state_.options, where);
         std::string name = category + ":" + parameter.name;
         state_.options.named[std::move(name)] = std::move(parameter);
     }

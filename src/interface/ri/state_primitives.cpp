@@ -156,6 +156,20 @@ void StateHandlers::nuPatch(const SourceLocation &where, int uVertices, int uOrd
 
 void StateHandlers::geometry(const SourceLocation &where, const std::string &type,
                              const TokenList &tokens) {
+    // PRMan's shapes for area lights, of unit size; they shine along z, and those that are far
+    // away have none.
+    if (type == "spherelight")
+        return sphere(where, .5f, -.5f, .5f, 360, tokens);
+    if (type == "disklight")
+        return disk(where, 0, .5f, 360, tokens);
+    if (type == "rectlight")
+        return patch(where, "bilinear",
+                     {{{"vertex point P",
+                        where,
+                        {-.5f, -.5f, 0, .5f, -.5f, 0, -.5f, .5f, 0, .5f, .5f, 0},
+                        {}}}});
+    if (type == "envsphere" || type == "distantlight")
+        return;
     if (type != "teapot")
         return diagnostics_.warnOnce(where, "geometry " + type,
                                      "Geometry: \"" + type +

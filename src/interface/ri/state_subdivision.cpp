@@ -161,4 +161,13 @@ void StateHandlers::subdivisionMesh(const SourceLocation &where, const std::stri
     emit(where, "SubdivisionMesh", std::move(mesh), tokens);
 }
 
+/// Its hierarchy is left out: tags of its kind are told as unknown ones.
+void StateHandlers::hierarchicalSubdivisionMesh(
+    const SourceLocation &where, const std::string &scheme, const Integers &vertexCounts,
+    const Integers &vertices, const Strings &tags, const Integers &argumentCounts,
+    const Integers &integers, const Floats &floats, const Strings &, const TokenList &tokens) {
+    subdivisionMesh(where, scheme, vertexCounts, vertices, {tags, argumentCounts, integers, floats},
+                    tokens);
+}
+
 } // namespace candela

@@ -157,6 +157,10 @@ ShaderLibrary::ShaderLibrary(ShaderLibrarySettings, DiagnosticSink &)
 ShaderLibrary::~ShaderLibrary() = default;
 void ShaderLibrary::makeReady() {}
 void ShaderLibrary::bindOptions(const Options &) {}
+bool ShaderLibrary::hasShadowMap(const std::string &) const { return true; }
+ShaderRecord ShaderLibrary::lightWithShader(const ShaderRecord &light, const Options &) {
+    return light;
+}
 void ShaderLibrary::bindRays(const RayAnswers *) {}
 void ShaderLibrary::bindLights(std::vector<std::vector<ToldParameter>>) {}
 

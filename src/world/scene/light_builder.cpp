@@ -84,11 +84,26 @@ bool emitsAlike(const ShaderCode &code) {
                                                  {{ShaderInput::Cs, 3}, {ShaderInput::Os, 3}});
 }
 
-/// The shader looks its shadows up: those and no others are wanted.
-bool bringsShadows(const ShaderCode &code) {
-    return std::ranges::any_of(code.shader().whole.services, [](const ir::ServiceUse &use) {
-        return use.info->service == Service::shadow || use.info->service == Service::transmission;
-    });
+/// Where a light's shadows come from: nothing is said of them; its shader looks them up, and those
+/// and no others are wanted; or it would if the map were there, and rays have to find them.
+enum class Shadows { Unsaid, Own, ByRays };
+
+Shadows shadowsOf(const ShaderCode &code, const ShaderLibrary &library) {
+    Shadows result = Shadows::Unsaid;
+    const ir::Function &text = code.shader().whole;
+    for (const ir::ServiceUse &use : text.services) {
+        if (use.info->service == Service::transmission)
+            return Shadows::Own;
+        if (use.info->service != Service::shadow)
+            continue;
+        const std::string &map = text.strings[use.texts[0]];
+        if (map.empty())
+            continue;
+        if (library.hasShadowMap(map))
+            return Shadows::Own;
+        result = Shadows::ByRays;
+    }
+    return result;
 }
 
 /// "shader" space, and where it goes.
@@ -114,11 +129,12 @@ LightBuilder::LightBuilder(SceneState &state, ShaderLibrary &library)
 void LightBuilder::declare(const std::vector<std::shared_ptr<const LightRecord>> &records) {
     std::vector<std::vector<ToldParameter>> told;
     for (const auto &record : records) {
-        told.push_back(library_.parametersTold(ShaderKind::Light, record->shader, state_.options,
+        const ShaderRecord shader = library_.lightWithShader(record->shader, state_.options);
+        told.push_back(library_.parametersTold(ShaderKind::Light, shader, state_.options,
                                                ir::LightRule::Classic));
         SceneLight light;
         LightTags tags;
-        auto instance = library_.instance(ShaderKind::Light, record->shader, state_.options,
+        auto instance = library_.instance(ShaderKind::Light, shader, state_.options,
                                           ir::LightRule::Classic, {});
         if (instance) {
             light.shader = *instance;
@@ -126,10 +142,11 @@ void LightBuilder::declare(const std::vector<std::shared_ptr<const LightRecord>>
             tags = tagsOf(*record, *instance->code);
         }
         light.si = record->units == LightUnits::Si;
-        light.castsShadow =
-            (!state_.classic || record->shadows) && !(instance && bringsShadows(*instance->code));
+        const Shadows shadows = instance ? shadowsOf(*instance->code, library_) : Shadows::Unsaid;
+        light.castsShadow = shadows == Shadows::ByRays ||
+                            (shadows == Shadows::Unsaid && (!state_.classic || record->shadows));
         placeShader(record->shader.currentFromShader, state_.points.shutter, light);
-        light.parametersChange = record->shader.motion && state_.points.shutter.hasInterval();
+        light.parametersChange = shader.motion && state_.points.shutter.hasInterval();
         state_.lights.lights.push_back(std::move(light));
         tags_.push_back(std::move(tags));
     }

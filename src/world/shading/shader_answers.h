@@ -27,6 +27,8 @@ public:
     }
     /// The options of the frame; not while a shader runs.
     void bindOptions(const Options &);
+    /// As Textures has it, for the options bound last.
+    bool hasShadowMap(const std::string &name) const { return textures_.hasShadowMap(name); }
     /// Who follows rays; null: nobody, and they meet nothing. Not while a shader runs.
     void bindRays(const RayAnswers *rays) { rays_ = rays; }
     /// The parameters of the lights, by their index; likewise.

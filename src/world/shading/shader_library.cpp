@@ -8,6 +8,7 @@
 #include "foundation/base/parallel.h"
 #include "interface/ri/search_path.h"
 #include "world/shading/instance_values.h"
+#include "world/shading/light_stand_in.h"
 #include "world/shading/shader_source.h"
 
 #include <algorithm>
@@ -37,12 +38,13 @@ struct ShaderLibrary::State {
     std::vector<std::shared_ptr<ShaderCode>> inOrder;
     std::size_t ready = 0; ///< How many of these have been compiled.
     std::set<std::string> said;
+    std::set<std::string> standIns; ///< Names of lights that have one.
 
     /// Passes on what has not been said before: a text is compiled once for each choice of strings,
     /// and its author reads the same each time.
     void sayOnce(const DiagnosticList &);
     const sl::TypedShader *find(ShaderKind, const ShaderRecord &, const Options &, ir::LightRule);
-    const sl::TypedShader *fromLibrary(const std::string &surface);
+    const sl::TypedShader *fromLibrary(ShaderKind, const std::string &name);
     /// The default surface with all its parameters at their defaults; none without a library.
     std::optional<ir::LoweredShader> standIn(ir::LightRule);
     void replace(ShaderCode &);
@@ -111,22 +113,21 @@ void ShaderLibrary::State::sayOnce(const DiagnosticList &words) {
 }
 
 /// Null without a word if there is no library: whoever looked for it has said so.
-const sl::TypedShader *ShaderLibrary::State::fromLibrary(const std::string &surface) {
-    return libraryFolders.empty()
-               ? nullptr
-               : sources.findIn(libraryFolders, ShaderKind::Surface, surface, SourceLocation());
+const sl::TypedShader *ShaderLibrary::State::fromLibrary(ShaderKind kind, const std::string &name) {
+    return libraryFolders.empty() ? nullptr
+                                  : sources.findIn(libraryFolders, kind, name, SourceLocation());
 }
 
 const sl::TypedShader *ShaderLibrary::State::find(ShaderKind kind, const ShaderRecord &record,
                                                   const Options &options, ir::LightRule rule) {
     if (record.name.empty())
-        return fromLibrary(defaultSurface(rule));
+        return fromLibrary(ShaderKind::Surface, defaultSurface(rule));
     const sl::TypedShader *shader =
         sources.find(kind, record.name, searchFolders(options, "shader"), record.parameters.where);
     // A user's own surface of that name is what it is; the library's has a form for each rule.
     const bool isDefault = kind == ShaderKind::Surface && record.name == "defaultsurface" &&
-                           shader == fromLibrary(record.name);
-    return isDefault && shader ? fromLibrary(defaultSurface(rule)) : shader;
+                           shader == fromLibrary(kind, record.name);
+    return isDefault && shader ? fromLibrary(kind, defaultSurface(rule)) : shader;
 }
 
 const ir::LoweredShader *ShaderLibrary::State::lowerOnce(const sl::TypedShader &shader,
@@ -306,6 +307,19 @@ std::optional<ShaderInstance> ShaderLibrary::instance(ShaderKind kind, const Sha
     return made;
 }
 
+ShaderRecord ShaderLibrary::lightWithShader(const ShaderRecord &light, const Options &options) {
+    State &state = *state_;
+    const SourceLocation &where = light.parameters.where;
+    if (state.libraryFolders.empty() ||
+        state.sources.find(ShaderKind::Light, light.name, searchFolders(options, "shader"), where))
+        return light;
+    ShaderRecord other = lightStandIn(light);
+    if (state.standIns.insert(light.name).second)
+        state.diagnostics.warning(where, "light \"" + light.name + "\": the library's \"" +
+                                             other.name + "\" stands in for it");
+    return other;
+}
+
 std::vector<ToldParameter> ShaderLibrary::parametersTold(ShaderKind kind,
                                                          const ShaderRecord &record,
                                                          const Options &options,
@@ -334,7 +348,7 @@ std::shared_ptr<const FilterCode> ShaderLibrary::filter(const ShaderRecord &reco
 }
 
 std::optional<ir::LoweredShader> ShaderLibrary::State::standIn(ir::LightRule rule) {
-    const sl::TypedShader *shader = fromLibrary(defaultSurface(rule));
+    const sl::TypedShader *shader = fromLibrary(ShaderKind::Surface, defaultSurface(rule));
     auto lowered = shader ? ir::lower(*shader, {}, {}, diagnostics) : std::nullopt;
     if (!lowered)
         return std::nullopt;
@@ -378,6 +392,10 @@ void ShaderLibrary::bindLights(std::vector<std::vector<ToldParameter>> lights) {
 }
 
 void ShaderLibrary::bindOptions(const Options &options) { state_->answers->bindOptions(options); }
+
+bool ShaderLibrary::hasShadowMap(const std::string &name) const {
+    return state_->answers->hasShadowMap(name);
+}
 
 void ShaderLibrary::bindRays(const RayAnswers *rays) { state_->answers->bindRays(rays); }
 

@@ -55,6 +55,9 @@ public:
                                            ir::LightRule, const std::set<std::string> &variables,
                                            const OtherShaders & = {},
                                            const Attributes *attributes = nullptr);
+    /// The record of a light itself, or of one of the library's if its shader is missing or faulty,
+    /// which is reported: a scene is not left in the dark for it.
+    ShaderRecord lightWithShader(const ShaderRecord &, const Options &);
     /// Of the instance of a record that has become one: all its parameters. Empty for what is
     /// missing or faulty.
     std::vector<ToldParameter> parametersTold(ShaderKind, const ShaderRecord &, const Options &,
@@ -69,6 +72,8 @@ public:
     void makeReady();
     /// What option() tells all shaders, until it is bound anew. Not to be called while any runs.
     void bindOptions(const Options &);
+    /// False for the name of a shadow map that is to be had from rays instead, by those options.
+    bool hasShadowMap(const std::string &name) const;
     /// Who follows the rays that shaders ask for, until it is bound anew; null: nobody, and all is
     /// clear. Not to be called while any runs.
     void bindRays(const RayAnswers *);

@@ -24,7 +24,9 @@ sl::ShaderKind languageKind(ShaderKind kind) {
     return sl::ShaderKind::Surface;
 }
 
-std::string lastPart(const std::string &name) { return name.substr(name.find_last_of('/') + 1); }
+std::string lastPart(const std::string &name) {
+    return name.substr(name.find_last_of("/\\") + 1);
+}
 
 } // namespace
 
@@ -72,8 +74,8 @@ const sl::TypedShader *ShaderSources::lookFor(const std::vector<std::string> &fo
     };
 
     std::optional<std::string> path = findFile(plain + ".sl", folders);
-    if (!path && plain.find('/') != std::string::npos)
-        path = findFile(lastPart(plain) + ".sl", folders);
+    if (!path)
+        path = findNamesake(plain + ".sl", folders);
     if (!path) {
         std::string looked;
         for (const std::string &folder : folders)

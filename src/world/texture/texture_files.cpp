@@ -16,12 +16,15 @@ std::optional<FoundTexture> findTexture(const std::string &name,
                                         const std::vector<std::string> &folders) {
     if (const auto path = findFile(name, folders))
         return FoundTexture{*path, true};
+    if (const auto path = findNamesake(name, folders))
+        return FoundTexture{*path, false};
     std::filesystem::path other(name);
     if (!other.has_stem())
         return std::nullopt;
-    for (const char *extension : extensions)
-        if (const auto path = findFile(other.replace_extension(extension).string(), folders))
-            return FoundTexture{*path, false};
+    for (const auto find : {findFile, findNamesake})
+        for (const char *extension : extensions)
+            if (const auto path = find(other.replace_extension(extension).string(), folders))
+                return FoundTexture{*path, false};
     return std::nullopt;
 }
 

@@ -15,6 +15,9 @@ namespace candela {
 
 namespace {
 
+/// PRMan's name for shadows without a map.
+constexpr const char *tracedShadows = "raytrace";
+
 /// Rows of a block are no wider (contracts.md, 7).
 constexpr int mostLanes = 32;
 
@@ -65,6 +68,10 @@ void Textures::bind(const Options &options) {
         pictures_->forget();
 }
 
+bool Textures::hasShadowMap(const std::string &name) const {
+    return name != tracedShadows && findTexture(name, folders_);
+}
+
 bool Textures::hasLibrary() {
     if (pictures_ || hasFailed_)
         return pictures_ != nullptr;
@@ -109,10 +116,14 @@ void Textures::open(Texture &texture, const ServiceCall &call, Use use) {
     const std::string name = call.site->texts[0];
     if (name.empty())
         return;
+    if (use == Use::Depths && name == tracedShadows)
+        return;
     const auto found = findTexture(name, folders_);
     if (!found)
-        return warn(call, "there is no such file in " + listOf(folders_) +
-                              "; what is looked up in it is 0");
+        return warn(call,
+                    "there is no such file in " + listOf(folders_) +
+                        (use == Use::Depths ? "; lights that ask for it have their shadows by rays"
+                                            : "; what is looked up in it is 0"));
     if (!found->isExact)
         warn(call, "there is no such file; " + found->path + " is taken in its place");
     if (!hasLibrary())

@@ -30,6 +30,10 @@ public:
     /// opened before is looked for anew, since a frame may write what the next one reads.
     void bind(const Options &);
 
+    /// False for a shadow map that is to be had from rays instead: one that is not there, and what
+    /// PRMan calls "raytrace".
+    bool hasShadowMap(const std::string &name) const;
+
     /// The services of these names (language/runtime/services.def).
     void texture(const ServiceCall &);
     void environment(const ServiceCall &);

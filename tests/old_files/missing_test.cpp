@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scenes whose files are not all at hand, or are somewhere else than where they were once: what can
+// be drawn is drawn, and what stands in for the rest is told.
+#include "image/picture_file.h"
+#include "tests/support/program.h"
+#include "tests/support/scratch_folder.h"
+
+#include <gtest/gtest.h>
+
+namespace candela::test {
+namespace {
+
+const std::string head = "Format 8 8 1\nPixelFilter \"box\" 1 1\n"
+                         "Display \"out.exr\" \"openexr\" \"rgb\"\n";
+/// A white wall behind, which the eye sees all over, from z = 4.
+const std::string wall = "Surface \"matte\"\n"
+                         "Polygon \"P\" [-9 -9 4  -9 9 4  9 9 4  9 -9 4]\n";
+
+class OldFiles : public testing::Test {
+protected:
+    ScratchFolder folder_;
+
+    Outcome render(const std::string &rib, std::vector<std::string> more = {},
+                   const RunSettings &settings = {}) {
+        more.insert(more.begin(), {folder_.write("scene.rib", rib), "--output-dir", folder_.path(),
+                                   "--quiet", "--spp", "16"});
+        return runCandela(more, settings);
+    }
+    float red(std::size_t pixel, const std::string &name = "out.exr") {
+        std::string problem;
+        const auto picture = readPicture(folder_.path(name), problem);
+        EXPECT_TRUE(picture) << problem;
+        return picture ? picture->find("R")->values.at(pixel) : -1;
+    }
+};
+
+// The library's lights stand in, by what names and parameters tell: (0,0,4) is lit at right angles
+// from (0,0,0) or along z.
+TEST_F(OldFiles, LightsWithoutShadersHaveStandIns) {
+    struct {
+        const char *light, *standIn;
+        float lit;
+    } const cases[] = {
+        {"\"nosuchlamp\" 1 \"intensity\" [.5]", "pointnofalloff", .5f},
+        {"\"nosuchlamp\" 1 \"float intensity\" [.5] \"float decay\" [2]", "pointnofalloff", .5f},
+        {"\"nosuchpoint\" 1 \"intensity\" [8] \"from\" [0 0 0]", "pointlight", .5f},
+        {"\"nosuchsun\" 1 \"intensity\" [.5]", "distantlight", .5f},
+        {"\"shaders/nosuch\" 1 \"intensity\" [.5] \"to\" [0 0 2]", "distantlight", .5f},
+        {"\"nosuchspot\" 1 \"intensity\" [8] \"from\" [0 0 0] \"to\" [0 0 4]", "spotlight", .5f},
+        {"\"nosuch\" 1 \"intensity\" [8] \"coneangle\" [.5]", "spotlight", .5f},
+        {"\"nosuchenvironment\" 1 \"intensity\" [.5]", "ambientlight", .5f},
+        {"\"nosuch\" 1 \"intensity\" [.5] \"lightcolor\" [.5 1 1]", "pointnofalloff", .25f},
+    };
+    for (const auto &each : cases)
+        for (const char *integrator : {"classic", "path"}) {
+            const Outcome run = render(head +
+                                           "Projection \"perspective\" \"fov\" 5\nWorldBegin\n"
+                                           "LightSource " +
+                                           each.light + "\n" + wall + "WorldEnd\n",
+                                       {"--integrator", integrator});
+            EXPECT_EQ(run.status, 1) << each.light << run.text();
+            EXPECT_TRUE(run.says("library's \"" + std::string(each.standIn) + "\" stands in"))
+                << each.light << run.text();
+            EXPECT_NEAR(red(27), each.lit, .02f) << each.light << integrator;
+        }
+}
+
+// A block between light and wall: dark behind it, whoever finds its shadow.
+TEST_F(OldFiles, ShadowMapsThatAreNotThereAreTraced) {
+    const std::string block = "Color [0 0 0]\nAttributeBegin\n"
+                              "Polygon \"P\" [.5 -9 2  .5 9 2  9 9 2  9 -9 2]\nAttributeEnd\n";
+    struct {
+        const char *name, *map;
+        float dark;
+        bool warns;
+    } const cases[] = {{"missing", "nowhere.sm", 0, true},
+                       {"raytrace", "raytrace", 0, false},
+                       {"none asked for", "", .5f, false}};
+    for (const auto &each : cases)
+        for (const char *integrator : {"classic", "path"}) {
+            if (!*each.map && std::string(integrator) == "path")
+                continue; // There shadows come of themselves.
+            const Outcome run =
+                render(head +
+                           "Projection \"orthographic\"\nScreenWindow -4 4 -4 4\nWorldBegin\n"
+                           "LightSource \"shadowdistant\" 1 \"intensity\" [.5] \"shadowname\" [\"" +
+                           each.map + "\"] \"from\" [-2 0 0] \"to\" [0 0 2]\n" + wall +
+                           "AttributeBegin\nAttribute \"visibility\" \"integer camera\" [0]\n" +
+                           block + "AttributeEnd\nWorldEnd\n",
+                       {"--integrator", integrator});
+            EXPECT_EQ(run.status, 0) << each.name << run.text();
+            EXPECT_EQ(run.says("shadows by rays"), each.warns) << run.text();
+            const float slant = std::sqrt(.5f); // The wall's cosine.
+            EXPECT_NEAR(red(24), .5f * slant, .02f) << each.name << integrator;
+            EXPECT_NEAR(red(31), each.dark * slant, .02f) << each.name << integrator;
+        }
+}
+
+// Folders of other people and other systems: the last part of the name counts.
+TEST_F(OldFiles, NamesOfOtherFoldersAreFoundHere) {
+    folder_.write("part.rib", "Polygon \"P\" [-9 -9 4  -9 9 4  9 9 4  9 -9 4]\n");
+    folder_.write("shaders/grey.sl", "surface grey() { Ci = color(.25, .25, .25); Oi = 1; }\n");
+    for (const char *part : {"/home/somebody/models/part.rib", "C:\\\\models\\\\part.rib"})
+        for (const char *shader : {"grey", "/usr/somebody/grey", "D:\\\\lib\\\\grey.slo"})
+            for (const char *display : {"/tmp/somebody/out.exr", "C:\\\\out.exr", "../out.exr"}) {
+                RunSettings elsewhere;
+                elsewhere.folder = "/";
+                const Outcome run =
+                    render("Format 8 8 1\nDisplay \"" + std::string(display) +
+                               "\" \"openexr\" \"rgb\"\nWorldBegin\nSurface \"" + shader +
+                               "\"\nReadArchive \"" + part + "\"\nWorldEnd\n",
+                           {}, elsewhere);
+                EXPECT_EQ(run.status, 0) << run.text();
+                EXPECT_NEAR(red(27), .25f, 1e-6f) << part << shader << display;
+            }
+}
+
+// Search paths are meant from where the scene lies, too.
+TEST_F(OldFiles, SearchPathsCountFromTheScene) {
+    folder_.write("lib/grey.sl", "surface grey() { Ci = color(.25, .25, .25); Oi = 1; }\n");
+    folder_.write("models/part.rib", "Polygon \"P\" [-9 -9 4  -9 9 4  9 9 4  9 -9 4]\n");
+    RunSettings elsewhere;
+    elsewhere.folder = "/";
+    for (const char *separator : {":", ";"}) {
+        const Outcome run = render(head + "Option \"searchpath\" \"shader\" [\"nowhere" +
+                                       separator + "./lib" + separator +
+                                       "@\"]\nOption \"searchpath\" \"archive\" [\"models\"]\n"
+                                       "WorldBegin\nSurface \"grey\"\n"
+                                       "ReadArchive \"part.rib\"\nWorldEnd\n",
+                                   {}, elsewhere);
+        EXPECT_EQ(run.status, 0) << run.text();
+        EXPECT_NEAR(red(27), .25f, 1e-6f) << separator;
+    }
+}
+
+// Type "file" writes under the very name, and what makes textures finds it there.
+TEST_F(OldFiles, FacesOfAnyNameMakeAnEnvironment) {
+    folder_.write("mirrored.sl", "surface mirrored(string map = \"\";) {\n"
+                                 "  Oi = 1; Ci = environment(map, vector(0, 0, 1)); }\n");
+    std::string rib = "Projection \"perspective\" \"fov\" 90\n";
+    for (const char *face : {"px", "nx", "py", "ny", "pz", "nz"})
+        rib += "FrameBegin 1\nFormat 16 16 1\nDisplay \"env." + std::string(face) +
+               "\" \"file\" \"rgb\"\nWorldBegin\nSurface \"constant\"\nColor [" +
+               (face == std::string("pz") ? "1" : "0") +
+               " 0 0]\nPolygon \"P\" [-9 -9 4  -9 9 4  9 9 4  9 -9 4]\nWorldEnd\nFrameEnd\n";
+    rib += "MakeCubeFaceEnvironment \"env.px\" \"env.nx\" \"env.py\" \"env.ny\" \"env.pz\" "
+           "\"env.nz\" \"all.env\" 90 \"gaussian\" 2 2\n" +
+           head +
+           "WorldBegin\nSurface \"mirrored\" \"string map\" [\"all.env\"]\n"
+           "Polygon \"P\" [-9 -9 4  -9 9 4  9 9 4  9 -9 4]\nWorldEnd\n";
+    const Outcome run = render(rib);
+    EXPECT_EQ(run.status, 0) << run.text();
+    EXPECT_TRUE(folder_.has("env.px"));
+    EXPECT_NEAR(red(27), 1, .02f);
+}
+
+} // namespace
+} // namespace candela::test
