@@ -35,10 +35,6 @@ BidirectionalWishes wishesOf(const NamedParameters &named) {
     return wishes;
 }
 
-bool isSolved(const Options &options) {
-    return options.named.string("render:integrator", "") == "radiosity";
-}
-
 FinalPass finalPassOf(const NamedParameters &named) {
     const std::string name = named.string("radiosity:finalpass", "fe");
     return name == "gather"      ? FinalPass::Gather
@@ -62,7 +58,7 @@ IntegratorSettings integratorSettings(const Scene &scene, const RenderSettings &
     IntegratorSettings result;
     result.kind = scene.isClassic()         ? IntegratorKind::Classic
                   : scene.isBidirectional() ? IntegratorKind::Bidirectional
-                  : isSolved(options)       ? IntegratorKind::Radiosity
+                  : scene.isSolved()        ? IntegratorKind::Radiosity
                                             : IntegratorKind::Path;
     result.finalPass = finalPassOf(options.named);
     result.solver = solverSettings(options.named, settings.seed);

@@ -38,6 +38,8 @@ public:
         std::vector<Instance> instances;
         std::map<int, Object> objects;
         int openObject = -1;
+        std::vector<SolidOperation> solids; ///< In the order in which they begin.
+        int solidsEnded = 0;
         std::map<std::string, Matrix4> coordinateSystems;
         bool ended = false;
     };
@@ -70,6 +72,10 @@ public:
             world.openObject < 0 ? world.instances : world.objects[world.openObject].instances;
         list.push_back({object, std::move(attributes), currentFromObject});
     }
+    void solidBegin(SolidOperation operation) override {
+        worlds.back().solids.push_back(operation);
+    }
+    void solidEnd() override { ++worlds.back().solidsEnded; }
     void coordinateSystem(const std::string &name, const Matrix4 &currentFromSpace) override {
         worlds.back().coordinateSystems[name] = currentFromSpace;
     }

@@ -10,10 +10,15 @@ static constexpr int maximumInstanceDepth = 64;
 static constexpr int maximumPlacements = 16'000'000;
 
 static void tellBuilder(SceneBuilder &builder, const ObjectPart &part) {
-    if (part.primitive)
-        builder.primitive(part.primitive, part.attributes, part.transform);
+    if (const auto *operation = std::get_if<SolidOperation>(&part))
+        return builder.solidBegin(*operation);
+    const auto *placed = std::get_if<PlacedPart>(&part);
+    if (!placed)
+        return builder.solidEnd();
+    if (placed->primitive)
+        builder.primitive(placed->primitive, placed->attributes, placed->transform);
     else
-        builder.instance(part.object, part.attributes, part.transform);
+        builder.instance(placed->object, placed->attributes, placed->transform);
 }
 
 void tellKeptObjects(SceneBuilder &builder, const ObjectNames &names) {

@@ -9,17 +9,21 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace candela {
 
 /// What SceneBuilder::primitive or SceneBuilder::instance is told.
-struct ObjectPart {
+struct PlacedPart {
     std::shared_ptr<const PrimitiveRecord> primitive; ///< Null: an instance of `object`.
     int object = -1;
     std::shared_ptr<const Attributes> attributes;
     MotionTransform transform;
 };
+struct SolidEnding {};
+/// One call of a SceneBuilder.
+using ObjectPart = std::variant<PlacedPart, SolidOperation, SolidEnding>;
 
 struct ObjectRecord {
     std::vector<ObjectPart> parts;

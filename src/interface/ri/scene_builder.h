@@ -14,6 +14,10 @@
 
 namespace candela {
 
+/// What a solid block makes of its parts (RI 3.2, 5.7). Primitive: what is told in it bounds one
+/// body, together.
+enum class SolidOperation { Primitive, Union, Intersection, Difference };
+
 /// All matrices are currentFromX, and "current" is camera space (left-handed: x right, y up,
 /// z forward, metres), as PRMan has it.
 class SceneBuilder {
@@ -38,6 +42,10 @@ public:
     /// holds.
     virtual void instance(int object, std::shared_ptr<const Attributes>,
                           const MotionTransform &currentFromObject) = 0;
+    /// The primitives, instances and solids up to its solidEnd() are parts of a solid, and this one
+    /// is a part of the solid around it. Blocks are properly nested, within objects too.
+    virtual void solidBegin(SolidOperation) = 0;
+    virtual void solidEnd() = 0;
     /// A coordinate system named inside the world block.
     virtual void coordinateSystem(const std::string &name, const Matrix4 &currentFromSpace) = 0;
     /// The world is complete: render it.

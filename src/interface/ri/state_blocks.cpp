@@ -5,6 +5,7 @@
 #include "interface/ri/state_handlers.h"
 
 #include <filesystem>
+#include <map>
 #include <new>
 
 namespace candela {
@@ -160,14 +161,25 @@ void StateHandlers::transformBegin(const SourceLocation &) { saveBlock(false); }
 
 void StateHandlers::transformEnd(const SourceLocation &) { restoreBlock(); }
 
-void StateHandlers::solidBegin(const SourceLocation &where, const std::string &) {
-    diagnostics_.warnOnce(
-        where, "SolidBegin",
-        "SolidBegin: this version draws the primitives of a solid one by one, without "
-        "cutting them against each other");
+void StateHandlers::solidBegin(const SourceLocation &where, const std::string &operation) {
+    static const std::map<std::string, SolidOperation> known{
+        {"primitive", SolidOperation::Primitive},
+        {"union", SolidOperation::Union},
+        {"intersection", SolidOperation::Intersection},
+        {"difference", SolidOperation::Difference}};
+    const auto found = known.find(operation);
+    if (found == known.end())
+        diagnostics_.error(where, "SolidBegin",
+                           "'" + operation +
+                               "' is unknown: expected \"primitive\", \"union\", "
+                               "\"intersection\" or \"difference\"; it is read as a union");
+    object_.tell(found == known.end() ? SolidOperation::Union : found->second);
     saveBlock(true);
 }
 
-void StateHandlers::solidEnd(const SourceLocation &) { restoreBlock(); }
+void StateHandlers::solidEnd(const SourceLocation &) {
+    restoreBlock();
+    object_.tell(SolidEnding{});
+}
 
 } // namespace candela

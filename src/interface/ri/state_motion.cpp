@@ -81,7 +81,8 @@ void StateHandlers::withMotion(ShaderRecord record, std::function<void(ShaderRec
 }
 
 void StateHandlers::tellPrimitive(std::shared_ptr<const PrimitiveRecord> primitive) {
-    object_.tell({std::move(primitive), -1, state_.attributes, state_.currentFromObject()});
+    object_.tell(
+        PlacedPart{std::move(primitive), -1, state_.attributes, state_.currentFromObject()});
 }
 
 } // namespace candela

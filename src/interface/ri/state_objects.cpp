@@ -30,7 +30,7 @@ void StateHandlers::objectInstance(const SourceLocation &where, const Handle &ha
     const ObjectNames::Entry &object = found->second;
     if (std::string refusal = object_.countInstance(state_.objects, object); !refusal.empty())
         return diagnostics_.error(where, "ObjectInstance", refusal);
-    object_.tell({nullptr, object.number, state_.attributes, state_.currentFromObject()});
+    object_.tell(PlacedPart{nullptr, object.number, state_.attributes, state_.currentFromObject()});
 }
 
 } // namespace candela

@@ -20,7 +20,13 @@ bool fromBehind(const RTCFilterFunctionNArguments *args, unsigned i, int frontSi
     return along * float(frontSign) > 0;
 }
 
+const RayContext &contextOf(const RTCFilterFunctionNArguments *args) {
+    return *reinterpret_cast<const RayContext *>(args->context);
+}
+
 void refuseAnyFromBehind(const RTCFilterFunctionNArguments *args) {
+    if (contextOf(args).collects)
+        return;
     const int frontSign = int(reinterpret_cast<std::intptr_t>(args->geometryUserPtr));
     for (unsigned i = 0; i < args->N; ++i)
         if (args->valid[i] && fromBehind(args, i, frontSign))
@@ -29,7 +35,7 @@ void refuseAnyFromBehind(const RTCFilterFunctionNArguments *args) {
 
 /// Rays from lights run against the eye's, and are stopped on both sides.
 void refuseSeenFromBehind(const RTCFilterFunctionNArguments *args) {
-    if (!reinterpret_cast<const RayContext *>(args->context)->fromLights)
+    if (!contextOf(args).fromLights)
         refuseAnyFromBehind(args);
 }
 
@@ -82,11 +88,6 @@ RTCGeometry makeRound(RTCDevice device, const RoundElements &round, float unit) 
     if (areTubes)
         fillBuffer(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT, round.tubes);
     return geometry;
-}
-
-unsigned maskOf(const RayShape &shape) {
-    const unsigned seen = maskOfKinds(std::uint8_t(allKinds & ~shape.hiddenFrom));
-    return !shape.stopsLight ? seen : seen | (shape.opaque ? opaqueBit : transparentBit);
 }
 
 RTCGeometry makeGeometry(RTCDevice device, const RayShape &shape, float unit) {
@@ -148,6 +149,11 @@ int EmbreeDevice::packetWidth() const {
     return rtcGetDeviceProperty(device_, RTC_DEVICE_PROPERTY_NATIVE_RAY8_SUPPORTED) ? 8 : 4;
 }
 
+unsigned maskOf(const RayShape &shape) {
+    const unsigned seen = bodyBit | maskOfKinds(std::uint8_t(allKinds & ~shape.hiddenFrom));
+    return !shape.stopsLight ? seen : seen | (shape.opaque ? opaqueBit : transparentBit);
+}
+
 unsigned maskOf(const RayObject &object) {
     unsigned mask = 0;
     for (const RayShape &shape : object)
@@ -155,11 +161,18 @@ unsigned maskOf(const RayObject &object) {
     return mask;
 }
 
-RTCScene makeScene(const EmbreeDevice &device, const RayObject &object, float unit) {
+RTCScene newScene(const EmbreeDevice &device, OfBodies ofBodies) {
     RTCScene scene = rtcNewScene(device.get());
     if (!scene) // The device has been told of it.
         return nullptr;
     rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
+    if (ofBodies == OfBodies::Yes)
+        rtcSetSceneFlags(scene, RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
+    return scene;
+}
+
+void attachShapes(const EmbreeDevice &device, const RayObject &object, float unit,
+                  const std::function<RTCScene(std::size_t)> &sceneOf) {
     std::vector<RTCGeometry> geometries(object.size());
     parallelFor(object.size(), [&](std::size_t i) {
         FlushDenormals guard;
@@ -168,10 +181,9 @@ RTCScene makeScene(const EmbreeDevice &device, const RayObject &object, float un
     });
     for (std::size_t i = 0; i < geometries.size(); ++i)
         if (geometries[i]) {
-            rtcAttachGeometryByID(scene, geometries[i], unsigned(i));
+            rtcAttachGeometryByID(sceneOf(i), geometries[i], unsigned(i));
             rtcReleaseGeometry(geometries[i]);
         }
-    return scene;
 }
 
 void attachInstance(const EmbreeDevice &device, RTCScene world, unsigned id, RTCScene object,

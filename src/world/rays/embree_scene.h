@@ -6,6 +6,7 @@
 
 #include <embree3/rtcore.h>
 
+#include <functional>
 #include <string>
 
 namespace candela {
@@ -13,6 +14,8 @@ namespace candela {
 /// Ray masks: shadow rays look for opaque shapes first, and walk through the others afterwards;
 /// all others have the bits of their kinds.
 inline constexpr unsigned opaqueBit = 1, transparentBit = 2;
+/// What looks for the bodies of solids has this bit alone, and so does everything.
+inline constexpr unsigned bodyBit = 1u << 31;
 inline constexpr unsigned maskOfKinds(std::uint8_t kinds) { return unsigned(kinds) << 2; }
 inline constexpr std::uint8_t allKinds = ray_kind::camera | ray_kind::diffuse | ray_kind::specular;
 
@@ -20,6 +23,7 @@ inline constexpr std::uint8_t allKinds = ray_kind::camera | ray_kind::diffuse | 
 struct RayContext {
     RTCIntersectContext embree; ///< The first member, so that filters find the rest.
     bool fromLights = false;    ///< RayBatch::fromLights.
+    bool collects = false;      ///< All that a ray meets is wanted, from both sides.
 };
 
 /// The device, and the first thing that it has complained of.
@@ -41,9 +45,15 @@ private:
     std::string failure_;
 };
 
-/// A scene of the shapes, geometry i being shape i; committed by the caller. Places are multiplied
-/// by `unit`, a power of two.
-RTCScene makeScene(const EmbreeDevice &, const RayObject &, float unit);
+/// Shape i becomes geometry i of sceneOf(i). Places are multiplied by `unit`, a power of two.
+void attachShapes(const EmbreeDevice &, const RayObject &, float unit,
+                  const std::function<RTCScene(std::size_t)> &sceneOf);
+/// What is in a scene may be asked for all that rays meet, RayContext::collects.
+enum class OfBodies : bool { No, Yes };
+/// An empty scene; committed by the caller.
+RTCScene newScene(const EmbreeDevice &, OfBodies);
+/// The bits that rays must carry to meet the shape.
+unsigned maskOf(const RayShape &);
 /// Adds a placement of a committed scene, whose shapes have one of the bits of `mask`.
 void attachInstance(const EmbreeDevice &, RTCScene world, unsigned geometry, RTCScene object,
                     unsigned mask, const RayInstance &, float unit);

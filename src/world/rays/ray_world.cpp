@@ -3,7 +3,7 @@
 
 #include "foundation/base/hot.h"
 #include "foundation/base/scratch.h"
-#include "world/rays/embree_scene.h"
+#include "world/rays/solid_tracer.h"
 
 #include <algorithm>
 #include <chrono>
@@ -163,8 +163,7 @@ template <int width> void prime(unsigned mask, Packet<width> &packet) {
         ray.id[i] = unsigned(i);
 }
 
-template <int width>
-void tellKinds(const RayBatch &rays, int first, Packet<width> &packet) {
+template <int width> void tellKinds(const RayBatch &rays, int first, Packet<width> &packet) {
     const int count = std::min(width, rays.count - first);
     for (int i = 0; i < count; ++i)
         packet.bundle.ray.mask[i] = maskOfKinds(rays.kinds[first + i]);
@@ -261,6 +260,7 @@ struct RayWorld::Handles {
     EmbreeDevice device;
     RTCScene scene = nullptr;
     std::vector<RTCScene> objects;
+    std::vector<std::unique_ptr<SolidTracer>> solids;
     int width = device.packetWidth();
 };
 
@@ -284,14 +284,36 @@ static float unitFor(const RayObject &world, std::span<const RayObject> objects)
     return float(std::exp2(std::clamp(power, -most, most)));
 }
 
+/// Geometry as SolidMember has it.
+static PlacedShapes placedShapes(std::uint32_t geometry, const RayObject &world,
+                                 std::span<const RayObject> objects,
+                                 std::span<const RayInstance> instances) {
+    if (geometry < world.size())
+        return {{&world[geometry], 1}, Matrix4{}};
+    const RayInstance &placed = instances[geometry - world.size()];
+    return {objects[placed.object],
+            placed.steps.empty() ? placed.currentFromObject : placed.steps.front()};
+}
+
+void RayWorld::numberSolids(std::span<const Solid> solids, std::size_t geometries) {
+    if (solids.empty())
+        return;
+    solidOf_.assign(geometries, -1);
+    for (std::size_t solid = 0; solid < solids.size(); ++solid)
+        for (const SolidMember &member : solids[solid].members)
+            solidOf_[member.geometry] = std::int32_t(solid);
+}
+
 RayWorld::RayWorld(const RayObject &world, std::span<const RayObject> objects,
-                   std::span<const RayInstance> instances, const Shutter &shutter)
+                   std::span<const RayInstance> instances, const Shutter &shutter,
+                   std::span<const Solid> solids)
     : handles_(std::make_unique<Handles>()), worldShapes_(std::uint32_t(world.size())),
       unit_(unitFor(world, objects)), shutter_(shutter) {
     FlushDenormals guard;
     auto failed = [&] { return !failure().empty(); };
     if (failed())
         return;
+    const EmbreeDevice &device = handles_->device;
     unsigned mask = maskOf(world);
     const auto hides = [](const RayObject &object) {
         return std::ranges::any_of(object, [](const RayShape &s) { return s.hiddenFrom != 0; });
@@ -301,27 +323,53 @@ RayWorld::RayWorld(const RayObject &world, std::span<const RayObject> objects,
         return std::ranges::any_of(object, [](const RayShape &s) { return !s.later.empty(); });
     };
     moves_ = changes(world) || std::ranges::any_of(objects, changes);
-    for (const RayObject &object : objects) {
-        RTCScene scene = makeScene(handles_->device, object, unit_);
+    numberSolids(solids, world.size() + instances.size());
+    std::vector<OfBodies> ofBodies(objects.size(), OfBodies::No);
+    for (std::size_t i = 0; i < instances.size(); ++i)
+        if (solidOf(world.size() + i) >= 0)
+            ofBodies[instances[i].object] = OfBodies::Yes;
+    for (std::size_t object = 0; object < objects.size(); ++object) {
+        RTCScene scene = newScene(device, ofBodies[object]);
         handles_->objects.push_back(scene);
         if (failed())
             return;
+        attachShapes(device, objects[object], unit_, [scene](std::size_t) { return scene; });
         rtcCommitScene(scene);
     }
-    handles_->scene = makeScene(handles_->device, world, unit_);
+    handles_->scene = newScene(device, OfBodies::No);
+    std::vector<RTCScene> bodies;
+    for (std::size_t solid = 0; solid < solids.size(); ++solid)
+        bodies.push_back(newScene(device, OfBodies::Yes));
     if (failed())
         return;
+    const auto sceneOf = [&](std::size_t geometry) {
+        const std::int32_t solid = solidOf(geometry);
+        return solid < 0 ? handles_->scene : bodies[std::size_t(solid)];
+    };
+    attachShapes(device, world, unit_, sceneOf);
     firstShapeOfInstance_.reserve(instances.size());
     for (const RayInstance &instance : instances) {
         const unsigned own = maskOf(objects[instance.object]);
-        attachInstance(handles_->device, handles_->scene,
-                       worldShapes_ + unsigned(firstShapeOfInstance_.size()),
-                       handles_->objects[instance.object], own, instance, unit_);
+        const auto geometry = worldShapes_ + unsigned(firstShapeOfInstance_.size());
+        attachInstance(device, sceneOf(geometry), geometry, handles_->objects[instance.object], own,
+                       instance, unit_);
         moves_ |= !instance.steps.empty();
         firstShapeOfInstance_.push_back(instance.firstShape);
         mask |= own;
     }
     hasTransparent_ = mask & transparentBit;
+    for (std::size_t solid = 0; solid < solids.size() && !failed(); ++solid) {
+        rtcCommitScene(bodies[solid]);
+        std::vector<PlacedShapes> members;
+        for (const SolidMember &member : solids[solid].members)
+            members.push_back(placedShapes(member.geometry, world, objects, instances));
+        handles_->solids.push_back(
+            std::make_unique<SolidTracer>(solids[solid], bodies[solid], members, unit_));
+        handles_->solids.back()->attach(device, handles_->scene);
+    }
+    for (std::size_t solid = handles_->solids.size(); solid < bodies.size(); ++solid)
+        if (bodies[solid])
+            rtcReleaseScene(bodies[solid]);
     if (!failed())
         rtcCommitScene(handles_->scene);
 }
@@ -332,6 +380,28 @@ RayWorld::~RayWorld() {
     for (RTCScene object : handles_->objects)
         if (object)
             rtcReleaseScene(object);
+}
+
+std::uint32_t RayWorld::geometryOf(std::uint32_t instance, std::uint32_t shape) const {
+    return instance == noHit ? shape : worldShapes_ + instance;
+}
+
+bool RayWorld::isCut(std::uint32_t instance, std::uint32_t shape) const {
+    return solidOf(geometryOf(instance, shape)) >= 0;
+}
+
+bool RayWorld::isLeftOver(std::uint32_t instance, std::uint32_t shape, Vec3 P, Vec3 normal,
+                          float offset, float time) const {
+    FlushDenormals guard;
+    const std::uint32_t geometry = geometryOf(instance, shape);
+    const SolidTracer &solid = *handles_->solids[std::size_t(solidOf(geometry))];
+    const std::uint32_t first = instance == noHit ? shape : firstShapeOfInstance_[instance];
+    return solid.isOnSurface(geometry, shape - first,
+                             {P, normal, offset, moves_ ? shutter_.share(time) : 0});
+}
+
+const std::vector<std::int32_t> &RayWorld::openNodes(std::size_t solid) const {
+    return handles_->solids[solid]->openNodes();
 }
 
 std::string RayWorld::failure() const { return handles_->device.failure(); }

@@ -6,6 +6,7 @@
 #include "foundation/base/round_elements.h"
 #include "foundation/base/shutter.h"
 #include "world/rays/ray_batch.h"
+#include "world/rays/solid.h"
 
 #include <array>
 #include <atomic>
@@ -62,14 +63,24 @@ class RayWorld {
 public:
     /// world[i] is shape i of the scene, in current space. What is given is not needed afterwards.
     RayWorld(const RayObject &world, std::span<const RayObject> objects,
-             std::span<const RayInstance> instances, const Shutter & = {});
+             std::span<const RayInstance> instances, const Shutter & = {},
+             std::span<const Solid> solids = {});
     explicit RayWorld(const RayObject &world) : RayWorld(world, {}, {}) {}
     ~RayWorld();
     RayWorld(const RayWorld &) = delete;
 
+    bool hasSolids() const { return !solidOf_.empty(); }
     bool hasTransparent() const { return hasTransparent_; }
     /// Some shapes are hidden from some kinds of rays: RayBatch::kinds matters.
     bool hidesShapes() const { return hidesShapes_; }
+    /// The shape belongs to a solid, which may have cut it.
+    bool isCut(std::uint32_t instance, std::uint32_t shape) const;
+    /// A point of such a shape is on the solid's surface. Current space, but for normals, which are
+    /// along (p1 - p0) x (p2 - p0) there; how far around it nothing counts.
+    bool isLeftOver(std::uint32_t instance, std::uint32_t shape, Vec3 P, Vec3 normal, float offset,
+                    float time) const;
+    /// What belongs to a solid, by its number, and bounds no body.
+    const std::vector<std::int32_t> &openNodes(std::size_t solid) const;
     /// What went wrong while it was built, for the user ("out of memory"); empty if nothing did.
     std::string failure() const;
 
@@ -83,8 +94,16 @@ public:
 
 private:
     struct Handles;
+    /// By geometryOf(); -1: it is of none.
+    std::int32_t solidOf(std::size_t geometry) const {
+        return solidOf_.empty() ? -1 : solidOf_[geometry];
+    }
+    void numberSolids(std::span<const Solid>, std::size_t geometries);
+    /// As SolidMember has it.
+    std::uint32_t geometryOf(std::uint32_t instance, std::uint32_t shape) const;
     std::unique_ptr<Handles> handles_;
     std::vector<std::uint32_t> firstShapeOfInstance_;
+    std::vector<std::int32_t> solidOf_; ///< By geometryOf(); empty: there are no solids.
     std::uint32_t worldShapes_ = 0;
     float unit_ = 1; ///< Of the ray tracer: what it is given is so many times as large.
     bool hasTransparent_ = false, hidesShapes_ = false;

@@ -4,6 +4,7 @@
 
 #include "foundation/base/shutter.h"
 #include "interface/ri/scene_builder.h"
+#include "world/scene/declared_solids.h"
 
 #include <map>
 #include <memory>
@@ -17,6 +18,10 @@ struct DeclaredPrimitive {
     std::shared_ptr<const Attributes> attributes;
     Matrix4 outerFromPrimitive;     ///< Outer: current space, or the space of the object around it.
     TransformMotion::Shared motion; ///< Null: it stands still while the shutter is open.
+    SolidPlace solid;
+
+    /// Its definition reverses the orientation.
+    bool turned() const { return attributes->flipNormal != solid.turned; }
 };
 
 struct DeclaredInstance {
@@ -25,6 +30,7 @@ struct DeclaredInstance {
     bool turns; ///< It reverses the orientation.
     Matrix4 outerFromObject;
     TransformMotion::Shared motion; ///< As of primitives.
+    SolidPlace solid;
 };
 
 /// The world itself, or an object.
@@ -42,18 +48,21 @@ struct DeclaredWorld {
     std::map<std::string, Matrix4> systems; ///< Named coordinate systems: currentFromSpace.
     Shutter shutter;
 
+    DeclaredSolids solids;
+
     /// The object of that number is being defined, up to endObject.
     void beginObject(int number);
     void endObject();
     /// Where instances belong: the object that is being defined, else the world.
     DeclaredGroup &open() { return openObject_ < 0 ? world : objects[openObject_]; }
-    /// Where primitives with these attributes do. What sets attributes of its own in an object is
-    /// an object in it.
-    DeclaredGroup &openFor(const std::shared_ptr<const Attributes> &);
+    /// Where primitives with these attributes do. What sets attributes of its own in an object, or
+    /// is a solid there, is an object in it.
+    DeclaredGroup &openFor(const std::shared_ptr<const Attributes> &, const SolidPlace &);
 
 private:
     int openObject_ = -1;
-    std::map<const Attributes *, int> openParts_; ///< Of the open object, by their attributes.
+    /// Of the open object, by their attributes, if they have any of their own, and their solid.
+    std::map<std::pair<const Attributes *, int>, int> openParts_;
 };
 
 /// An object where it stands, with all objects around it resolved.
@@ -64,9 +73,19 @@ struct Placement {
     Matrix4 currentFromObject; ///< When the shutter opens.
     /// The same at even steps over the shutter's interval; empty where it stands still.
     std::vector<Matrix4> steps;
+    /// In Placements::nodes, of its first primitive; -1: none belongs to a solid.
+    std::int64_t firstNode = -1;
+};
+
+struct Placements {
+    std::vector<Placement> all;
+    PlacedSolids solids;
+    /// Of primitives, which body of PlacedSolids they bound, or -1: those of the world, then those
+    /// of placements that have some.
+    std::vector<std::int32_t> nodes;
 };
 
 /// Where objects with primitives of their own stand. Singular instances are left out.
-std::vector<Placement> placementsOf(const DeclaredWorld &);
+Placements placementsOf(const DeclaredWorld &);
 
 } // namespace candela

@@ -2,6 +2,7 @@
 #include "world/scene/light_builder.h"
 #include "language/ir/transform/light_rule.h"
 
+#include "world/scene/cut_lamps.h"
 #include "world/scene/light_power.h"
 #include "world/scene/source_geometry.h"
 #include "world/scene/source_pieces.h"
@@ -345,7 +346,7 @@ void LightBuilder::finishGeometry(int index) {
             state_.points.appearances[at].firstElement = -1;
         return;
     }
-    light.area = sum;
+    light.area = light.areaLeft = sum;
     for (double &share : light.cumulative)
         share /= sum;
     light.surfaceCode = state_.points.appearances[appearances_[index].front()].code;
@@ -475,6 +476,7 @@ std::int32_t surroundingSource(const LightTable &table, const PointTables &point
 
 void LightBuilder::prepareChoices() {
     LightTable &table = state_.lights;
+    measureCutLamps(state_);
     estimateLights(state_);
     table.number(state_.points);
     const std::vector<EmitterBound> bounds = boundsOfSources();

@@ -5,6 +5,7 @@
 #include "foundation/base/lanes.h"
 #include "foundation/base/scratch.h"
 #include "world/points/surface_points.h"
+#include "world/scene/cut_lamps.h"
 #include "world/scene/light_choices.h"
 #include "world/scene/light_question.h"
 #include "world/scene/scene_state.h"
@@ -53,6 +54,7 @@ struct SamplingScratch {
     LightBatch batch{lightBatchSize};
     ShadingPoints points{lightBatchSize};
     Planes<float> radiance{colorSamples, lightBatchSize};
+    Planes<std::uint8_t> isThere{1, lightBatchSize};
 };
 
 SamplingScratch &scratch() {
@@ -317,7 +319,7 @@ void findWorth(const SceneState &state, const SourceBin &bin, const Block &block
     const bool isMean = bin.asked == SourceBin::Asked::ClassicArea;
     const float unit = bin.si ? 1 / pi : 1;
     for (int i = 0; i < block.count; ++i) {
-        const float whole = isMean ? float(state.lights.lights[rows.light[i]].area) : 1;
+        const float whole = isMean ? float(state.lights.lights[rows.light[i]].areaLeft) : 1;
         worth[i] = unit * (isMean ? rows.area[i] / whole : 1) / block.probability[i];
     }
 }
@@ -372,12 +374,18 @@ void sampleBlock(const SceneState &state, const SourceBin &bin, const Block &blo
         placeOnElements(own.rows, own.rows.u, block.v, own.drawn);
     else if (bin.asked != SourceBin::Asked::PointShader)
         sampleElements(own.rows, block.P.data(), own.rows.u, block.v, own.drawn);
+    const bool cut = bin.asked != SourceBin::Asked::PointShader &&
+                     findCutAway(state, own.rows, own.drawn, block.time, own.isThere[0]);
     switch (bin.asked) {
-    case SourceBin::Asked::Surface: return sampleSurfaces(state, bin, block, own);
-    case SourceBin::Asked::PlainShader: return samplePlain(state, bin, block, own);
+    case SourceBin::Asked::Surface: sampleSurfaces(state, bin, block, own); break;
+    case SourceBin::Asked::PlainShader: samplePlain(state, bin, block, own); break;
     case SourceBin::Asked::PointShader:
-    case SourceBin::Asked::ClassicArea: return sampleDelta(state, bin, block, own);
+    case SourceBin::Asked::ClassicArea: sampleDelta(state, bin, block, own);
     }
+    LightSamples out = block.out;
+    for (int i = 0; cut && i < block.count; ++i)
+        if (!own.isThere[0][i])
+            setBlack(out, i);
 }
 
 // ---- From the lanes of a call to blocks, and back ----

@@ -83,6 +83,7 @@ struct SceneLight {
     std::int32_t firstSource = 0, sources = 0;
     std::vector<double> cumulative; ///< With geometry: running sum of the sources' share of area.
     double area = 0;                ///< Of all sources, m^2.
+    double areaLeft = 0;            ///< The same without what solids have cut away.
     std::int32_t elements = 0;      ///< Of all sources.
     bool opaque = true;             ///< All its shapes.
     int surfaceCode = -1;           ///< The code of all its shapes; -1 = they differ.

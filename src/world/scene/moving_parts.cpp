@@ -9,15 +9,19 @@ namespace candela {
 
 namespace {
 
-/// Calls body(primitives) for each of the sets of the group's primitives that move together.
-template <class Body> void forTogether(const DeclaredGroup &group, Body body) {
+/// Calls body(primitives) for each of the sets of the group's primitives that move together and are
+/// of one solid.
+template <class Body>
+void forTogether(const DeclaredWorld &declared, const DeclaredGroup &group, Body body) {
     std::vector<std::vector<const DeclaredPrimitive *>> sets;
     for (const DeclaredPrimitive &primitive : group.primitives) {
         if (!primitive.motion)
             continue;
         // What moves together mostly stands together.
-        const bool same =
-            !sets.empty() && sets.back().front()->motion->movesLike(*primitive.motion);
+        const bool same = !sets.empty() &&
+                          sets.back().front()->motion->movesLike(*primitive.motion) &&
+                          declared.solids.outermost(sets.back().front()->solid.node) ==
+                              declared.solids.outermost(primitive.solid.node);
         if (!same)
             sets.emplace_back();
         sets.back().push_back(&primitive);
@@ -30,16 +34,17 @@ template <class Body> void forTogether(const DeclaredGroup &group, Body body) {
 
 std::vector<MovingGroup> movingGroupsOf(const DeclaredWorld &declared) {
     std::vector<MovingGroup> groups;
-    forTogether(declared.world, [&](const std::vector<const DeclaredPrimitive *> &primitives) {
-        const TransformMotion &motion = *primitives.front()->motion;
-        const std::optional<Matrix4d> fromOpen = inverse(motion.at(declared.shutter.open));
-        if (!fromOpen) // Reported.
-            return;
-        std::vector<double> times;
-        motion.addTimes(times);
-        const auto moved = [&](double time) { return *fromOpen * motion.at(time); };
-        groups.push_back({primitives, motionSteps(moved, times, declared.shutter)});
-    });
+    forTogether(
+        declared, declared.world, [&](const std::vector<const DeclaredPrimitive *> &primitives) {
+            const TransformMotion &motion = *primitives.front()->motion;
+            const std::optional<Matrix4d> fromOpen = inverse(motion.at(declared.shutter.open));
+            if (!fromOpen) // Reported.
+                return;
+            std::vector<double> times;
+            motion.addTimes(times);
+            const auto moved = [&](double time) { return *fromOpen * motion.at(time); };
+            groups.push_back({primitives, motionSteps(moved, times, declared.shutter)});
+        });
     return groups;
 }
 
@@ -57,7 +62,7 @@ void separateMovingParts(DeclaredWorld &declared) {
     for (std::size_t number = 0; number < objects; ++number) {
         std::vector<DeclaredGroup> parts;
         std::vector<DeclaredInstance> places;
-        forTogether(declared.objects[number], [&](const auto &primitives) {
+        forTogether(declared, declared.objects[number], [&](const auto &primitives) {
             const TransformMotion &motion = *primitives.front()->motion;
             const auto still = inverse(motion.inner());
             if (!still) // Reported.
@@ -65,10 +70,15 @@ void separateMovingParts(DeclaredWorld &declared) {
             DeclaredGroup part;
             for (const DeclaredPrimitive *primitive : primitives)
                 part.primitives.push_back({primitive->record, primitive->attributes,
-                                           primitive->motion->inner().rounded(), nullptr});
+                                           primitive->motion->inner().rounded(), nullptr,
+                                           primitive->solid});
             const auto frame = motion.after(*still);
-            places.push_back({int(objects + parts.size()), asTheObject, false,
-                              frame->at(declared.shutter.open).rounded(), frame});
+            places.push_back({int(objects + parts.size()),
+                              asTheObject,
+                              false,
+                              frame->at(declared.shutter.open).rounded(),
+                              frame,
+                              {}});
             parts.push_back(std::move(part));
         });
         DeclaredGroup &object = declared.objects[number];

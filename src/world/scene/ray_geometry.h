@@ -3,6 +3,7 @@
 #pragma once
 
 #include "world/scene/appearance_builder.h"
+#include "world/scene/solid_bodies.h"
 
 #include <span>
 #include <vector>
@@ -14,6 +15,7 @@ struct RayGeometry {
     RayObject world;
     std::vector<RayObject> objects;
     std::vector<RayInstance> instances;
+    PlacedBodies solids;
 };
 
 /// `meshes` and `shapeCounts`, how many shapes an instance has, go by PointTables::shapes and

@@ -88,6 +88,7 @@ const Options &Scene::options() const { return state_->options; }
 const Camera &Scene::camera() const { return state_->camera; }
 bool Scene::isClassic() const { return state_->classic; }
 bool Scene::isBidirectional() const { return state_->bidirectional; }
+bool Scene::isSolved() const { return state_->solved; }
 Lights Scene::lights() const { return Lights(*state_); }
 SurfaceDomains Scene::domains() const { return SurfaceDomains(*state_); }
 Scene::Statistics Scene::statistics() const {

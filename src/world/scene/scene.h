@@ -41,6 +41,8 @@ public:
     bool isClassic() const;
     /// Paths begin on lights, too (`bidir`, `vcm`).
     bool isBidirectional() const;
+    /// Light is solved for on surfaces (`radiosity`).
+    bool isSolved() const;
 
     // ---- Rays ----
     /// Nearest hits. Which of several equally near ones is kept depends on the scene and on the
@@ -151,6 +153,8 @@ public:
     void objectEnd() override;
     void instance(int object, std::shared_ptr<const Attributes>,
                   const MotionTransform &currentFromObject) override;
+    void solidBegin(SolidOperation) override;
+    void solidEnd() override;
     void coordinateSystem(const std::string &name, const Matrix4 &currentFromSpace) override;
     void worldEnd() override;
 

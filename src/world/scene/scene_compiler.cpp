@@ -57,9 +57,16 @@ void SceneCompiler::primitive(std::shared_ptr<const PrimitiveRecord> record,
                               std::shared_ptr<const Attributes> attributes,
                               const MotionTransform &currentFromObject) {
     const auto [matrix, motion] = whileOpen(currentFromObject, state_->declared.shutter);
-    state_->declared.openFor(attributes)
-        .primitives.push_back({std::move(record), attributes, matrix, motion});
+    const SolidPlace solid = state_->declared.solids.place();
+    state_->declared.openFor(attributes, solid)
+        .primitives.push_back({std::move(record), attributes, matrix, motion, solid});
 }
+
+void SceneCompiler::solidBegin(SolidOperation operation) {
+    state_->declared.solids.begin(operation);
+}
+
+void SceneCompiler::solidEnd() { state_->declared.solids.end(); }
 
 void SceneCompiler::objectBegin(int object) { state_->declared.beginObject(object); }
 
@@ -68,10 +75,11 @@ void SceneCompiler::objectEnd() { state_->declared.endObject(); }
 void SceneCompiler::instance(int object, std::shared_ptr<const Attributes> attributes,
                              const MotionTransform &currentFromObject) {
     DeclaredWorld &declared = state_->declared;
-    const bool turns = attributes->flipNormal;
+    const SolidPlace solid = declared.solids.place();
+    const bool turns = attributes->flipNormal != solid.turned;
     const auto [matrix, motion] = whileOpen(currentFromObject, declared.shutter);
     declared.open().instances.push_back(
-        {declared.objectOfNumber.at(object), std::move(attributes), turns, matrix, motion});
+        {declared.objectOfNumber.at(object), std::move(attributes), turns, matrix, motion, solid});
 }
 
 void SceneCompiler::coordinateSystem(const std::string &name, const Matrix4 &currentFromSpace) {
@@ -93,6 +101,10 @@ static bool isClassic(const DeclaredWorld &declared) {
 static bool isBidirectional(const Options &options) {
     const std::string integrator = options.named.string("render:integrator", "");
     return integrator == "bidir" || integrator == "vcm";
+}
+
+static bool isSolved(const Options &options) {
+    return options.named.string("render:integrator", "") == "radiosity";
 }
 
 /// Finds where paths begin on lights. Lights that begin none are said, once a reason.
@@ -158,7 +170,7 @@ static void keepToOneTime(SceneState &state, const ShaderLibrary &library, Diagn
         sink.warning({}, "things move while the shutter is open: all paths begin at the camera, as "
                          "under \"path\"");
     state.bidirectional = false;
-    if (state.options.named.string("render:integrator", "") == "radiosity")
+    if (state.solved)
         sink.warning({},
                      "things move while the shutter is open: radiosity is solved for the instant "
                      "when it opens");
@@ -179,6 +191,24 @@ static void keepToTheEye(SceneState &state, DiagnosticSink &sink) {
     state.bidirectional = false;
 }
 
+/// What solids leave of surfaces rays alone know.
+static void keepToRays(SceneState &state, const RayGeometry &geometry, DiagnosticSink &sink) {
+    if (!state.solved || geometry.solids.all.empty())
+        return;
+    sink.warning({}, "there are solids, whose surfaces have no finite elements: this world is "
+                     "rendered as under \"path\"");
+    state.solved = false;
+}
+
+static void tellOpenBodies(const PlacedBodies &solids, const RayWorld &rays, DiagnosticSink &sink) {
+    for (std::size_t solid = 0; solid < solids.all.size(); ++solid)
+        for (std::int32_t node : rays.openNodes(solid))
+            sink.warning(solids.where[solid][std::size_t(node)],
+                         "what is drawn here as a part of a solid is not closed, so it has no "
+                         "inside: it cuts nothing. SolidBegin \"primitive\" takes all that bounds "
+                         "one body");
+}
+
 void SceneCompiler::worldEnd() {
     DeclaredWorld declared = std::move(state_->declared);
     state_->declared = {};
@@ -187,6 +217,7 @@ void SceneCompiler::worldEnd() {
     state->points.shutter = declared.shutter;
     state->classic = isClassic(declared);
     state->bidirectional = !state->classic && isBidirectional(declared.options);
+    state->solved = !state->classic && isSolved(declared.options);
 
     addCameraSystems(state->camera, declared.options.camera, declared.systems);
     state_->library.bindOptions(declared.options);
@@ -203,6 +234,7 @@ void SceneCompiler::worldEnd() {
     lights.declare(declared.lights);
     keepToOneTime(*state, state_->library, state_->sink);
     keepToTheEye(*state, state_->sink);
+    keepToRays(*state, geometry, state_->sink);
     makeReady(state_->library, state->points);
     prepareMirrors(state->points);
     lights.attachShapes(geometry);
@@ -210,12 +242,13 @@ void SceneCompiler::worldEnd() {
     state->findMediaOfLights();
     leaveOutRefusedLights(*state);
     state->rays = std::make_unique<RayWorld>(geometry.world, geometry.objects, geometry.instances,
-                                             state->points.shutter);
-    geometry = {};
+                                             state->points.shutter, geometry.solids.all);
     if (std::string failure = state->rays->failure(); !failure.empty()) {
         state_->sink.error({}, failure + "; the frame is not rendered");
         return;
     }
+    tellOpenBodies(geometry.solids, *state->rays, state_->sink);
+    geometry = {};
     for (const auto &code : state_->library.all())
         code->bindSpaces(declared.systems, state_->sink);
     lights.prepareChoices();

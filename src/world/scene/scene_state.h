@@ -21,6 +21,7 @@ struct SceneState {
     Camera camera;
     bool classic = false;       ///< The integrator is "classic".
     bool bidirectional = false; ///< Paths begin on lights, too.
+    bool solved = false;        ///< Light is solved for on surfaces: `radiosity`.
     bool hasMatte = false;
 
     PointTables points;

@@ -31,7 +31,8 @@ public:
           displacements_(library, state.options,
                          state.classic ? ir::LightRule::Classic : ir::LightRule::Path,
                          declared.systems, state.camera),
-          placements_(placementsOf(declared)), timesPlaced_(declared.objects.size()) {}
+          all_(placementsOf(declared)), placements_(all_.all),
+          timesPlaced_(declared.objects.size()) {}
 
     RayGeometry build() {
         for (const Placement &placement : placements_)
@@ -59,7 +60,9 @@ public:
         displacements_.report(sink_);
         looks_.finish();
         measure(meshes, shapeCounts_, state_);
-        return arrange(std::move(meshes), shapeCounts_, points_, looks_);
+        RayGeometry geometry = arrange(std::move(meshes), shapeCounts_, points_, looks_);
+        geometry.solids = bodies_.solids(points_.worldShapes);
+        return geometry;
     }
 
 private:
@@ -107,7 +110,8 @@ private:
     }
 
     void addToWorld(const DeclaredPrimitive &primitive, const Matrix4 &currentFromPrimitive,
-                    const std::shared_ptr<const Attributes> &attributes, bool turned) {
+                    const std::shared_ptr<const Attributes> &attributes, bool turned,
+                    std::int32_t node) {
         const Displacing displacing{attributes, {}, turned, 0};
         const Surfaces surfaces =
             makeSurfaces(primitive.record, *primitive.attributes, declared_.shutter, sink_);
@@ -116,6 +120,7 @@ private:
                 return false;
             plan_.add(points_.shapes[shape], attributes->shadingRate, steps_);
             points_.appearances.back().id = std::int32_t(shape) + 1;
+            bodies_.addShape(shape, node, primitive.record->where);
             return true;
         });
     }
@@ -127,8 +132,9 @@ private:
     }
 
     void addAsDeclared(const DeclaredPrimitive &primitive) {
+        const auto number = std::size_t(&primitive - declared_.world.primitives.data());
         addToWorld(primitive, primitive.outerFromPrimitive, primitive.attributes,
-                   primitive.attributes->flipNormal);
+                   primitive.turned(), all_.nodes.empty() ? -1 : all_.nodes[number]);
     }
 
     void addGroup(const MovingGroup &group) {
@@ -154,15 +160,25 @@ private:
         addShapesOfIt();
         steps_ = {};
         const auto count = std::uint32_t(points_.shapes.size()) - first;
-        if (count > 0)
+        if (count > 0) {
+            bodies_.addInstanceOfWorld(first, count);
             addInstance({}, steps, {first, count}, firstAppearance, 0);
+        }
     }
 
     /// What stands but once needs no instance.
     void addSinglePlacement(const Placement &placement) {
-        for (const DeclaredPrimitive &primitive : declared_.objects[placement.object].primitives)
-            addToWorld(primitive, primitive.outerFromPrimitive * placement.currentFromObject,
-                       placement.attributes, primitive.attributes->flipNormal != placement.turned);
+        const auto &primitives = declared_.objects[placement.object].primitives;
+        for (std::size_t k = 0; k < primitives.size(); ++k)
+            addToWorld(primitives[k],
+                       primitives[k].outerFromPrimitive * placement.currentFromObject,
+                       placement.attributes, primitives[k].turned() != placement.turned,
+                       nodeOf(placement, k));
+    }
+
+    /// The body that primitive k of the placed object bounds, or helps to; -1: none of a solid.
+    std::int32_t nodeOf(const Placement &placement, std::size_t k) const {
+        return placement.firstNode < 0 ? -1 : all_.nodes[std::size_t(placement.firstNode) + k];
     }
 
     /// Of a placement's primitive, which its definition may turn round.
@@ -245,10 +261,11 @@ private:
         const std::uint32_t number = ++objects_;
         for (const DeclaredPrimitive &primitive : declared_.objects[object].primitives)
             addShapes(primitive, primitive.outerFromPrimitive, surfacesOf(primitive),
-                      displacingOf(placement, primitive.attributes->flipNormal),
-                      [&](std::uint32_t shape) {
+                      displacingOf(placement, primitive.turned()), [&](std::uint32_t shape) {
                           plan_.add(points_.shapes[shape], rate, details_[placement].pixel, number);
-                          turnedShapes_.push_back(primitive.attributes->flipNormal);
+                          turnedShapes_.push_back(primitive.turned());
+                          primitiveOfShape_.resize(shape);
+                          primitiveOfShape_.push_back(&primitive);
                           return true;
                       });
         shapes.count = std::uint32_t(points_.shapes.size()) - shapes.first;
@@ -271,12 +288,24 @@ private:
             if (place->second == noAppearance)
                 continue;
             const std::int32_t firstAppearance = place->second;
+            addBodies(shapes, placement);
             addInstance(placement.currentFromObject, placement.steps, shapes, firstAppearance,
                         nextId);
             nextId += std::int32_t(shapes.count);
             if (shinesFrom(firstAppearance, shapes.count))
                 known.erase({shapes.first, placement.attributes.get(), placement.turned});
         }
+    }
+
+    void addBodies(const ObjectShapes &shapes, const Placement &placement) {
+        std::vector<std::int32_t> nodes;
+        const auto *first = declared_.objects[placement.object].primitives.data();
+        for (std::uint32_t k = 0; placement.firstNode >= 0 && k < shapes.count; ++k) {
+            const DeclaredPrimitive *primitive = primitiveOfShape_[shapes.first + k];
+            nodes.push_back(nodeOf(placement, std::size_t(primitive - first)));
+            bodies_.addShape(shapes.first + k, nodes.back(), primitive->record->where);
+        }
+        bodies_.addInstance(std::move(nodes));
     }
 
     /// `steps`: empty where it stands still.
@@ -344,7 +373,8 @@ private:
                                       "opens");
                 }
                 // Lights of these forms can't be sampled but by triangles.
-                shape.mayBeRound &= shape.surface->roundElements().isOneBall();
+                shape.mayBeRound &=
+                    shape.surface->roundElements().isOneBall() && !bodies_.isCut(number);
                 plan_.makeFine(number, points_.shapes[number]);
             }
     }
@@ -356,13 +386,16 @@ private:
     AppearanceBuilder looks_;
     DicingPlan plan_;
     DisplacementBuilder displacements_;
-    std::vector<Placement> placements_;
+    const Placements all_;
+    const std::vector<Placement> &placements_;
+    SolidBodies bodies_{declared_.solids, all_.solids};
     std::vector<int> timesPlaced_;           ///< By object.
     std::vector<PlacementDetail> details_;   ///< By placement.
     std::vector<std::uint32_t> shapeCounts_; ///< By instance.
     std::span<const Matrix4> steps_;         ///< Of what is added to the world now, if it moves.
     std::vector<bool> turnedShapes_;         ///< By shape: its definition reverses the orientation.
-    std::vector<DisplacedStages> displaced_; ///< By shape.
+    std::vector<const DeclaredPrimitive *> primitiveOfShape_;             ///< Of shapes of objects.
+    std::vector<DisplacedStages> displaced_;                              ///< By shape.
     std::map<const DeclaredPrimitive *, Surfaces> surfaces_;              ///< Of objects.
     std::map<std::pair<int, const ShaderRecord *>, bool> movedBySurface_; ///< By object.
     /// By object and level; where it is displaced by displacement and surface shader and by
