@@ -115,6 +115,28 @@ TEST_F(OldFiles, NamesOfOtherFoldersAreFoundHere) {
             }
 }
 
+// A scene read in another one's world brings its shapes alone.
+TEST_F(OldFiles, WholeScenesMayBeArchives) {
+    folder_.write("inner.rib", "FrameBegin 1\nDisplay \"inner.exr\" \"openexr\" \"rgb\"\n"
+                               "WorldBegin\nColor [.25 0 0]\nAttributeBegin\n" +
+                                   std::string("Polygon \"P\" [-9 -9 4  -9 9 4  0 9 4  0 -9 4]\n") +
+                                   "WorldEnd\nFrameEnd\n");
+    const std::string rest = "Polygon \"P\" [0 -9 4  0 9 4  9 9 4  9 -9 4]\nWorldEnd\n";
+    for (const char *read :
+         {"ReadArchive \"inner.rib\"\n",
+          "Procedural \"DelayedReadArchive\" [\"inner.rib\"] [-9 9 -9 9 0 9]\n"}) {
+        const Outcome run = render(head + "WorldBegin\nSurface \"constant\"\n" + read + rest);
+        EXPECT_EQ(run.status, 1) << "its AttributeBegin is not closed" << run.text();
+        EXPECT_NEAR(red(24), .25f, 1e-6f) << run.text();
+        EXPECT_NEAR(red(31), 1, 1e-6f) << run.text();
+        EXPECT_FALSE(folder_.has("inner.exr"));
+    }
+    // A world that its own file has forgotten to close is no archive's.
+    const Outcome run = render(head + "WorldBegin\nSurface \"constant\"\nWorldBegin\n" + rest);
+    EXPECT_TRUE(run.says("WorldBegin is not legal between")) << run.text();
+    EXPECT_NEAR(red(31), 1, 1e-6f);
+}
+
 // Search paths are meant from where the scene lies, too.
 TEST_F(OldFiles, SearchPathsCountFromTheScene) {
     folder_.write("lib/grey.sl", "surface grey() { Ci = color(.25, .25, .25); Oi = 1; }\n");

@@ -18,7 +18,7 @@ constexpr std::pair<std::string_view, ValueType> valueTypes[] = {
     {"float", ValueType::Float},   {"integer", ValueType::Integer}, {"int", ValueType::Integer},
     {"string", ValueType::String}, {"color", ValueType::Color},     {"point", ValueType::Point},
     {"vector", ValueType::Vector}, {"normal", ValueType::Normal},   {"hpoint", ValueType::HPoint},
-    {"matrix", ValueType::Matrix}};
+    {"matrix", ValueType::Matrix}, {"mpoint", ValueType::Matrix}}; // Points of blobs, as PRMan has.
 
 template <class Table> auto valueOf(const Table &table, std::string_view word) {
     std::optional<decltype(table[0].second)> result;

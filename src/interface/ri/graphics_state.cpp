@@ -89,8 +89,47 @@ bool GraphicsState::isMotionSample(RequestId id) const {
 }
 
 bool GraphicsState::admit(RequestId id, const SourceLocation &where) {
-    return !stopped() && isLegal(id, where) &&
+    return !stopped() && !nestsInWorld(id, where) && isLegal(id, where) &&
            (!isMotionSample(id) || takeMotionSample(id, where)) && nest(id, where);
+}
+
+bool GraphicsState::nestsInWorld(RequestId id, const SourceLocation &where) {
+    const bool isWorld = id == RequestId::WorldBegin || id == RequestId::WorldEnd;
+    const bool begins = id == RequestId::WorldBegin || id == RequestId::FrameBegin;
+    if (!isWorld && !begins && id != RequestId::FrameEnd)
+        return false;
+    const BlockKind kind = isWorld ? BlockKind::World : BlockKind::Frame;
+    if (begins) {
+        const auto world = std::ranges::find(blocks_, BlockKind::World, &Block::kind);
+        if (place() != scope::InWorld || !where.file ||
+            (world->where.file && *world->where.file == *where.file))
+            return false;
+        const std::string name(describe(id).name);
+        diagnostics_.warnOnce(where, "inner " + name,
+                              name + " within a world is taken for AttributeBegin");
+        attributeBegin(where);
+        if (!stopped())
+            blocks_.back().standsFor = kind;
+        return true;
+    }
+    std::size_t depth = blocks_.size();
+    while (depth > 0 && blocks_[depth - 1].standsFor != kind)
+        if (const Block &block = blocks_[--depth];
+            block.kind == BlockKind::World || block.kind == BlockKind::Object)
+            return false;
+    if (depth == 0)
+        return false;
+    while (blocks_.size() > depth) {
+        policy_.error(where, std::string(describe(id).name) + ": the " +
+                                 beginOf(int(blocks_.back().kind)) + " at " +
+                                 blocks_.back().where.text() + " is still open; it is closed here");
+        if (stopped())
+            return true;
+        endInnermost(where);
+    }
+    blocks_.back().standsFor.reset();
+    attributeEnd(where);
+    return true;
 }
 
 bool GraphicsState::nest(RequestId id, const SourceLocation &where) {
@@ -104,7 +143,7 @@ bool GraphicsState::nest(RequestId id, const SourceLocation &where) {
                  1});
             return false;
         }
-        blocks_.push_back({kind, where});
+        blocks_.push_back({kind, where, {}});
         return true;
     };
     switch (id) {
@@ -137,9 +176,9 @@ bool GraphicsState::closeBlock(BlockKind kind, RequestId id, const SourceLocatio
     bool small = kind != BlockKind::Frame && kind != BlockKind::World && kind != BlockKind::Object;
     bool known = false;
     for (auto block = blocks_.rbegin(); block != blocks_.rend() && !known; ++block) {
-        known = block->kind == kind;
+        known = block->kind == kind && !block->standsFor;
         if (small && (block->kind == BlockKind::Frame || block->kind == BlockKind::World ||
-                      block->kind == BlockKind::Object))
+                      block->kind == BlockKind::Object || block->standsFor))
             break;
     }
     if (!known) {

@@ -49,10 +49,14 @@ private:
     struct Block {
         BlockKind kind;
         SourceLocation where;
+        std::optional<BlockKind> standsFor; ///< An attribute block: a frame or world in a world.
     };
     /// True if the request is to be done.
     bool admit(RequestId, const SourceLocation &);
     bool isLegal(RequestId, const SourceLocation &);
+    /// Frames and worlds of archives that are read in a world are attribute blocks: opens and closes
+    /// these, and is true then.
+    bool nestsInWorld(RequestId, const SourceLocation &);
     void reportScope(RequestId, const SourceLocation &, unsigned place);
     bool isMotionSample(RequestId) const;
     bool takeMotionSample(RequestId, const SourceLocation &);

@@ -64,6 +64,20 @@ std::string variableDefect(const Parameter &variable, const VariableCounts &coun
     return {};
 }
 
+/// Widths by the wrong number are still better than none: a surplus is dropped, and the last one
+/// serves for what is missing. What is said of it; empty if their number is right or 0.
+std::string fitWidths(Parameter &variable, const VariableCounts &counts) {
+    const std::size_t given = variable.floats.size();
+    const std::size_t expected = std::size_t(std::max(0, counts.of(variable.declaration.storage)));
+    const bool isWidth = variable.name == "width" || variable.name == "constantwidth";
+    if (!isWidth || variable.declaration.components() != 1 || given == 0 || given == expected)
+        return {};
+    variable.floats.resize(expected, variable.floats.back());
+    return "'" + variable.name + "' has " + std::to_string(given) + " numbers and needs " +
+           std::to_string(expected) +
+           (given > expected ? ": the first ones count" : ": the last one serves for the rest");
+}
+
 } // namespace
 
 std::shared_ptr<const PrimitiveRecord> checkedPrimitive(const char *request, ShapeRecord shape,
@@ -91,6 +105,8 @@ std::shared_ptr<const PrimitiveRecord> checkedPrimitive(const char *request, Sha
     VariableCounts counts = countsOf(shape, attributes, int(vertices));
     ParameterList kept{where, {}};
     for (Parameter &variable : variables.all) {
+        if (const std::string fitted = fitWidths(variable, counts); !fitted.empty())
+            diagnostics.warning(where, request, fitted);
         std::string defect = variableDefect(variable, counts);
         if (variable.name == "Os")
             diagnostics.clampOpacity(where, "\"Os\"", variable.floats);

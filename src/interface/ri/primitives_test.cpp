@@ -360,4 +360,27 @@ TEST_F(State, indicesBeyondThePointsAreNamed) {
     EXPECT_TRUE(primitives().empty());
 }
 
+TEST_F(State, widthsOfTheWrongNumberAreFitted) {
+    struct {
+        const char *token;
+        Floats given, kept;
+    } const cases[] = {
+        {"varying float width", {.1f, .2f}, {.1f, .2f}},
+        {"varying float width", {.1f, .2f, .3f}, {.1f, .2f}},
+        {"varying float width", {.1f}, {.1f, .1f}},
+        {"constantwidth", {.1f, .2f}, {.1f}},
+    };
+    state.worldBegin(at);
+    int told = 0;
+    for (const auto &each : cases) {
+        TokenList tokens = numbers("P", {0, 0, 0, 1, 0, 0});
+        tokens.all.push_back({each.token, {}, each.given, {}});
+        state.points(at, tokens);
+        told += each.given != each.kept;
+        EXPECT_EQ(primitives().back().record->variables.all.back().floats, each.kept) << each.token;
+        EXPECT_EQ(warnings(), told);
+    }
+    EXPECT_EQ(errors(), 0);
+}
+
 } // namespace candela::testing

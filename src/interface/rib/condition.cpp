@@ -6,6 +6,7 @@
 #include <cctype>
 #include <charconv>
 #include <limits>
+#include <regex.h>
 #include <string_view>
 
 namespace candela {
@@ -43,7 +44,22 @@ double numberOf(const Value &value) {
     return number ? *number : std::numeric_limits<double>::quiet_NaN();
 }
 
+/// Whether a regular expression (POSIX, extended) is to be found in the text. What could take time
+/// or memory without bound, back references and counted repetition, is none.
+bool isFoundIn(const std::string &text, const std::string &expression) {
+    regex_t compiled;
+    const bool isSafe = expression.size() <= 1000 && expression.find('{') == std::string::npos &&
+                        expression.find('\\') == std::string::npos;
+    if (!isSafe || regcomp(&compiled, expression.c_str(), REG_EXTENDED | REG_NOSUB) != 0)
+        throw ConditionError("'" + expression.substr(0, 40) + "' is no pattern");
+    const bool found = regexec(&compiled, text.c_str(), 0, nullptr, 0) == 0;
+    regfree(&compiled);
+    return found;
+}
+
 Value compared(std::string_view how, const Value &a, const Value &b) {
+    if (how == "=~")
+        return double(a && isFoundIn(textOf(a), textOf(b)));
     if (how == "==" || how == "!=")
         return double((a && b && *a == *b) == (how == "=="));
     const bool texts = a && b && a->index() == 1 && b->index() == 1;
@@ -59,7 +75,7 @@ Value computed(std::string_view how, const Value &a, const Value &b) {
 
 /// Operators of one precedence, from the weakest; longer ones before their beginnings.
 constexpr std::array<std::array<std::string_view, 4>, 6> levels{
-    {{"||"}, {"&&"}, {"==", "!="}, {"<=", ">=", "<", ">"}, {"+", "-"}, {"*", "/"}}};
+    {{"||"}, {"&&"}, {"==", "!=", "=~"}, {"<=", ">=", "<", ">"}, {"+", "-"}, {"*", "/"}}};
 
 /// By descent. What does not count (the right of "0 &&") is read all the same.
 class Evaluation {

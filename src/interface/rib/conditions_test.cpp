@@ -60,6 +60,12 @@ TEST(Condition, expressionsMeanWhatTheySay) {
         {"8 / 4 / 2 == 1", true},
         {"-$user:x == -2", true},
         {"1 < 2 == 1", true}, // < binds more tightly than ==.
+        {"$user:pass =~ 'had'", true},
+        {"$user:pass =~ '^s.*w$'", true},
+        {"$user:pass =~ 'beauty|shadow' && 1", true},
+        {"$user:pass =~ 'Had'", false},
+        {"$user:none =~ '.*'", false},
+        {"'17' =~ $Frame", true},
         {"defined(user:x)", true},
         {"defined($user:x)", true},
         {"defined(user:none)", false},
@@ -80,12 +86,26 @@ TEST(Condition, expressionsMeanWhatTheySay) {
 
 TEST(Condition, whatIsNoExpressionSaysWhy) {
     const std::string deep = std::string(100000, '(') + "1" + std::string(100000, ')');
-    for (const std::string &bad :
-         {std::string(""), std::string("1 +"), std::string("== 2"), std::string("$"),
-          std::string("$1"), std::string("(1"), std::string("1)"), std::string("'open"),
-          std::string("1 2"), std::string("word == 'word'"), std::string("defined x"),
-          std::string("defined()"), std::string("concat('a'"), std::string("1 = 2"),
-          std::string("\xff"), deep, std::string(100000, '!')})
+    for (const std::string &bad : {std::string(""),
+                                   std::string("1 +"),
+                                   std::string("== 2"),
+                                   std::string("$"),
+                                   std::string("$1"),
+                                   std::string("(1"),
+                                   std::string("1)"),
+                                   std::string("'open"),
+                                   std::string("1 2"),
+                                   std::string("word == 'word'"),
+                                   std::string("defined x"),
+                                   std::string("defined()"),
+                                   std::string("concat('a'"),
+                                   std::string("1 = 2"),
+                                   std::string("\xff"),
+                                   std::string("'a' =~ '('"),
+                                   std::string("'a' =~ 'a{9}'"),
+                                   std::string("'a' =~ '(a)\\1'"),
+                                   deep,
+                                   std::string(100000, '!')})
         EXPECT_THROW(conditionHolds(bad, named), ConditionError) << bad.substr(0, 40);
 }
 

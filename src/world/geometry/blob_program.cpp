@@ -82,6 +82,13 @@ private:
             return;
         default: break;
         }
+        if (code >= 9000) { // Of other renderers' modules: how many codes follow, and these.
+            const int arguments = next();
+            if (arguments < 0 || std::size_t(arguments) > record_.codes.size() - at_)
+                return fail("ends within an instruction");
+            at_ += std::size_t(arguments);
+            return leaveOut("fields of other renderers' modules");
+        }
         constexpr Kind kinds[] = {Kind::Add,      Kind::Multiply, Kind::Maximum, Kind::Minimum,
                                   Kind::Subtract, Kind::Divide,   Kind::Negate,  Kind::Add};
         if (code < 0 || code > 7)

@@ -202,6 +202,17 @@ TEST(Blobs, ThatAreTooSmallBesideOthersAreToldOf) {
     }
 }
 
+TEST(Blobs, FieldsOfModulesAreLeftOut) {
+    DiagnosticList diagnostics;
+    const std::vector<float> floats = placed(0, 0, 0, 1, 1, 1);
+    const auto surfaces =
+        makeSurfaces(record(BlobbyRecord{2, {1001, 0, 9000, 2, 0, 16, 0, 2, 0, 1}, floats, {"m"}}),
+                     {}, diagnostics);
+    EXPECT_EQ(surfaces.size(), 1u);
+    EXPECT_EQ(diagnostics.count(Severity::Error), 0) << diagnostics.text();
+    EXPECT_NE(diagnostics.text().find("have no effect"), std::string::npos);
+}
+
 TEST(Blobs, ProgramsThatAreWrongAreDropped) {
     const std::pair<std::vector<int>, const char *> wrong[] = {
         {{}, "has no codes"},
@@ -213,6 +224,8 @@ TEST(Blobs, ProgramsThatAreWrongAreDropped) {
         {{1001, 0, 0, -1}, "combines -1 fields"},
         {{55, 0}, "has the unknown code 55 at place 0"},
         {{1004, 0, 1}, "ends within an instruction"},
+        {{9000, 4, 0, 16, 1}, "ends within an instruction"},
+        {{9000, -1}, "ends within an instruction"},
     };
     for (const auto &[codes, why] : wrong) {
         DiagnosticList diagnostics;
