@@ -31,6 +31,9 @@ TEST_F(Filtered, imagersKnowPlaceOpacityAndTime) {
         {"Imager \"place\" \"string what\" \"Oi\"\n", 1, 1, 1},
         {"Imager \"place\" \"string what\" \"time\"\nShutter 3 3\n", 3, 3, 3},
         {"Imager \"place\" \"what\" \"Ci\" \"scale\" [4]\n", 1, 1, 1},
+        {"Imager \"place\" \"string what\" \"NDC\"\n", 2.5f / 16, 3.5f / 12, 1},
+        {"Imager \"place\" \"string what\" \"NDC\"\nCropWindow .25 1 .5 1\n", 6.5f / 16, 9.5f / 12,
+         1},
         {"Imager \"null\"\n", .25f, .25f, .25f},
     };
     for (const Case &test : table) {

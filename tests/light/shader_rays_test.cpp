@@ -108,6 +108,21 @@ TEST(ShaderRays, GatherTellsRadiance) {
     }
 }
 
+/// indirectdiffuse() brings the light of other surfaces under classic, where loops have none, and
+/// under path loops bring it: once.
+TEST(ShaderRays, IndirectLightComesOnce) {
+    for (const std::string &integrator : {inClassic, inPath})
+        for (const char *older : {"0", "1"}) {
+            const SmallPicture picture =
+                takePicture(integrator + eyeBeyondTheScreen,
+                            "AttributeBegin\nSurface \"constant\"\nColor [.25 0 0]\n" + plain +
+                                "AttributeEnd\nColor [.5 1 1]\nSurface \"bounced\" \"older\" [" +
+                                older + "]\n" + squareAt(height),
+                            16);
+            EXPECT_NEAR(meanOf(picture), .5 * .25 * hiddenBySquare(), 5e-3) << integrator << older;
+        }
+}
+
 TEST(ShaderRays, TransmissionMultipliesWhatIsLeft) {
     const std::string options = inClassic + eyeBeyondTheScreen;
     for (const char *cone : {"0", ".3"}) {

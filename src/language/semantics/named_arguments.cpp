@@ -6,7 +6,8 @@ namespace candela::sl {
 bool isResultName(BuiltinId function, std::string_view name) {
     if (function == BuiltinId::gather) // "ray:length", "surface:Ci"; "send:..." gives.
         return name.find(':') != name.npos && !name.starts_with("send:");
-    if (function == BuiltinId::occlusion || function == BuiltinId::indirectdiffuse)
+    if (function == BuiltinId::occlusion || function == BuiltinId::indirectdiffuse ||
+        function == BuiltinId::indirect)
         return name == "environmentcolor" || name == "environmentdir";
     return false;
 }

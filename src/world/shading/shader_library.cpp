@@ -50,7 +50,8 @@ struct ShaderLibrary::State {
     void replace(ShaderCode &);
     const ir::LoweredShader *lowerOnce(const sl::TypedShader &, const ShaderRecord &,
                                        const Options &, const std::set<std::string> &variables,
-                                       const ToldValues &, std::string &key);
+                                       const ToldValues &, std::string &key,
+                                       ir::LoweringOptions lowering = {});
     ToldValues askOthers(const OtherShaders &, const Options &, ir::LightRule);
 };
 
@@ -134,7 +135,8 @@ const ir::LoweredShader *ShaderLibrary::State::lowerOnce(const sl::TypedShader &
                                                          const ShaderRecord &record,
                                                          const Options &options,
                                                          const std::set<std::string> &variables,
-                                                         const ToldValues &told, std::string &key) {
+                                                         const ToldValues &told, std::string &key,
+                                                         ir::LoweringOptions lowering) {
     addToKey(key, *shader.where.location().file + ":" + shader.name);
     std::vector<ir::StringValue> strings;
     for (ir::StringValue &value : stringValues(record))
@@ -161,7 +163,6 @@ const ir::LoweredShader *ShaderLibrary::State::lowerOnce(const sl::TypedShader &
             addToKey(key, "variable " + parameter.symbol->name);
             overriding.push_back(parameter.symbol->name);
         }
-    ir::LoweringOptions lowering;
     if (options.named.string("shading:highlights", "production") == "ri") {
         lowering.highlightScale = 1;
         addToKey(key, "RI's highlights");
@@ -252,8 +253,11 @@ std::optional<ShaderInstance> ShaderLibrary::instance(ShaderKind kind, const Sha
                                 ? state_->askOthers(others, options, rule)
                                 : ToldValues{};
     std::string key = rule == ir::LightRule::Path ? "path " : "classic ";
+    ir::LoweringOptions lowering;
+    lowering.indirectByRays = kind == ShaderKind::Surface && rule == ir::LightRule::Classic;
     const ir::LoweredShader *lowered =
-        shader ? state_->lowerOnce(*shader, record, options, variables, told, key) : nullptr;
+        shader ? state_->lowerOnce(*shader, record, options, variables, told, key, lowering)
+               : nullptr;
     if (!lowered) {
         if (kind != ShaderKind::Surface || record.name.empty())
             return std::nullopt;

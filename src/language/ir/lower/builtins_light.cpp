@@ -7,6 +7,7 @@
 #include "language/ir/core/builder_sources.h"
 #include "language/ir/core/builder_vectors.h"
 #include "language/ir/lower/builtins.h"
+#include "language/ir/lower/cone_direction.h"
 #include "language/ir/lower/light.h"
 #include "language/ir/lower/scan.h"
 
@@ -91,12 +92,48 @@ Components irradiance(BuiltinCall &call) {
     return irradiance(call.b, call.triple(0), call.triple(1));
 }
 
+/// The mean radiance from the hemisphere, by the cosine: a path for each of a few directions where
+/// the eye sees the point, and one where a ray does.
+Components indirectByRays(BuiltinCall &call, const Triple &from, const Triple &normal) {
+    constexpr int rays = 8;
+    Builder &b = call.b;
+    const auto shift = [&] { return random(b, call.lowering.variables.cells[call.lowering.turn]); };
+    const ValueId x = shift(), y = shift();
+    const Triple axis = normalize(b, normal);
+    const auto part = [&](ValueId start, float step) {
+        const ValueId sum = add(b, start, number(b, step));
+        return sub(b, sum, unary(b, Op::Floor, sum));
+    };
+    Components sum(b.colors().samples, number(b, 0));
+    const ValueId fromEye = equal(b, input(b, ShaderInput::rayDepth), number(b, 0));
+    for (int ray = 0; ray < rays; ++ray) {
+        // Rows of x, and y by the golden ratio: they fill the hemisphere evenly.
+        const Triple direction = directionInCone(
+            b, axis, number(b, std::numbers::pi_v<float> / 2), part(x, float(ray) / rays),
+            part(y, float(ray) * std::numbers::phi_v<float>), ConeWeight::Cosine);
+        LightRequest request;
+        request.kind = LightRequest::Kind::Trace;
+        request.line = b.line();
+        const Components light =
+            trace(b, addRequest(call.lowering, request, call.expr.where), from, direction);
+        const ValueId share =
+            select(b, fromEye, number(b, 1.0f / rays), number(b, ray == 0 ? 1 : 0));
+        for (size_t c = 0; c < sum.size(); ++c)
+            sum[c] = add(b, sum[c], mul(b, light[c], share));
+    }
+    return sum;
+}
+
 /// E/pi where the shader has it from nowhere else: light loops get all light, and irradiance() is E
 /// itself (DESIGN section 4).
 Components indirectdiffuse(BuiltinCall &call) {
     Builder &b = call.b;
-    const size_t point = call.isText(0) ? 1 : 0;
+    size_t point = 0;
+    while (point < call.count() && call.isText(point))
+        ++point;
     const bool ofMap = call.count() < point + 2 || call.isText(point + 1);
+    if (!ofMap && call.lowering.options.indirectByRays)
+        return indirectByRays(call, call.triple(point), call.triple(point + 1));
     if (ofMap || gathersLight(call.lowering.shader))
         return Components(b.colors().samples, number(b, 0));
     const Triple I = tripleOf(call.lowering.variables.load(sl::PredefinedId::I));
@@ -117,6 +154,7 @@ BuiltinLowering lightBuiltin(sl::BuiltinId id) {
                                                      {Id::trace, trace},
                                                      {Id::irradiance, irradiance},
                                                      {Id::indirectdiffuse, indirectdiffuse},
+                                                     {Id::indirect, indirectdiffuse},
                                                      {Id::specularbrdf, specularbrdf}};
     const auto found = table.find(id);
     return found == table.end() ? nullptr : found->second;

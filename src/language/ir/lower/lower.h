@@ -89,6 +89,8 @@ struct LoweringOptions {
     int mostTurns = mostLoopTurns; ///< As Function has it; > 0.
     /// Lookups of textures are told how far their coordinates reach over a point's footprint.
     bool footprints = true;
+    /// indirectdiffuse() follows rays: nothing else brings that light (LightRule::Classic).
+    bool indirectByRays = false;
     /// What the samples of colours stand for.
     ColorBasis colors{};
     /// Is told of "lower", "derivatives" and "clean up"; may be empty.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/ir/lower/spaces.h"
 
+#include "language/ir/core/builder_arithmetic.h"
 #include "language/ir/core/builder_sources.h"
 #include "language/ir/core/builder_vectors.h"
 #include "language/ir/lower/builtins.h"
@@ -14,6 +15,19 @@ void Spaces::refuse(const std::string &name, const sl::Place &where) {
                                name + "\" (0, 0, 0)");
 }
 
+/// "NDC" of an imager's pixels, whose u and v lead from 0 to 1 across the frame.
+SpaceMatrices Spaces::frame() {
+    const Triple P = input3(b_, ShaderInput::P);
+    const ValueId one = number(b_, 1), none = number(b_, 0);
+    const ValueId u = input(b_, ShaderInput::u), v = input(b_, ShaderInput::v);
+    const auto scaling = [&](ValueId x, ValueId y) {
+        return Matrix{x,    none, none, none, none, y,    none, none,
+                      none, none, one,  none, none, none, none, one};
+    };
+    return {scaling(div(b_, P[0], u), div(b_, P[1], v)),
+            scaling(div(b_, u, P[0]), div(b_, v, P[1]))};
+}
+
 std::optional<SpaceMatrices> Spaces::find(const std::string &name, const sl::Place &where) {
     if (name == "current" || (onlyShader_ && name == "shader"))
         return std::nullopt;
@@ -21,6 +35,10 @@ std::optional<SpaceMatrices> Spaces::find(const std::string &name, const sl::Pla
         refuse(name, where);
         return std::nullopt;
     }
+    if (inImager_ && name == "raster")
+        return std::nullopt;
+    if (inImager_ && name == "NDC")
+        return frame();
     if (onPicture_) {
         messages_.warning(where, "pictures have no coordinate systems: the space \"" + name +
                                      "\" is taken for \"current\" in filters and imagers");

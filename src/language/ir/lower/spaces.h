@@ -17,10 +17,12 @@ struct SpaceMatrices {
 
 class Spaces {
 public:
-    /// Filters and imagers run on pictures, where all spaces are taken for "current".
+    /// Filters and imagers run on pictures, where spaces are taken for "current"; that of imagers
+    /// is "raster", and they know "NDC".
     Spaces(Builder &b, Messages &messages, sl::ShaderKind kind)
         : b_(b), messages_(messages),
-          onPicture_(kind == sl::ShaderKind::Filter || kind == sl::ShaderKind::Imager) {}
+          onPicture_(kind == sl::ShaderKind::Filter || kind == sl::ShaderKind::Imager),
+          inImager_(kind == sl::ShaderKind::Imager) {}
 
     /// For default values, which are evaluated where "current" is unknown: from now on "shader" is
     /// the identity and other spaces are refused.
@@ -33,9 +35,11 @@ public:
     std::optional<SpaceMatrices> find(const std::string &name, const sl::Place &);
 
 private:
+    SpaceMatrices frame();
+
     Builder &b_;
     Messages &messages_;
-    bool onPicture_;
+    bool onPicture_, inImager_;
     bool onlyShader_ = false;
     int shaderSlot_ = -1; ///< Of the hidden parameter; -1 as long as none asks.
 };
