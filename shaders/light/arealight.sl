@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0
-   A luminous surface, for AreaLightSource in si units: the radiance that leaves P, W m^-2 sr^-1.
-   It states how its power is distributed as a cone about the normal. */
+   A luminous surface, for AreaLightSource. In si units it sends the radiance that leaves P,
+   W m^-2 sr^-1. Old scenes give an intensity instead, which falls off with the square of the
+   distance. It states how its power is distributed as a cone about the normal. */
 light arealight(float radiance = 1;  /* along the normal */
-                float intensity = 1; /* scales it, under the name that other lights have for it */
+                float intensity = 0; /* in its place, at a distance of 1 */
                 color lightcolor = 1;
                 float onesided = 1;  /* 0: both sides shine */
                 float exponent = 1;  /* power of the cosine: 1 = the same radiance all around */)
@@ -12,7 +13,9 @@ light arealight(float radiance = 1;  /* along the normal */
         float height = max(cosine, (1 - onesided) * abs(cosine));
         Cl = 0;
         if (height > 0) {
-            Cl = intensity * radiance * lightcolor;
+            Cl = radiance * lightcolor;
+            if (intensity != 0)
+                Cl = intensity * lightcolor / (L . L);
             if (exponent != 1)
                 Cl *= pow(height, exponent - 1);
         }

@@ -100,7 +100,7 @@ void StateHandlers::light(const SourceLocation &where, const std::string &name,
                                      "Light: \"" + name + "\" is not known here: it is left out");
     const float strength =
         numberOf(tokens, "intensity", 1) * std::exp2(numberOf(tokens, "exposure", 0));
-    TokenList told{{number("float intensity", where, strength)}};
+    TokenList told{{number(*shape ? "float radiance" : "float intensity", where, strength)}};
     if (const auto c = numbersOf(tokens, "lightColor", 3); !c.empty())
         told.all.push_back({"color lightcolor", where, {c[0], c[1], c[2]}, {}});
     attributeBegin(where);
