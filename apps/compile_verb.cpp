@@ -9,6 +9,7 @@
 #include "language/jit/jit.h"
 #include "language/semantics/front.h"
 #include "render/console.h"
+#include "render/shader_folders.h"
 
 #include <CLI/CLI.hpp>
 #include <chrono>
@@ -93,7 +94,11 @@ private:
             return;
         }
         const std::string shown = name == "-" ? "standard input" : name;
-        const auto front = sl::analyzeSource({shown, *text}, arguments_.front, console_);
+        sl::FrontOptions options = arguments_.front;
+        const auto library = shaderFolders(name, {}, console_).library;
+        options.includeDirectories.insert(options.includeDirectories.end(), library.begin(),
+                                          library.end());
+        const auto front = sl::analyzeSource({shown, *text}, options, console_);
         if (!front)
             return;
         read_.push_back(name);

@@ -18,7 +18,8 @@ void add(std::vector<std::string> &folders, const fs::path &folder) {
         std::ranges::find(folders, folder.string()) != folders.end())
         return;
     folders.push_back(folder.string());
-    for (const char *kind : {"surface", "light", "displacement", "volume", "imager", "filter"})
+    for (const char *kind :
+         {"surface", "light", "displacement", "volume", "imager", "filter", "include"})
         if (fs::is_directory(folder / kind, ignored))
             folders.push_back((folder / kind).string());
 }

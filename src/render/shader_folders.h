@@ -11,7 +11,7 @@ namespace candela {
 
 struct ShaderFolders {
     /// --shader-path, the RIB's folder, the current folder, $CANDELA_SHADERS, the shipped library;
-    /// each with its sub-folders by kind (surface, light, ...) where these exist.
+    /// each with its sub-folders by kind (surface, light, ..., include) where these exist.
     std::vector<std::string> all;
     /// The library alone: the one that is shipped, else those that $CANDELA_SHADERS names.
     std::vector<std::string> library;

@@ -176,5 +176,50 @@ TEST_F(OldFiles, FacesOfAnyNameMakeAnEnvironment) {
     EXPECT_NEAR(red(27), 1, .02f);
 }
 
+// Headers that shaders of others include are in the library; one beside the shader comes first.
+TEST_F(OldFiles, HeadersOfOldShadersAreAtHand) {
+    struct {
+        const char *header, *value;
+        float red;
+    } const cases[] = {
+        {"rmannotes.sl", "repeat(.3, 5)", .5f},
+        {"rmannotes.sl", "whichtile(.3, 5) / 4", .25f},
+        {"rmannotes.sl", "pulse(.2, .6, .1, .4)", 1},
+        {"rmannotes.sl", "union(.5, .5) - intersection(.5, .5)", .5f},
+        {"rmannotes.sl", "blend(difference(.5, .5), complement(.25), .5)", .5f},
+        {"rmannotes.sl", "odd(3) && even(4) ? boxstep(1, 3, 2) : 0", .5f},
+        {"patterns.h", "filteredpulse(0, 1, 0, .5)", .5f},
+        {"patterns.h", "filteredpulsetrain(.75, 1, .3, 1)", .25f},
+        {"patterns.h", "pulsetrain(.5, 1, 1.75) * smoothpulsetrain(0, .2, .6, .8, 1, 2.7)", .5f},
+        {"noises.h", "cells3(point(.5, .5, .5))", .5f},
+        {"noises.h", "cells2(.5, 1.5)", .5f},
+        {"noises.h", "fBm(P, 1, 3, 2, .5) + turbulence(P, 1, 3, 2, .5) + .25", .25f},
+    };
+    for (const auto &each : cases) {
+        std::string text = "#include \"" + std::string(each.header) + "\"\n";
+        if (text.find("noises") != text.npos)
+            text +=
+                "float cells3(point p) { float near, next; point a, b;\n"
+                "  voronoi_f1f2_3d(p, 0, near, a, next, b); return next / 2 + near; }\n"
+                "float cells2(float x, y) { float near, next, a, b, c, d;\n"
+                "  voronoi_f1f2_2d(x, y, 0, near, a, b, next, c, d); return next / 2 + near; }\n";
+        text += "surface noted() { float f = " + std::string(each.value) +
+                "; Ci = color(f, 0, 0); Oi = 1; }\n";
+        const std::string file = folder_.write("noted.sl", text);
+        const Outcome run =
+            render(head + "WorldBegin\nSurface \"noted\"\n"
+                          "Polygon \"P\" [-9 -9 4  -9 9 4  9 9 4  9 -9 4]\nWorldEnd\n");
+        EXPECT_EQ(run.status, 0) << each.value << run.text();
+        EXPECT_NEAR(red(27), each.red, 1e-4f) << each.value;
+        EXPECT_EQ(runCandela({"compile", file, "--quiet"}).status, 0) << each.value;
+    }
+    folder_.write("patterns.h", "#define pulse(a) (a)\n");
+    folder_.write("noted.sl", "#include \"patterns.h\"\n"
+                              "surface noted() { Ci = color(pulse(.125), 0, 0); Oi = 1; }\n");
+    render(head + "WorldBegin\nSurface \"noted\"\n" + wall.substr(wall.find("Polygon")) +
+           "WorldEnd\n");
+    EXPECT_NEAR(red(27), .125f, 1e-6f);
+}
+
 } // namespace
 } // namespace candela::test

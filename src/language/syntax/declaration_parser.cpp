@@ -66,7 +66,7 @@ void DeclarationParser::declarator(ast::Variable &variable, bool isFormal) {
         tokens_.expect("]", "after the length of the array");
     }
     if (tokens_.accept("="))
-        initialiser(variable);
+        initialiser(variable, isFormal ? Precedence::Choice : Precedence::Assignment);
     ahead_.declare(variable.name);
     bool lengthless = variable.isArray && !variable.length && !variable.initialised;
     if (lengthless && !isFormal && !variable.external)
@@ -76,11 +76,11 @@ void DeclarationParser::declarator(ast::Variable &variable, bool isFormal) {
                                          "not support");
 }
 
-void DeclarationParser::initialiser(ast::Variable &variable) {
+void DeclarationParser::initialiser(ast::Variable &variable, Precedence least) {
     variable.initialised = true;
     variable.braced = tokens_.accept("{");
     if (!variable.braced) {
-        variable.initial.push_back(expressions_.expression(Precedence::Choice));
+        variable.initial.push_back(expressions_.expression(least));
         return;
     }
     while (!tokens_.at("}")) {

@@ -25,7 +25,7 @@ public:
 private:
     ast::Variable specifiers();
     void declarator(ast::Variable &, bool isFormal);
-    void initialiser(ast::Variable &);
+    void initialiser(ast::Variable &, Precedence least);
     void oneFormal(std::vector<ast::Variable> &, ast::Variable &pattern, bool &typed);
     void oldStyleFormals(std::vector<ast::Variable> &);
     void recoverInFormals();

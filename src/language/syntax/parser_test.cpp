@@ -81,6 +81,14 @@ TEST(Parser, ShaderKindsAndParameters) {
     EXPECT_EQ(p[4].type, BaseType::Point);
 }
 
+TEST(Parser, InitialValuesMayAssignOtherVariables) {
+    Parsed parsed("surface s() { float a, b; float c = a = b = 0, d = 1; }");
+    EXPECT_EQ(parsed.diagnostics.text(), "");
+    const auto &declared = parsed.shader().body->body.at(1)->variables;
+    ASSERT_EQ(declared.size(), 2u);
+    EXPECT_EQ(ast::print(*declared[0].initial.at(0)), "(a = (b = 0))");
+}
+
 TEST(Parser, OldStyleParameters) {
     Parsed parsed("surface s(Ka, tint)\nfloat Ka = 1;\ncolor tint = 2;\n{}\n"
                   "float f(a, b) float a; point b; { return a; }");
