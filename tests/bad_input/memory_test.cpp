@@ -2,6 +2,8 @@
 // Memory that runs out is an error that says so; never a picture that lacks things, nor a crash.
 #include "tests/bad_input/bad_input.h"
 
+#include <cmath>
+
 namespace candela::test {
 
 class Memory : public BadInput {
@@ -35,6 +37,30 @@ TEST_F(Memory, MayNotSufficeForTriangles) {
     for (int i = 0; i < 60; ++i)
         spheres += "Sphere 1 -1 .99 360\n"; // Whole ones are not diced.
     expectNotEnough(spheres);
+}
+
+// Around a vertex of a subdivision mesh with thousands of faces every patch hangs on all others.
+TEST_F(Memory, IsEnoughForFansOfManyFaces) {
+    constexpr int count = 20000;
+    std::string counts, vertices, points = "0 0 9 ", corners;
+    for (int k = 0; k < count; ++k) {
+        counts += "3 ";
+        vertices += "0 " + std::to_string(1 + k) + " " + std::to_string(1 + (k + 1) % count) + " ";
+        corners += std::to_string(1 + k) + " ";
+        const double turn = 2 * M_PI * k / count;
+        points += std::to_string(std::cos(turn)) + " " + std::to_string(std::sin(turn)) + " 9 ";
+    }
+    RunSettings little;
+    little.memoryLimit = 2L << 30;
+    const std::string boundary = " [\"interpolateboundary\"] [0 0] [] [] \"P\" [" + points + "] ";
+    for (const std::string &faces : {"[" + counts + "] [" + vertices + "]",
+                                     "[" + std::to_string(count) + "] [" + corners + "]"}) {
+        Outcome run = render(sceneWith("SubdivisionMesh \"catmull-clark\" " + faces + boundary),
+                             {"--threads", "2"}, little);
+        EXPECT_EQ(run.status, 0) << run.text();
+        EXPECT_TRUE(run.says("to be smoothed: its faces are drawn as they are")) << run.text();
+        expectDisc();
+    }
 }
 
 // Reading: more numbers than there is room for.

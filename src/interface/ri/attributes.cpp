@@ -21,6 +21,8 @@ Attributes attributesOfPart(const Attributes &instance, const Attributes &part) 
     take(own::Interpolation, &Attributes::smoothInterpolation);
     take(own::Matte, &Attributes::matte);
     take(own::Sides, &Attributes::sides);
+    take(own::Detail, &Attributes::detail);
+    take(own::DetailRange, &Attributes::detailRange);
     for (const std::string &name : part.ownNames) {
         if (const Parameter *parameter = part.named.find(name))
             result.named[name] = *parameter;

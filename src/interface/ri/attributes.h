@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <set>
 #include <string>
@@ -70,7 +71,16 @@ inline constexpr std::uint32_t Interpolation = 512;
 inline constexpr std::uint32_t Matte = 1024;
 inline constexpr std::uint32_t Sides = 2048;
 inline constexpr std::uint32_t Named = 4096; ///< Some of RiAttribute: Attributes::ownNames.
+inline constexpr std::uint32_t Detail = 8192;
+inline constexpr std::uint32_t DetailRange = 16384;
 } // namespace own
+
+/// RiDetail: the box whose size in the picture says what is drawn.
+struct DetailRecord {
+    std::array<float, 6> bound{}; ///< xMin, xMax, yMin...
+    Matrix4d outerFromBound;
+    bool ofObject = false; ///< Outer space is that of the object being defined, not current space.
+};
 
 struct Attributes {
     Color color{1.0f};
@@ -87,6 +97,11 @@ struct Attributes {
     bool smoothInterpolation = false;
     bool matte = false;
     int sides = 2;
+    std::shared_ptr<const DetailRecord> detail; ///< Null: as large as can be.
+    /// RiDetailRange: from the first to the last of these areas, in pixels, it is drawn; up to the
+    /// second and from the third on it is dissolved.
+    std::array<float, 4> detailRange{0, 0, std::numeric_limits<float>::infinity(),
+                                     std::numeric_limits<float>::infinity()};
     /// True: the natural normal in object space, carried along as a covector, is turned round. So
     /// it is for inside orientation exactly: a covector keeps its side in a mirror, and the
     /// handedness of the transformation has no part in it. (dPdu x dPdv taken in current space

@@ -252,9 +252,6 @@ TEST_F(State, optionsWithoutEffectAreWarnedAboutOnce) {
     state.pixelVariance(at, .01f);
     state.pixelVariance(at, .02f);
     EXPECT_EQ(warnings(), 3);
-    for (float detail : {1.0f, 2.0f, .5f})
-        state.relativeDetail(at, detail);
-    EXPECT_EQ(warnings(), 4);
 }
 
 TEST_F(State, integratorsAreChecked) {

@@ -38,10 +38,16 @@ struct DisplayRecord {
     bool isAdded = false; ///< Its name had the '+'.
 };
 
+/// RiClippingPlane, in camera space: what lies where the normal leads to is cut away.
+struct ClippingPlaneRecord {
+    Vec3 point, normal; ///< Of unit length.
+};
+
 struct CameraRecord {
     bool perspective = false;
     float fieldOfView = 90; ///< Degrees across the narrower axis of the default screen window.
     float near = 1e-10f, far = 1e30f;
+    std::vector<ClippingPlaneRecord> clippingPlanes;
     Matrix4 cameraFromWorld; ///< The CTM at WorldBegin, when the shutter opens.
     Matrix4d
         exactCameraFromWorld; ///< The same before it was rounded: for points of far-off worlds.
@@ -82,7 +88,7 @@ struct Options {
     std::optional<QuantizeRecord> colorQuantize; ///< RiQuantize "rgba"; unset = display's default.
     std::optional<QuantizeRecord> depthQuantize; ///< RiQuantize "z".
     std::map<std::string, QuantizeRecord> channelQuantize; ///< And of any other channel, by name.
-    std::vector<DisplayRecord> displays;         ///< Empty = the default display.
+    std::vector<DisplayRecord> displays;                   ///< Empty = the default display.
     std::map<std::string, std::string> channels; ///< DisplayChannel: name to what it shows.
     std::string hider = "hidden";
     float relativeDetail = 1;

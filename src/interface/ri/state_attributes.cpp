@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace candela {
 
@@ -86,6 +87,41 @@ void StateHandlers::orientation(const SourceLocation &where, const std::string &
 void StateHandlers::reverseOrientation(const SourceLocation &) {
     bool &flip = state_.edit().flipNormal;
     flip = !flip;
+}
+
+void StateHandlers::detail(const SourceLocation &where, float xMin, float xMax, float yMin,
+                           float yMax, float zMin, float zMax) {
+    if (!(xMin <= xMax && yMin <= yMax && zMin <= zMax))
+        return diagnostics_.error(where, "Detail",
+                                  "expected minima below maxima; the request is left out");
+    state_.edit(own::Detail).detail = std::make_shared<const DetailRecord>(DetailRecord{
+        {xMin, xMax, yMin, yMax, zMin, zMax}, state_.transform.current.matrix, object_.isOpen()});
+}
+
+void StateHandlers::detailRange(const SourceLocation &where, float minVisible,
+                                float lowerTransition, float upperTransition, float maxVisible) {
+    if (!(0 <= minVisible && minVisible <= lowerTransition && lowerTransition <= upperTransition &&
+          upperTransition <= maxVisible))
+        return diagnostics_.error(where, "DetailRange",
+                                  "expected four areas from 0 up, none below the one before it; "
+                                  "the request is left out");
+    // RI_INFINITY.
+    const auto known = [](float area) {
+        return area < 1e30f ? area : std::numeric_limits<float>::infinity();
+    };
+    state_.edit(own::DetailRange).detailRange = {minVisible, lowerTransition,
+                                                 known(upperTransition), known(maxVisible)};
+}
+
+/// RI 3.1; points and lines were meant for previews.
+void StateHandlers::geometricRepresentation(const SourceLocation &where, const std::string &type) {
+    if (type == "point" || type == "line")
+        diagnostics_.warnOnce(where, "GeometricRepresentation",
+                              "GeometricRepresentation: surfaces are drawn all the same");
+    else if (type != "primitive")
+        diagnostics_.error(where, "GeometricRepresentation",
+                           "'" + type +
+                               "' is unknown: expected \"primitive\", \"point\" or \"line\"");
 }
 
 void StateHandlers::sides(const SourceLocation &where, int sides) {

@@ -102,6 +102,21 @@ void StateHandlers::clipping(const SourceLocation &where, float near, float far)
     state_.options.camera.far = far;
 }
 
+void StateHandlers::clippingPlane(const SourceLocation &where, float x, float y, float z, float nx,
+                                  float ny, float nz) {
+    const Matrix4 cameraFromHere = state_.transform.current.matrix.rounded();
+    const std::optional<Matrix4> inverted = inverse(cameraFromHere);
+    if (!diagnostics_.finite(where, "ClippingPlane", {x, y, z, nx, ny, nz}))
+        return;
+    const Vec3 normal =
+        inverted ? normalize(transformNormal(*inverted, normalize(Vec3{nx, ny, nz}))) : Vec3{};
+    if (!(length(normal) > 0))
+        return diagnostics_.error(where, "ClippingPlane",
+                                  "expected a normal that is not zero; the plane is left out");
+    state_.options.camera.clippingPlanes.push_back(
+        {transformPoint(cameraFromHere, {x, y, z}), normal});
+}
+
 void StateHandlers::depthOfField(const SourceLocation &where, const LooseFloats &given) {
     CameraRecord &camera = state_.options.camera;
     if (given.values.empty()) {
@@ -249,9 +264,6 @@ void StateHandlers::relativeDetail(const SourceLocation &where, float detail) {
     if (!(detail >= 0))
         return diagnostics_.error(where, "RelativeDetail", "expected a number from 0 up");
     state_.options.relativeDetail = detail;
-    if (detail != 1)
-        diagnostics_.warnOnce(where, "RelativeDetail",
-                              "RelativeDetail: this version draws every level of detail");
 }
 
 /// What the path's text stands for becomes its value.

@@ -113,7 +113,7 @@ TEST_F(Reading, requestsOfLaterVersionsAreReadToTheirEnd) {
                        "MotionBegin [0 1] Translate 0 0 0 Translate 1 0 0 MotionEnd\n"
                        "SolidBegin \"primitive\" Sphere 1 -1 1 360 SolidEnd\n");
     EXPECT_EQ(errors(), 0) << found.text();
-    EXPECT_EQ(warnings(), 2);
+    EXPECT_EQ(warnings(), 0);
     EXPECT_EQ(scene.primitives.size(), 1u);
     read("Imager \"background\" MakeTexture \"a\" \"b\" \"clamp\" \"black\" \"box\" 1 1\n"
          "MakeShadow \"a\" \"b\" MakeLatLongEnvironment \"a\" \"b\" \"box\" 1 1\n"

@@ -196,6 +196,13 @@ void Camera::moveWithCamera(RayBatch &batch) const {
     }
 }
 
+void Camera::giveTimes() {
+    constexpr float moment =
+        0x1p-12f; // So short that it shows nowhere, so long that floats fill it.
+    if (!shutter_.hasInterval())
+        shutter_.close = shutter_.open + moment * std::max(1.0f, std::fabs(shutter_.open));
+}
+
 Vec3 Camera::eye(float time) const {
     return moves() ? transformPoint(matrixAt(currentFromCamera_, shutter_.share(time)), {})
                    : Vec3{};

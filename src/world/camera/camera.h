@@ -50,6 +50,8 @@ public:
     bool isParallel() const { return !perspective_; }
     float shutterOpen() const { return shutter_.open; }
     const Shutter &shutter() const { return shutter_; }
+    /// Rays get times of their own, also where the shutter is open for no more than an instant.
+    void giveTimes();
 
     bool hasLens() const { return lensRadius_ > 0; }
     bool hasShutterInterval() const { return shutter_.hasInterval(); }

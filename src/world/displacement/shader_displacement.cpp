@@ -77,7 +77,7 @@ ShaderDisplacement::ShaderDisplacement(const ShaderInstance &shader, const Displ
     appearance.normalSign = appearance.elementSign = sign_;
     appearance.Cs = thing.attributes->color.c, appearance.Os = thing.attributes->opacity.c;
     tables_.appearances.push_back(appearance);
-    AppearanceDetail detail{thing.attributes, {}, {}, {}, {}};
+    AppearanceDetail detail{thing.attributes, {}, {}, {}, {}, {}};
     for (const std::string &name : tables_.codes.front().variableNames)
         detail.overriding.push_back(numericVariable(*thing.surface, name));
     tables_.details.push_back(std::move(detail));

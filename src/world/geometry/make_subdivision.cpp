@@ -4,10 +4,28 @@
 #include "world/geometry/subdivision_surface.h"
 
 #include <cmath>
+#include <optional>
+#include <vector>
 
 namespace candela {
 
-SurfaceList makeSubdivision(const SubdivisionRecord &mesh, const PrimitiveRecord &record,
+/// Around a vertex of so many faces, and in the middle of a face of so many corners, each patch of
+/// the limit hangs on all others.
+static bool canBeSmoothed(const SubdivisionRecord &mesh, std::size_t vertices) {
+    constexpr double most = 8e6; // Of pairs: some gigabytes.
+    std::vector<double> faces(vertices);
+    for (int vertex : mesh.vertices)
+        ++faces[std::size_t(vertex)];
+    double pairs = 0;
+    const auto add = [&](double count) { pairs += count > 16 ? count * count : 0; };
+    for (double count : faces)
+        add(count);
+    for (int corners : mesh.vertexCounts)
+        add(corners);
+    return pairs <= most;
+}
+
+SurfaceList makeSubdivision(const SubdivisionRecord &given, const PrimitiveRecord &record,
                             const Attributes &attributes, DiagnosticSink &diagnostics) {
     auto refuse = [&](const std::string &why) {
         diagnostics.error(record.where, "the subdivision mesh " + why + "; it is dropped");
@@ -16,6 +34,16 @@ SurfaceList makeSubdivision(const SubdivisionRecord &mesh, const PrimitiveRecord
     const Parameter *points = record.variables.find("P");
     if (!points)
         return refuse("has no \"P\"");
+    std::optional<SubdivisionRecord> flat;
+    if (given.scheme != SubdivisionRecord::Scheme::Bilinear &&
+        !canBeSmoothed(given, points->floats.size() / 3)) {
+        diagnostics.warning(record.where,
+                            "the subdivision mesh has vertices in too many faces, or faces of too "
+                            "many corners, to be smoothed: its faces are drawn as they are");
+        flat = given;
+        flat->scheme = SubdivisionRecord::Scheme::Bilinear;
+    }
+    const SubdivisionRecord &mesh = flat ? *flat : given;
     std::string why;
     const auto refinement = SubdivisionRefinement::of(mesh, int(points->floats.size() / 3), why);
     if (!refinement)

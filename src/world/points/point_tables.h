@@ -5,7 +5,7 @@
 
 #include "foundation/base/motion_steps.h"
 #include "foundation/units/color.h"
-#include "interface/ri/attributes.h"
+#include "interface/ri/level_of_detail.h"
 #include "world/camera/camera.h"
 #include "world/shading/shader_library.h"
 #include "world/shapes/shape.h"
@@ -41,6 +41,7 @@ struct AppearanceDetail {
     /// For each distinct name in the code's variables: which variable of the surface it is.
     std::vector<int> overriding;
     Visibility visibility;
+    Presence presence;
     /// Cs and Os at even steps over the shutter's interval; empty: as the appearance has them.
     std::vector<Color> colors, opacities;
 };

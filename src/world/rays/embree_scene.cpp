@@ -12,6 +12,30 @@ namespace candela {
 
 namespace {
 
+/// What the filter of a shape must know, as the user pointer of its geometry.
+struct Refusal {
+    int frontSign;
+    bool moves;
+    float from, until; ///< RayShape::presentFrom and presentUntil, to 24 bits.
+
+    static void *pack(const RayShape &shape, bool moves) {
+        static_assert(sizeof(void *) == 8);
+        const auto bits = [](float share) { return std::uint64_t(share * float(1 << 24)); };
+        return reinterpret_cast<void *>(std::uint64_t(shape.frontSign + 1) |
+                                        std::uint64_t(moves) << 2 | bits(shape.presentFrom) << 8 |
+                                        bits(shape.presentUntil) << 36);
+    }
+    static Refusal unpack(const void *packed) {
+        const auto value = reinterpret_cast<std::uint64_t>(packed);
+        const auto share = [&](int at) { return float(value >> at & 0x1ffffff) * 0x1p-24f; };
+        return {int(value & 3) - 1, (value >> 2 & 1) != 0, share(8), share(36)};
+    }
+    bool isAbsent(float share) const {
+        const float choice = choiceOf(share, moves);
+        return !(choice >= from && choice < until);
+    }
+};
+
 bool fromBehind(const RTCFilterFunctionNArguments *args, unsigned i, int frontSign) {
     unsigned n = args->N;
     float along = RTCRayN_dir_x(args->ray, n, i) * RTCHitN_Ng_x(args->hit, n, i) +
@@ -27,7 +51,7 @@ const RayContext &contextOf(const RTCFilterFunctionNArguments *args) {
 void refuseAnyFromBehind(const RTCFilterFunctionNArguments *args) {
     if (contextOf(args).collects)
         return;
-    const int frontSign = int(reinterpret_cast<std::intptr_t>(args->geometryUserPtr));
+    const int frontSign = Refusal::unpack(args->geometryUserPtr).frontSign;
     for (unsigned i = 0; i < args->N; ++i)
         if (args->valid[i] && fromBehind(args, i, frontSign))
             args->valid[i] = 0;
@@ -37,6 +61,28 @@ void refuseAnyFromBehind(const RTCFilterFunctionNArguments *args) {
 void refuseSeenFromBehind(const RTCFilterFunctionNArguments *args) {
     if (!contextOf(args).fromLights)
         refuseAnyFromBehind(args);
+}
+
+void refuseWhereAbsent(const RTCFilterFunctionNArguments *args) {
+    const Refusal refusal = Refusal::unpack(args->geometryUserPtr);
+    for (unsigned i = 0; i < args->N; ++i)
+        if (args->valid[i] && refusal.isAbsent(RTCRayN_time(args->ray, args->N, i)))
+            args->valid[i] = 0;
+}
+
+/// Both of what two filters refuse.
+template <RTCFilterFunctionN other> void refuseOrAbsent(const RTCFilterFunctionNArguments *args) {
+    refuseWhereAbsent(args);
+    other(args);
+}
+
+RTCFilterFunctionN filterOf(const RayShape &shape) {
+    if (shape.frontSign == 0)
+        return shape.isDissolved() ? refuseWhereAbsent : nullptr;
+    if (shape.isDissolved())
+        return shape.isStroke ? refuseOrAbsent<refuseAnyFromBehind>
+                              : refuseOrAbsent<refuseSeenFromBehind>;
+    return shape.isStroke ? refuseAnyFromBehind : refuseSeenFromBehind;
 }
 
 RTCGeometry makeTriangles(RTCDevice device, const RayShape &shape, float unit) {
@@ -90,17 +136,15 @@ RTCGeometry makeRound(RTCDevice device, const RoundElements &round, float unit) 
     return geometry;
 }
 
-RTCGeometry makeGeometry(RTCDevice device, const RayShape &shape, float unit) {
-    RTCGeometry geometry = shape.round.size() > 0 ? makeRound(device, shape.round, unit)
-                                                  : makeTriangles(device, shape, unit);
+RTCGeometry makeGeometry(RTCDevice device, const RayShape &shape, const RayTracerUnits &units) {
+    RTCGeometry geometry = shape.round.size() > 0 ? makeRound(device, shape.round, units.length)
+                                                  : makeTriangles(device, shape, units.length);
     if (!geometry)
         return nullptr;
     rtcSetGeometryMask(geometry, maskOf(shape));
-    rtcSetGeometryUserData(geometry, reinterpret_cast<void *>(std::intptr_t(shape.frontSign)));
-    // Filters more than double the time of a ray: only one-sided surfaces have them.
-    if (shape.frontSign != 0) {
-        const RTCFilterFunctionN refuse =
-            shape.isStroke ? refuseAnyFromBehind : refuseSeenFromBehind;
+    rtcSetGeometryUserData(geometry, Refusal::pack(shape, units.moves));
+    // Filters more than double the time of a ray: only one-sided and dissolved surfaces have them.
+    if (const RTCFilterFunctionN refuse = filterOf(shape)) {
         rtcSetGeometryIntersectFilterFunction(geometry, refuse);
         rtcSetGeometryOccludedFilterFunction(geometry, refuse);
     }
@@ -171,13 +215,13 @@ RTCScene newScene(const EmbreeDevice &device, OfBodies ofBodies) {
     return scene;
 }
 
-void attachShapes(const EmbreeDevice &device, const RayObject &object, float unit,
+void attachShapes(const EmbreeDevice &device, const RayObject &object, const RayTracerUnits &units,
                   const std::function<RTCScene(std::size_t)> &sceneOf) {
     std::vector<RTCGeometry> geometries(object.size());
     parallelFor(object.size(), [&](std::size_t i) {
         FlushDenormals guard;
         if (!object[i].empty())
-            geometries[i] = makeGeometry(device.get(), object[i], unit);
+            geometries[i] = makeGeometry(device.get(), object[i], units);
     });
     for (std::size_t i = 0; i < geometries.size(); ++i)
         if (geometries[i]) {

@@ -45,8 +45,12 @@ private:
     std::string failure_;
 };
 
-/// Shape i becomes geometry i of sceneOf(i). Places are multiplied by `unit`, a power of two.
-void attachShapes(const EmbreeDevice &, const RayObject &, float unit,
+struct RayTracerUnits {
+    float length = 1;   ///< Places are multiplied by it: a power of two.
+    bool moves = false; ///< For choiceOf().
+};
+/// Shape i becomes geometry i of sceneOf(i).
+void attachShapes(const EmbreeDevice &, const RayObject &, const RayTracerUnits &,
                   const std::function<RTCScene(std::size_t)> &sceneOf);
 /// What is in a scene may be asked for all that rays meet, RayContext::collects.
 enum class OfBodies : bool { No, Yes };

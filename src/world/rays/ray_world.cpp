@@ -75,7 +75,8 @@ CANDELA_HOT bool judgeRays(int count, RayPlanes from, float largest, int *__rest
 /// What the ray tracer counts in.
 struct RayUnits {
     float length = 1;                 ///< By which places are multiplied.
-    const Shutter *shutter = nullptr; ///< Null where nothing moves.
+    const Shutter *shutter = nullptr; ///< Null where times do not matter.
+    const std::vector<ClippingPlane> &planes;
 };
 
 /// A batch on its way into packets.
@@ -85,6 +86,8 @@ struct JudgedRays {
           units(units), from{rays.origin[0],    rays.origin[1],    rays.origin[2],
                              rays.direction[0], rays.direction[1], rays.direction[2],
                              rays.tMin,         rays.tMax,         rays.time} {
+        if (!units.planes.empty())
+            clipAll();
         thread_local Scratch<int> own;
         const int padded = paddedLanes(count);
         int *judged = own.get(padded);
@@ -94,9 +97,22 @@ struct JudgedRays {
     }
     const int count;
     const RayUnits units;
-    const RayPlanes from;
+    RayPlanes from;
     const int *valid; ///< Up to whole blocks of lanes.
     bool allValid;
+
+private:
+    void clipAll() {
+        thread_local Scratch<float> own;
+        const int padded = paddedLanes(count);
+        float *tMin = own.get(2 * padded), *tMax = tMin + padded;
+        for (int i = 0; i < count; ++i) {
+            tMin[i] = from.tMin[i], tMax[i] = from.tMax[i];
+            clip(units.planes, {from.ox[i], from.oy[i], from.oz[i]},
+                 {from.dx[i], from.dy[i], from.dz[i]}, tMin[i], tMax[i]);
+        }
+        from.tMin = tMin, from.tMax = tMax;
+    }
 };
 
 /// Lanes that are not to be traced get a harmless ray that is too short.
@@ -322,7 +338,13 @@ RayWorld::RayWorld(const RayObject &world, std::span<const RayObject> objects,
     const auto changes = [](const RayObject &object) {
         return std::ranges::any_of(object, [](const RayShape &s) { return !s.later.empty(); });
     };
-    moves_ = changes(world) || std::ranges::any_of(objects, changes);
+    moves_ = changes(world) || std::ranges::any_of(objects, changes) ||
+             std::ranges::any_of(instances, [](const RayInstance &i) { return !i.steps.empty(); });
+    const auto dissolves = [](const RayObject &object) {
+        return std::ranges::any_of(object, &RayShape::isDissolved);
+    };
+    dissolves_ = dissolves(world) || std::ranges::any_of(objects, dissolves);
+    const RayTracerUnits tracer{unit_, moves_};
     numberSolids(solids, world.size() + instances.size());
     std::vector<OfBodies> ofBodies(objects.size(), OfBodies::No);
     for (std::size_t i = 0; i < instances.size(); ++i)
@@ -333,7 +355,7 @@ RayWorld::RayWorld(const RayObject &world, std::span<const RayObject> objects,
         handles_->objects.push_back(scene);
         if (failed())
             return;
-        attachShapes(device, objects[object], unit_, [scene](std::size_t) { return scene; });
+        attachShapes(device, objects[object], tracer, [scene](std::size_t) { return scene; });
         rtcCommitScene(scene);
     }
     handles_->scene = newScene(device, OfBodies::No);
@@ -346,14 +368,13 @@ RayWorld::RayWorld(const RayObject &world, std::span<const RayObject> objects,
         const std::int32_t solid = solidOf(geometry);
         return solid < 0 ? handles_->scene : bodies[std::size_t(solid)];
     };
-    attachShapes(device, world, unit_, sceneOf);
+    attachShapes(device, world, tracer, sceneOf);
     firstShapeOfInstance_.reserve(instances.size());
     for (const RayInstance &instance : instances) {
         const unsigned own = maskOf(objects[instance.object]);
         const auto geometry = worldShapes_ + unsigned(firstShapeOfInstance_.size());
         attachInstance(device, sceneOf(geometry), geometry, handles_->objects[instance.object], own,
                        instance, unit_);
-        moves_ |= !instance.steps.empty();
         firstShapeOfInstance_.push_back(instance.firstShape);
         mask |= own;
     }
@@ -397,7 +418,7 @@ bool RayWorld::isLeftOver(std::uint32_t instance, std::uint32_t shape, Vec3 P, V
     const SolidTracer &solid = *handles_->solids[std::size_t(solidOf(geometry))];
     const std::uint32_t first = instance == noHit ? shape : firstShapeOfInstance_[instance];
     return solid.isOnSurface(geometry, shape - first,
-                             {P, normal, offset, moves_ ? shutter_.share(time) : 0});
+                             {P, normal, offset, moves_ || dissolves_ ? shutter_.share(time) : 0});
 }
 
 const std::vector<std::int32_t> &RayWorld::openNodes(std::size_t solid) const {
@@ -419,7 +440,7 @@ void RayWorld::intersect(const RayBatch &rays, HitBatch &hits, Which which, bool
     const unsigned mask =
         which == Which::All ? maskOfKinds(ray_kind::diffuse | ray_kind::specular) : transparentBit;
     RTCScene scene = handles_->scene;
-    const RayUnits units{unit_, moves_ ? &shutter_ : nullptr};
+    const RayUnits units{unit_, moves_ || dissolves_ ? &shutter_ : nullptr, planes_};
     switch (handles_->width) {
     case 16: traceNearest<16>(scene, context, mask, tellsKinds, rays, units, hits); break;
     case 8: traceNearest<8>(scene, context, mask, tellsKinds, rays, units, hits); break;
@@ -439,7 +460,7 @@ void RayWorld::occluded(const RayBatch &rays, std::uint8_t *blocked) const {
     rtcInitIntersectContext(&context);
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
     RTCScene scene = handles_->scene;
-    const RayUnits units{unit_, moves_ ? &shutter_ : nullptr};
+    const RayUnits units{unit_, moves_ || dissolves_ ? &shutter_ : nullptr, planes_};
     switch (handles_->width) {
     case 16: traceShadows<16>(scene, context, rays, units, blocked); break;
     case 8: traceShadows<8>(scene, context, rays, units, blocked); break;

@@ -6,6 +6,7 @@
 #include "foundation/base/round_elements.h"
 #include "foundation/base/shutter.h"
 #include "world/rays/ray_batch.h"
+#include "world/rays/ray_limits.h"
 #include "world/rays/solid.h"
 
 #include <array>
@@ -33,8 +34,11 @@ struct RayShape {
     int frontSign = 0;
     /// Rays that run against the eye's are stopped from the front alone, too.
     bool isStroke = false;
+    /// Paths whose choiceOf() lies in [presentFrom, presentUntil) meet it.
+    float presentFrom = 0, presentUntil = 1;
 
     bool empty() const { return triangles.empty() && round.size() == 0; }
+    bool isDissolved() const { return presentFrom > 0 || presentUntil < 1; }
 };
 
 /// Shapes that instances place together.
@@ -68,6 +72,12 @@ public:
     explicit RayWorld(const RayObject &world) : RayWorld(world, {}, {}) {}
     ~RayWorld();
     RayWorld(const RayWorld &) = delete;
+
+    /// Rays meet nothing behind these.
+    void clipBy(std::vector<ClippingPlane> planes) { planes_ = std::move(planes); }
+    const std::vector<ClippingPlane> &clippingPlanes() const { return planes_; }
+    /// See choiceOf().
+    bool moves() const { return moves_; }
 
     bool hasSolids() const { return !solidOf_.empty(); }
     bool hasTransparent() const { return hasTransparent_; }
@@ -107,7 +117,8 @@ private:
     std::uint32_t worldShapes_ = 0;
     float unit_ = 1; ///< Of the ray tracer: what it is given is so many times as large.
     bool hasTransparent_ = false, hidesShapes_ = false;
-    bool moves_ = false;
+    bool moves_ = false, dissolves_ = false;
+    std::vector<ClippingPlane> planes_;
     Shutter shutter_;
     mutable std::atomic<std::uint64_t> nanoseconds_{0};
 };

@@ -125,7 +125,8 @@ SurfaceMedia AppearanceBuilder::mediaOf(const Attributes &attributes) {
 }
 
 bool AppearanceBuilder::add(std::uint32_t shape,
-                            const std::shared_ptr<const Attributes> &attributes, bool turned) {
+                            const std::shared_ptr<const Attributes> &attributes, bool turned,
+                            const Presence &presence) {
     PointTables &points = state_.points;
     const Surface &surface = *points.shapes[shape].surface;
     const Shading shading = shadingOf(*attributes, overridingNames(surface));
@@ -140,6 +141,7 @@ bool AppearanceBuilder::add(std::uint32_t shape,
     AppearanceDetail detail{attributes,
                             {},
                             visibilityOf(*attributes),
+                            presence,
                             colorSteps(attributes->colorMotion, points.shutter),
                             colorSteps(attributes->opacityMotion, points.shutter)};
     points.colorsChange |= !detail.colors.empty() || !detail.opacities.empty();

@@ -19,7 +19,8 @@ public:
 
     /// Adds what a shape looks like under the attributes, `turned` if its orientation is reversed.
     /// Its offset and signs follow once it is diced. False if its shader can't be had.
-    bool add(std::uint32_t shape, const std::shared_ptr<const Attributes> &, bool turned);
+    bool add(std::uint32_t shape, const std::shared_ptr<const Attributes> &, bool turned,
+             const Presence &);
 
     /// The surface shader of what has these attributes, if it moves points: a surface shader that
     /// sets P displaces too.

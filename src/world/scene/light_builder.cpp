@@ -2,7 +2,7 @@
 #include "world/scene/light_builder.h"
 #include "language/ir/transform/light_rule.h"
 
-#include "world/scene/cut_lamps.h"
+#include "world/scene/absent_lamps.h"
 #include "world/scene/light_power.h"
 #include "world/scene/source_geometry.h"
 #include "world/scene/source_pieces.h"

@@ -5,7 +5,7 @@
 #include "foundation/base/lanes.h"
 #include "foundation/base/scratch.h"
 #include "world/points/surface_points.h"
-#include "world/scene/cut_lamps.h"
+#include "world/scene/absent_lamps.h"
 #include "world/scene/light_choices.h"
 #include "world/scene/light_question.h"
 #include "world/scene/scene_state.h"
@@ -375,7 +375,7 @@ void sampleBlock(const SceneState &state, const SourceBin &bin, const Block &blo
     else if (bin.asked != SourceBin::Asked::PointShader)
         sampleElements(own.rows, block.P.data(), own.rows.u, block.v, own.drawn);
     const bool cut = bin.asked != SourceBin::Asked::PointShader &&
-                     findCutAway(state, own.rows, own.drawn, block.time, own.isThere[0]);
+                     findAbsent(state, own.rows, own.drawn, block.time, own.isThere[0]);
     switch (bin.asked) {
     case SourceBin::Asked::Surface: sampleSurfaces(state, bin, block, own); break;
     case SourceBin::Asked::PlainShader: samplePlain(state, bin, block, own); break;

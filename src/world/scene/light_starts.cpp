@@ -3,8 +3,8 @@
 
 #include "foundation/base/scratch.h"
 #include "world/points/surface_points.h"
+#include "world/scene/absent_lamps.h"
 #include "world/scene/cone_samples.h"
-#include "world/scene/cut_lamps.h"
 #include "world/scene/emission_guide.h"
 #include "world/scene/emitters.h"
 #include "world/scene/light_question.h"
@@ -280,7 +280,7 @@ private:
             for (int c = 0; c < colorSamples; ++c)
                 out_.flux[c][lane[k]] *= radiance[c][k];
         std::uint8_t isThere[lightBatchSize];
-        if (findCutAway(state_, own.rows, own.drawn, points.input(ShaderInput::time, 0), isThere))
+        if (findAbsent(state_, own.rows, own.drawn, points.input(ShaderInput::time, 0), isThere))
             for (int k = 0; k < count; ++k)
                 if (!isThere[k])
                     setNone(lane[k]);

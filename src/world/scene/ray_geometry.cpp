@@ -4,6 +4,7 @@
 #include "world/shapes/dice_rate.h"
 
 #include <algorithm>
+#include <bit>
 #include <map>
 
 namespace candela {
@@ -19,6 +20,8 @@ void dress(RayShape &shape, std::int32_t index, const PointTables &points,
     shape.hiddenFrom = std::uint8_t((visible.camera ? 0 : ray_kind::camera) |
                                     (visible.diffuse ? 0 : ray_kind::diffuse) |
                                     (visible.specular ? 0 : ray_kind::specular));
+    shape.presentFrom = points.details[index].presence.from;
+    shape.presentUntil = points.details[index].presence.until;
     shape.opaque = casting == ShadowCasting::Opaque || looks.isOpaque(index);
     const Shape &met = points.shapes[looks.shapes()[index]];
     shape.isStroke = met.surface->isStroke();
@@ -39,6 +42,7 @@ RayGeometry arrange(std::vector<RayShape> meshes, std::span<const std::uint32_t>
     }
     // Objects that rays meet differently (opacity, one-sidedness) are objects of their own.
     std::map<std::vector<std::int32_t>, std::uint32_t> variants;
+    const auto bits = [](float share) { return std::bit_cast<std::int32_t>(share); };
     for (std::size_t i = 0; i < points.instances.size(); ++i) {
         const Instance &instance = points.instances[i];
         RayObject object;
@@ -48,6 +52,7 @@ RayGeometry arrange(std::vector<RayShape> meshes, std::span<const std::uint32_t>
             dress(met, instance.firstAppearance + std::int32_t(k), points, looks);
             key.push_back(met.hiddenFrom * 16 + met.stopsLight * 8 + met.opaque * 4 +
                           met.frontSign);
+            key.push_back(bits(met.presentFrom)), key.push_back(bits(met.presentUntil));
             object.push_back(std::move(met));
         }
         auto [place, isNew] =
@@ -58,6 +63,8 @@ RayGeometry arrange(std::vector<RayShape> meshes, std::span<const std::uint32_t>
                 mesh.opaque = object[k].opaque, mesh.stopsLight = object[k].stopsLight;
                 mesh.frontSign = object[k].frontSign, mesh.isStroke = object[k].isStroke;
                 mesh.hiddenFrom = object[k].hiddenFrom;
+                mesh.presentFrom = object[k].presentFrom;
+                mesh.presentUntil = object[k].presentUntil;
                 object[k] = std::move(mesh);
             }
             geometry.objects.push_back(std::move(object));

@@ -107,6 +107,13 @@ static bool isSolved(const Options &options) {
     return options.named.string("render:integrator", "") == "radiosity";
 }
 
+static std::vector<ClippingPlane> clippingPlanesOf(const Options &options) {
+    std::vector<ClippingPlane> planes;
+    for (const auto &[point, normal] : options.camera.clippingPlanes)
+        planes.push_back({point, normal});
+    return planes;
+}
+
 /// Finds where paths begin on lights. Lights that begin none are said, once a reason.
 static void prepareEmitters(SceneState &state, DiagnosticSink &sink) {
     std::vector<std::string> silent;
@@ -191,12 +198,28 @@ static void keepToTheEye(SceneState &state, DiagnosticSink &sink) {
     state.bidirectional = false;
 }
 
-/// What solids leave of surfaces rays alone know.
+/// What rays alone know of: paths must begin at the camera for what each path chooses for itself,
+/// and nothing is solved for on surfaces that are not all there.
 static void keepToRays(SceneState &state, const RayGeometry &geometry, DiagnosticSink &sink) {
-    if (!state.solved || geometry.solids.all.empty())
+    const auto &details = state.points.details;
+    state.dissolves = std::ranges::any_of(
+        details, [](const AppearanceDetail &detail) { return !detail.presence.isWhole(); });
+    if (state.dissolves)
+        state.camera.giveTimes();
+    if (state.dissolves && state.bidirectional) {
+        sink.warning({}, "levels of detail are dissolved into each other: all paths begin at the "
+                         "camera, as under \"path\"");
+        state.bidirectional = false;
+    }
+    const char *reason = !geometry.solids.all.empty() ? "solids"
+                         : state.dissolves            ? "levels of detail in transition"
+                         : !state.options.camera.clippingPlanes.empty() ? "clipping planes"
+                                                                        : nullptr;
+    if (!state.solved || !reason)
         return;
-    sink.warning({}, "there are solids, whose surfaces have no finite elements: this world is "
-                     "rendered as under \"path\"");
+    sink.warning({}, std::string("there are ") + reason +
+                         ", which leave surfaces without finite elements: this world is rendered "
+                         "as under \"path\"");
     state.solved = false;
 }
 
@@ -242,7 +265,8 @@ void SceneCompiler::worldEnd() {
     state->findMediaOfLights();
     leaveOutRefusedLights(*state);
     state->rays = std::make_unique<RayWorld>(geometry.world, geometry.objects, geometry.instances,
-                                             state->points.shutter, geometry.solids.all);
+                                             state->camera.shutter(), geometry.solids.all);
+    state->rays->clipBy(clippingPlanesOf(declared.options));
     if (std::string failure = state->rays->failure(); !failure.empty()) {
         state_->sink.error({}, failure + "; the frame is not rendered");
         return;

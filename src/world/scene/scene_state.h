@@ -23,6 +23,7 @@ struct SceneState {
     bool bidirectional = false; ///< Paths begin on lights, too.
     bool solved = false;        ///< Light is solved for on surfaces: `radiosity`.
     bool hasMatte = false;
+    bool dissolves = false; ///< Some shapes are there for some paths alone: levels of detail.
 
     PointTables points;
     std::vector<int> binOfAppearance, codeOfBin; ///< See Scene::bins.

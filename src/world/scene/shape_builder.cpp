@@ -111,12 +111,14 @@ private:
 
     void addToWorld(const DeclaredPrimitive &primitive, const Matrix4 &currentFromPrimitive,
                     const std::shared_ptr<const Attributes> &attributes, bool turned,
-                    std::int32_t node) {
+                    const Presence &presence, std::int32_t node) {
+        if (presence.isNone())
+            return;
         const Displacing displacing{attributes, {}, turned, 0};
         const Surfaces surfaces =
             makeSurfaces(primitive.record, *primitive.attributes, declared_.shutter, sink_);
         addShapes(primitive, currentFromPrimitive, surfaces, displacing, [&](std::uint32_t shape) {
-            if (!looks_.add(shape, attributes, turned))
+            if (!looks_.add(shape, attributes, turned, presence))
                 return false;
             plan_.add(points_.shapes[shape], attributes->shadingRate, steps_);
             points_.appearances.back().id = std::int32_t(shape) + 1;
@@ -134,7 +136,9 @@ private:
     void addAsDeclared(const DeclaredPrimitive &primitive) {
         const auto number = std::size_t(&primitive - declared_.world.primitives.data());
         addToWorld(primitive, primitive.outerFromPrimitive, primitive.attributes,
-                   primitive.turned(), all_.nodes.empty() ? -1 : all_.nodes[number]);
+                   primitive.turned(),
+                   candela::presenceOf(*primitive.attributes, Matrix4{}, state_.options),
+                   all_.nodes.empty() ? -1 : all_.nodes[number]);
     }
 
     void addGroup(const MovingGroup &group) {
@@ -173,7 +177,12 @@ private:
             addToWorld(primitives[k],
                        primitives[k].outerFromPrimitive * placement.currentFromObject,
                        placement.attributes, primitives[k].turned() != placement.turned,
-                       nodeOf(placement, k));
+                       presenceOf(placement), nodeOf(placement, k));
+    }
+
+    Presence presenceOf(const Placement &placement) const {
+        return candela::presenceOf(*placement.attributes, placement.currentFromObject,
+                                   state_.options);
     }
 
     /// The body that primitive k of the placed object bounds, or helps to; -1: none of a solid.
@@ -274,17 +283,20 @@ private:
 
     void addInstances() {
         // Appearances are shared by what looks alike; shapes that shine are lights of their own.
-        std::map<std::tuple<std::uint32_t, const Attributes *, bool>, std::int32_t> known;
+        std::map<std::tuple<std::uint32_t, const Attributes *, bool, float, float>, std::int32_t>
+            known;
         std::int32_t nextId = std::int32_t(points_.shapes.size());
         for (std::size_t i = 0; i < placements_.size(); ++i) {
             const Placement &placement = placements_[i];
-            if (timesPlaced_[placement.object] <= 1)
+            const Presence presence = presenceOf(placement);
+            if (timesPlaced_[placement.object] <= 1 || presence.isNone())
                 continue;
             const ObjectShapes &shapes = shapesOf(i);
-            auto [place, isNew] =
-                known.try_emplace({shapes.first, placement.attributes.get(), placement.turned}, 0);
+            const std::tuple looks(shapes.first, placement.attributes.get(), placement.turned,
+                                   presence.from, presence.until);
+            auto [place, isNew] = known.try_emplace(looks, 0);
             if (isNew || place->second < 0)
-                place->second = addAppearances(shapes, placement);
+                place->second = addAppearances(shapes, placement, presence);
             if (place->second == noAppearance)
                 continue;
             const std::int32_t firstAppearance = place->second;
@@ -293,7 +305,7 @@ private:
                         nextId);
             nextId += std::int32_t(shapes.count);
             if (shinesFrom(firstAppearance, shapes.count))
-                known.erase({shapes.first, placement.attributes.get(), placement.turned});
+                known.erase(looks);
         }
     }
 
@@ -344,11 +356,13 @@ private:
 
     static constexpr std::int32_t noAppearance = -1;
 
-    std::int32_t addAppearances(const ObjectShapes &shapes, const Placement &placement) {
+    std::int32_t addAppearances(const ObjectShapes &shapes, const Placement &placement,
+                                const Presence &presence) {
         const std::int32_t first = std::int32_t(points_.appearances.size());
         for (std::uint32_t k = 0; k < shapes.count; ++k) {
             const std::uint32_t shape = shapes.first + k;
-            if (!looks_.add(shape, placement.attributes, placement.turned != turnedShapes_[shape]))
+            if (!looks_.add(shape, placement.attributes, placement.turned != turnedShapes_[shape],
+                            presence))
                 return noAppearance;
             points_.appearances.back().id = std::int32_t(k) + 1;
         }
