@@ -221,5 +221,35 @@ TEST_F(OldFiles, HeadersOfOldShadersAreAtHand) {
     EXPECT_NEAR(red(27), .125f, 1e-6f);
 }
 
+// Exporters of right-handed programs turn faces round and give the normals of what is outside then;
+// others give normals by the faces. Both are lit.
+TEST_F(OldFiles, NormalsOfFacesThatAreTurnedRoundAreLitEitherWay) {
+    const std::string light = "LightSource \"distantlight\" 1 \"from\" [0 0 0] \"to\" [0 0 1]\n";
+    for (const char *turn :
+         {"Orientation \"rh\"\nScale 1 1 -1\n", "Scale 1 1 -1\nReverseOrientation\n"})
+        for (const char *integrator : {"classic", "path"})
+            for (int side : {-1, 1}) {
+                std::string normals;
+                for (int k = 0; k < 4; ++k)
+                    normals += "0 0 " + std::to_string(side) + " ";
+                const Outcome run =
+                    render(head + turn + "WorldBegin\nScale 1 1 -1\n" + light +
+                               "Scale 1 1 -1\nSurface \"matte\"\nColor [.5 .5 .5]\n"
+                               "Polygon \"P\" [-9 -9 -4  9 -9 -4  9 9 -4  -9 9 -4] \"N\" [" +
+                               normals + "]\nWorldEnd\n",
+                           {"--integrator", integrator});
+                EXPECT_EQ(run.status, 0) << run.text();
+                EXPECT_NEAR(red(27), .5f, .02f) << turn << side << integrator;
+            }
+}
+
+TEST_F(OldFiles, TextureCoordinatesAreShown) {
+    const Outcome run = render(head + "WorldBegin\nSurface \"show_st\"\n"
+                                      "Polygon \"P\" [-9 -9 4  -9 9 4  9 9 4  9 -9 4] \"st\" "
+                                      "[.25 .5 .25 .5 .25 .5 .25 .5]\nWorldEnd\n");
+    EXPECT_EQ(run.status, 0) << run.text();
+    EXPECT_NEAR(red(27), .25f, 1e-5f);
+}
+
 } // namespace
 } // namespace candela::test

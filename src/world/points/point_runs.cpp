@@ -95,7 +95,7 @@ public:
 
 private:
     /// As many as geometry() or color() fills at once.
-    static constexpr std::size_t planeCount = std::max(29, 3 * colorSamples);
+    static constexpr std::size_t planeCount = std::max(30, 3 * colorSamples);
 
     float *plane(int index) const { return planes_ + std::size_t(index) * run_.stride; }
     Vec3Planes vec3(int index) const { return {plane(index), plane(index + 1), plane(index + 2)}; }
@@ -118,7 +118,8 @@ private:
         SurfaceAnswer answer;
         if (run_.shape.away || unmoved)
             answer.P = P;
-        if (curved || wanted.dNg)
+        const bool mayDisagree = ownNormals && isTurned();
+        if (curved || wanted.dNg || mayDisagree)
             answer.Ng = Ng;
         if (curved || ownNormals || wanted.dNd)
             answer.N = N;
@@ -135,17 +136,22 @@ private:
         if (answer.P.x)
             placePoints(run_, P), tell(P, ShaderInput::P);
         if (wanted.dNg)
-            normalDerivatives(Ng, dNgdu, dNgdv, ShaderInput::dNgdu, ShaderInput::dNgdv);
-        else if (curved)
+            normalDerivatives(Ng, dNgdu, dNgdv);
+        else if (answer.Ng.x)
             placeNormals(run_, Ng);
+        if (wanted.dNd)
+            normalDerivatives(N, dNdu, dNdv);
+        else if (curved || ownNormals)
+            placeNormals(run_, N);
+        const float *signOfN = mayDisagree ? agreeing(N, Ng, plane(29)) : run_.sign;
+        if (wanted.dNg)
+            turn(dNgdu, run_.sign, ShaderInput::dNgdu), turn(dNgdv, run_.sign, ShaderInput::dNgdv);
         if (curved)
             makeUnit(run_.count, run_.sign, Ng), tell(Ng, ShaderInput::Ng);
         if (wanted.dNd)
-            normalDerivatives(N, dNdu, dNdv, ShaderInput::dNdu, ShaderInput::dNdv);
-        else if (curved || ownNormals)
-            placeNormals(run_, N);
+            turn(dNdu, signOfN, ShaderInput::dNdu), turn(dNdv, signOfN, ShaderInput::dNdv);
         if (curved || ownNormals)
-            makeUnit(run_.count, run_.sign, N), tell(N, ShaderInput::N);
+            makeUnit(run_.count, signOfN, N), tell(N, ShaderInput::N);
         if (wanted.dPd) {
             placeVectors(run_, dPdu), placeVectors(run_, dPdv);
             tell(dPdu, ShaderInput::dPdu), tell(dPdv, ShaderInput::dPdv);
@@ -157,8 +163,7 @@ private:
 
     /// The unit normal in current space is that of the transformed one, and so are its changes. The
     /// normals themselves are transformed too.
-    void normalDerivatives(Vec3Planes N, Vec3Planes dNdu, Vec3Planes dNdv, ShaderInput byU,
-                           ShaderInput byV) {
+    void normalDerivatives(Vec3Planes N, Vec3Planes dNdu, Vec3Planes dNdv) {
         for (int k = 0; k < run_.count; ++k) { // Of any length now, changes with it.
             const float size = length(N.get(k)), scale = size > 0 ? 1 / size : 1;
             N.set(k, N.get(k) * scale);
@@ -166,8 +171,23 @@ private:
         placeNormals(run_, N), placeNormals(run_, dNdu), placeNormals(run_, dNdv);
         for (int k = 0; k < run_.count; ++k)
             for (Vec3Planes change : {dNdu, dNdv})
-                change.set(k, unitDerivative(N.get(k), change.get(k)) * run_.sign[k]);
-        tell(dNdu, byU), tell(dNdv, byV);
+                change.set(k, unitDerivative(N.get(k), change.get(k)));
+    }
+    void turn(Vec3Planes change, const float *sign, ShaderInput to) {
+        for (int k = 0; k < run_.count; ++k)
+            change.set(k, change.get(k) * sign[k]);
+        tell(change, to);
+    }
+
+    bool isTurned() const {
+        return std::any_of(run_.sign, run_.sign + run_.count, [](float sign) { return sign < 0; });
+    }
+    /// The signs of normals that the user gave. Where the surface is turned round, exporters give
+    /// either what was outside before or what is so now: both mean the side that Ng has now.
+    const float *agreeing(Vec3Planes N, Vec3Planes Ng, float *signs) const {
+        for (int k = 0; k < run_.count; ++k)
+            signs[k] = run_.sign[k] < 0 && dot(N.get(k), Ng.get(k)) > 0 ? -1.0f : 1.0f;
+        return signs;
     }
 
     /// s or t, and if wanted how it changes with u and v.
