@@ -27,7 +27,7 @@ int main(int argc, char **argv) {
         "Exit status: 0 all went well; 1 something was wrong and has been reported, the rest "
         "was rendered; 2 the command line cannot be understood.\n"
         "See also: candela compile --help, candela info --help, candela run --help, candela diff "
-        "--help, candela filter --help, candela tex --help, candela probe --help, candela cat "
+        "--help, candela merge --help, candela filter --help, candela tex --help, candela probe --help, candela cat "
         "--help");
     app.get_formatter()->column_width(34);
 
@@ -36,6 +36,7 @@ int main(int argc, char **argv) {
     int status = 0;
     candela::addRender(app, status);
     candela::addDiff(app, status);
+    candela::addMerge(app, status);
     candela::addFilter(app, status);
     candela::addCompile(app, status);
     candela::addInfo(app, status);

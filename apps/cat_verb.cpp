@@ -42,7 +42,7 @@ int concatenate(const Arguments &a) {
     const auto output = ByteOutput::open(a.output, packing, why);
     if (!output)
         return refuse(a.output + " cannot be written: " + why, 1);
-    Console console(false);
+    Console console(Console::Words::Messages);
     {
         RibWriter writer(*output, a.binary ? RibEncoding::Binary : RibEncoding::Ascii);
         for (const std::string &file : a.files)

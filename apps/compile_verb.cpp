@@ -75,7 +75,8 @@ std::string summaryOf(const sl::TypedShader &shader, const CompiledShader &compi
 class CompileRun {
 public:
     explicit CompileRun(const Arguments &arguments)
-        : arguments_(arguments), console_(false), jit_(arguments.jit, console_) {}
+        : arguments_(arguments), console_(Console::Words::Messages), jit_(arguments.jit, console_) {
+    }
 
     int status() {
         for (const std::string &file : arguments_.files)

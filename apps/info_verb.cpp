@@ -137,7 +137,7 @@ void printEntryPoints(const CompiledShader &compiled) {
 class InfoRun {
 public:
     explicit InfoRun(const Arguments &arguments)
-        : arguments_(arguments), console_(false),
+        : arguments_(arguments), console_(Console::Words::Messages),
           folders_(shaderFolders("", arguments.shaderPath, console_)) {}
 
     int status() {

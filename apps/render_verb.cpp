@@ -41,7 +41,8 @@ template <class Parse> auto checked(Parse parse, const char *expected) {
 
 struct Arguments {
     RenderSettings settings;
-    std::string file, format, crop, integrator;
+    std::vector<std::string> files;
+    std::string format, crop, integrator, frames, checkpoint;
     int samples = 0;
     TestingArguments testing;
 };
@@ -53,7 +54,14 @@ void addRender(CLI::App &app, int &status) {
     Arguments &a = *arguments;
     RenderSettings &s = a.settings;
 
-    app.add_option("scene", a.file, "RIB file to render; - reads standard input");
+    app.add_option("scene", a.files,
+                   "RIB files to render, read as if they were one; - reads standard input");
+    app.add_option("-o,--output", s.outputFile,
+                   "The picture's file, by its extension, in place of the first display's; #### "
+                   "becomes the number of the frame")
+        ->type_name("FILE");
+    app.add_option("--frames", a.frames, "The frames to render: 1-10,20; default: all")
+        ->check(CLI::Validator(checked(parseFrameNumbers, "numbers and ranges: 1-10,20"), ""));
     app.add_option("--spp", a.samples, "Samples a pixel, in place of PixelSamples")
         ->check(CLI::Range(1, maximumSamplesPerPixel));
     app.add_option("--threads", s.threads, "Threads; default: all cores")
@@ -68,6 +76,22 @@ void addRender(CLI::App &app, int &status) {
            "--format", a.format,
            "WxH: resolution in pixels, in place of Format; a FrameAspectRatio makes it smaller")
         ->check(CLI::Validator(checked(parseFormat, "WIDTHxHEIGHT"), ""));
+    app.add_option("--time-limit", s.timeLimit,
+                   "Seconds after which the pictures are written as they are")
+        ->check(CLI::Range(0.001, 1e9))
+        ->type_name("SECONDS");
+    app.add_option("--checkpoint", a.checkpoint,
+                   "A file that says how far the render is, written now and then: --resume goes on "
+                   "from there")
+        ->type_name("FILE");
+    app.add_option("--every", s.secondsBetweenCheckpoints,
+                   "Seconds from one checkpoint to the next; default 60")
+        ->check(CLI::Range(0.01, 1e9))
+        ->type_name("SECONDS");
+    app.add_option("--resume", s.resumeFile,
+                   "Goes on from this checkpoint of the same scene and settings; it goes on being "
+                   "written unless --checkpoint names another")
+        ->type_name("FILE");
     app.add_option("--output-dir", s.outputDirectory, "Folder for pictures; default: this one");
     addSearchPaths(app, s);
     app.add_flag("--trust,--allow-programs", s.trust,
@@ -80,13 +104,16 @@ void addRender(CLI::App &app, int &status) {
         Arguments &a = *arguments;
         if (!app.get_subcommands().empty())
             return;
-        if (a.file.empty())
+        if (a.files.empty())
             throw CLI::CallForHelp();
         RenderSettings &s = a.settings;
         if (a.samples > 0)
             s.samplesPerPixel = a.samples;
         if (!a.integrator.empty())
             s.integrator = a.integrator;
+        s.checkpointFile = a.checkpoint.empty() ? s.resumeFile : a.checkpoint;
+        if (!a.frames.empty())
+            s.frames = *parseFrameNumbers(a.frames);
         s.resolution = parseFormat(a.format);
         s.crop = parseCrop(a.crop);
         a.testing.apply(s);
@@ -94,7 +121,7 @@ void addRender(CLI::App &app, int &status) {
             status = 2;
             return;
         }
-        status = renderFile(a.file, s);
+        status = renderFiles(a.files, s);
     });
 }
 

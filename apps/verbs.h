@@ -15,6 +15,8 @@ void addRender(CLI::App &, int &status);
 void addDiff(CLI::App &, int &status);
 /// `candela filter in.exr out.exr -f name ...`
 void addFilter(CLI::App &, int &status);
+/// `candela merge a.exr b.exr -o all.exr`
+void addMerge(CLI::App &, int &status);
 /// `candela compile shader.sl ...`
 void addCompile(CLI::App &, int &status);
 /// `candela tex in.png out.tx`

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdint>
+#include <cstdlib>
 #include <filesystem>
 #include <iterator>
 #include <utility>
@@ -122,6 +124,12 @@ std::string formatDefect(const PlannedDisplay &display, const Options &options) 
     return {};
 }
 
+/// The display as the user wants it in place of what the RIB says.
+void redirect(DisplayRecord &record, const std::string &file) {
+    record.name = file;
+    record.type = "file";
+}
+
 /// Settles planes and path; false, and `problem` says why, if the display cannot be written.
 /// `renamed` as tellApart() has it, `moved` as the note of outputPath().
 bool settle(PlannedDisplay &display, const Options &options, std::span<const ChannelInfo> available,
@@ -147,6 +155,22 @@ bool settle(PlannedDisplay &display, const Options &options, std::span<const Cha
 
 } // namespace
 
+std::string withFrameNumber(const std::string &name, int frame) {
+    std::string result;
+    for (std::size_t at = 0; at < name.size();) {
+        const std::size_t end = std::min(name.find_first_not_of('#', at), name.size());
+        if (end == at) {
+            result += name[at++];
+            continue;
+        }
+        std::string digits = std::to_string(std::abs(std::int64_t(frame)));
+        digits.insert(0, std::max(end - at, digits.size()) - digits.size(), '0');
+        result += (frame < 0 ? "-" : "") + digits;
+        at = end;
+    }
+    return result;
+}
+
 bool holdsDepths(const DisplayRecord &display) {
     return display.type == "zfile" || display.type == "shadow";
 }
@@ -161,15 +185,22 @@ std::vector<PlannedDisplay> planDisplays(const Options &options,
                                          std::span<const ChannelInfo> available,
                                          const OutputPolicy &policy, DiagnosticSink &sink) {
     std::vector<PlannedDisplay> plan;
-    for (const DisplayRecord &record : displaysOf(options)) {
-        const SourceLocation &where = record.parameters.where;
+    std::string file = policy.firstFile;
+    for (DisplayRecord record : displaysOf(options)) {
+        const SourceLocation where = record.parameters.where;
+        OutputPolicy allowed = policy;
+        if (!file.empty() && !holdsDepths(record)) {
+            redirect(record, std::exchange(file, {}));
+            allowed = {".", true, {}};
+        }
+        record.name = withFrameNumber(record.name, options.frame);
         const std::string about = "Display \"" + record.name + "\": ";
         PlannedDisplay display{record, {}, {}, {}, {}};
         std::string warning, renamed, moved, problem;
         chooseFormat(display, warning);
         if (!warning.empty())
             sink.warning(where, about + warning);
-        const bool settled = settle(display, options, available, policy, renamed, moved, problem);
+        const bool settled = settle(display, options, available, allowed, renamed, moved, problem);
         if (!moved.empty())
             sink.warning(where, about + moved);
         if (!renamed.empty())

@@ -21,7 +21,12 @@ struct PlannedDisplay {
 struct OutputPolicy {
     std::string directory = ".";
     bool allowOutside = false; ///< --trust.
+    std::string firstFile{};   ///< -o: where the first display that holds no depths goes, by its
+                               ///< extension; empty = where the RIB says.
 };
+
+/// The name with each run of '#' as the number of the frame, with at least as many digits.
+std::string withFrameNumber(const std::string &name, int frame);
 
 /// The displays of the options that can be written: their formats, planes and paths. Types that
 /// are not known become OpenEXR, with a warning. What cannot be written (an unknown mode, more than

@@ -2,6 +2,7 @@
 #include "image/film.h"
 
 #include "foundation/base/hot.h"
+#include "foundation/base/raw_bytes.h"
 #include "foundation/units/color.h"
 
 #include <algorithm>
@@ -248,6 +249,32 @@ std::vector<float> Film::mean(int channel, int component, FilmHalf half) const {
 
 std::uint64_t Film::nonFiniteSamples() const {
     return nonFinite_ + (splats_ ? splats_->nonFinite() : 0);
+}
+
+SampleCounts Film::sampleCounts() const {
+    if (sums_.empty())
+        return {};
+    double least = sums_[0], most = sums_[0], sum = 0;
+    for (std::size_t at = 0; at < sums_.size(); at += std::size_t(layout_.stride)) {
+        least = std::min(least, sums_[at]), most = std::max(most, sums_[at]);
+        sum += sums_[at];
+    }
+    return {int(least), int(most), sum / double(settings_.window.pixels())};
+}
+
+void Film::save(std::string &bytes) const {
+    appendRaw(bytes, std::span(sums_));
+    appendRaw(bytes, nonFinite_.load());
+    if (splats_)
+        splats_->save(bytes);
+}
+
+bool Film::restore(std::string_view &bytes) {
+    std::uint64_t nonFinite = 0;
+    const bool whole = takeRaw(bytes, std::span(sums_)) && takeRaw(bytes, nonFinite) &&
+                       (!splats_ || splats_->restore(bytes));
+    nonFinite_ = nonFinite;
+    return whole;
 }
 
 std::vector<float> Film::varianceOfMean(int component) const {

@@ -5,7 +5,7 @@
 
 #include "image/film_splats.h"
 #include "image/picture.h"
-#include "world/scene/sample_sink.h"
+#include "image/resumable_sink.h"
 
 #include <atomic>
 #include <cstdint>
@@ -20,7 +20,13 @@ struct FilmMoments {
     double count, weights, weighted, plain; ///< n, sum of w, of w v, of v.
 };
 
-class Film : public SampleSink {
+/// How many samples pixels have.
+struct SampleCounts {
+    int least = 0, most = 0;
+    double mean = 0;
+};
+
+class Film : public ResumableSink {
 public:
     struct Settings {
         FrameWindow window; ///< Only its pixels are stored; samples of others are ignored.
@@ -39,6 +45,8 @@ public:
     std::span<const ChannelInfo> channels() const override { return channels_; }
     void add(const SampleBatch &) override;
     void add(const SplatBatch &) override;
+    void save(std::string &bytes) const override;
+    bool restore(std::string_view &bytes) override;
 
     const FrameWindow &window() const { return settings_.window; }
     bool keepsHalves() const { return settings_.keepHalves; }
@@ -57,6 +65,8 @@ public:
 
     /// Samples whose value was NaN or infinite, counted once for each component. They count as 0.
     std::uint64_t nonFiniteSamples() const;
+    /// Of the pixels of the window.
+    SampleCounts sampleCounts() const;
     /// Null unless wanted.
     const FilmSplats *splats() const { return splats_.get(); }
 

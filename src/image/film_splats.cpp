@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "image/film_splats.h"
 
+#include "foundation/base/raw_bytes.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -55,6 +57,37 @@ float FilmSplats::mean(std::size_t pixel, int channel) const {
             sum = found->second;
     const std::int64_t paths = lightPaths_;
     return paths > 0 ? float(double(sum) * units_[channel] / double(paths)) : 0.0f;
+}
+
+void FilmSplats::save(std::string &bytes) const {
+    for (const std::atomic<std::int64_t> &sum : sums_)
+        appendRaw(bytes, sum.load(std::memory_order_relaxed));
+    appendRaw(bytes, lightPaths_.load());
+    appendRaw(bytes, nonFinite_.load());
+    std::lock_guard lock(mutex_);
+    appendRaw(bytes, std::uint64_t(saturated_.size()));
+    for (const auto &[sum, end] : saturated_)
+        appendRaw(bytes, std::uint64_t(sum)), appendRaw(bytes, end);
+}
+
+bool FilmSplats::restore(std::string_view &bytes) {
+    std::int64_t value = 0;
+    for (std::atomic<std::int64_t> &sum : sums_) {
+        if (!takeRaw(bytes, value))
+            return false;
+        sum.store(value, std::memory_order_relaxed);
+    }
+    std::int64_t lightPaths = 0;
+    std::uint64_t nonFinite = 0, saturated = 0, sum = 0;
+    if (!takeRaw(bytes, lightPaths) || !takeRaw(bytes, nonFinite) || !takeRaw(bytes, saturated))
+        return false;
+    lightPaths_ = lightPaths, nonFinite_ = nonFinite;
+    for (; saturated > 0; --saturated) {
+        if (!takeRaw(bytes, sum) || !takeRaw(bytes, value))
+            return false;
+        saturated_[std::size_t(sum)] = value;
+    }
+    return true;
 }
 
 std::size_t FilmSplats::saturatedSums() const {

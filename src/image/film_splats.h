@@ -12,6 +12,8 @@
 #include <cstdint>
 #include <map>
 #include <mutex>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace candela {
@@ -29,6 +31,10 @@ public:
     void add(const SplatBatch &);
     /// What light paths bring to a pixel of the window, in rows, on average.
     float mean(std::size_t pixel, int channel) const;
+
+    /// As ResumableSink has them.
+    void save(std::string &bytes) const;
+    bool restore(std::string_view &bytes);
 
     /// Sums that ran out of range: they stay at its end, and are as many. Which end, and from when
     /// on, depends on the order only where splats of both signs come near it.

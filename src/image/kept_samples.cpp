@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "image/kept_samples.h"
 
+#include "foundation/base/raw_bytes.h"
 #include "foundation/units/color.h"
 
 #include <cmath>
@@ -28,6 +29,22 @@ void KeptSamples::add(const SampleBatch &batch) {
             samples_.row(first + c, y)[x] = std::isfinite(value) ? value : 0;
         }
     }
+}
+
+void KeptSamples::save(std::string &bytes) const {
+    film_.save(bytes);
+    for (int channel = 0; channel < samples_.channels(); ++channel)
+        for (int y = 0; y < samples_.height(); ++y)
+            appendRaw(bytes, std::span(samples_.row(channel, y), std::size_t(samples_.width())));
+}
+
+bool KeptSamples::restore(std::string_view &bytes) {
+    bool whole = film_.restore(bytes);
+    for (int channel = 0; channel < samples_.channels(); ++channel)
+        for (int y = 0; y < samples_.height(); ++y)
+            whole = whole && takeRaw(bytes, std::span(samples_.row(channel, y),
+                                                      std::size_t(samples_.width())));
+    return whole;
 }
 
 } // namespace candela

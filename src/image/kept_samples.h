@@ -11,7 +11,7 @@ namespace candela {
 inline constexpr double mostSampleBytes = 4e9;
 
 /// Stands before a film: what comes goes on to it.
-class KeptSamples : public SampleSink {
+class KeptSamples : public ResumableSink {
 public:
     /// Room for the samples [0, samples) of each pixel of the film's window.
     KeptSamples(Film &film, int samples);
@@ -20,6 +20,8 @@ public:
     std::span<const ChannelInfo> channels() const override { return film_.channels(); }
     void add(const SampleBatch &) override;
     void add(const SplatBatch &batch) override { film_.add(batch); }
+    void save(std::string &bytes) const override;
+    bool restore(std::string_view &bytes) override;
 
     /// Sample k in the channels from k * colorSamples on, times the weight of the pixel filter, so
     /// that Ci is their mean where no weight is negative. What is not finite is 0.

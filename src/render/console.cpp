@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <unistd.h>
 
 namespace candela {
 
@@ -30,6 +31,10 @@ std::string barOf(double done) {
 }
 
 } // namespace
+
+Console::Console(Words words)
+    : showProgress_(words != Words::Messages && isatty(STDERR_FILENO)),
+      tellResults_(words == Words::Results && !showProgress_) {}
 
 Console::~Console() {
     clearLine();
@@ -96,6 +101,8 @@ void Console::end(const std::string &summary) {
     clearLine();
     if (showProgress_)
         std::fprintf(stderr, "%s (%.2f s)\n", summary.c_str(), elapsed());
+    if (tellResults_)
+        std::printf("%s (%.2f s)\n", summary.c_str(), elapsed());
 }
 
 } // namespace candela

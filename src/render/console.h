@@ -15,8 +15,10 @@ namespace candela {
 
 class Console : public DiagnosticSink {
 public:
-    /// Without `showProgress` (--quiet, or no terminal) only diagnostics are printed.
-    explicit Console(bool showProgress) : showProgress_(showProgress) {}
+    /// What is printed beside diagnostics: nothing (--quiet); progress, where standard error is a
+    /// terminal; and what has been made, on standard output where it is none.
+    enum class Words { Messages, Progress, Results };
+    explicit Console(Words);
     /// Says how many more there were of what was too much to print.
     ~Console() override;
 
@@ -41,7 +43,7 @@ private:
     void show(const std::string &line);
     double elapsed() const; ///< Seconds of the task.
 
-    const bool showProgress_;
+    const bool showProgress_, tellResults_;
     std::atomic<bool> failed_{false};
     std::mutex mutex_;
     DiagnosticLimit limit_;

@@ -41,7 +41,8 @@ void note(Picture &picture, const FilterStack &stack) {
 class FilterRun {
 public:
     explicit FilterRun(const FilterFileSettings &settings)
-        : settings_(settings), console_(!settings.quiet && isatty(STDERR_FILENO)),
+        : settings_(settings),
+          console_(settings.quiet ? Console::Words::Messages : Console::Words::Results),
           folders_(shaderFolders("", settings.shaderPath, console_)),
           shaders_({folders_.all, folders_.library, settings.jit, {"."}}, console_) {}
 

@@ -58,7 +58,7 @@ void collect(const std::filesystem::path &file, const ShaderFolders &folders,
 } // namespace
 
 int listFilters(const FilterFileSettings &settings) {
-    Console console(false);
+    Console console(Console::Words::Messages);
     const ShaderFolders folders = shaderFolders("", settings.shaderPath, console);
     std::map<std::string, std::string> lines;
     for (const std::string &folder : folders.all) {

@@ -1,169 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/frame.h"
 
+#include "image/disk_space.h"
 #include "image/displays.h"
 #include "image/film_maps.h"
 #include "image/imager.h"
 #include "image/kept_samples.h"
-#include "light/path/first_hit.h"
-#include "light/path/shader_channels.h"
 #include "render/filtering.h"
+#include "render/frame_film.h"
+#include "render/frame_settings.h"
+#include "render/interrupt.h"
 
 #include <algorithm>
-#include <cmath>
-#include <filesystem>
+#include <cstdio>
+#include <cstdlib>
 #include <fmt/format.h>
 #include <new>
-#include <unistd.h>
 
 namespace candela {
 
 namespace {
-
-/// Options "bidir" and "vcm": how many paths begin on lights, and what becomes of them.
-BidirectionalWishes wishesOf(const NamedParameters &named) {
-    BidirectionalWishes wishes;
-    if (const double paths = named.number("bidir:lightpaths", -1); paths >= 0)
-        wishes.lightPaths = paths;
-    if (const double connections = named.number("bidir:connections", -1); connections >= 0)
-        wishes.connections = int(connections);
-    wishes.trust = named.number("bidir:trust", 1);
-    wishes.merges = named.string("render:integrator", "") == "vcm";
-    if (const double radius = named.number("vcm:radius", 0); radius > 0)
-        wishes.radius = float(radius);
-    wishes.trustInMerging = named.number("vcm:trust", 1);
-    return wishes;
-}
-
-FinalPass finalPassOf(const NamedParameters &named) {
-    const std::string name = named.string("radiosity:finalpass", "fe");
-    return name == "gather"      ? FinalPass::Gather
-           : name == "fe+direct" ? FinalPass::Direct
-                                 : FinalPass::Elements;
-}
-
-radiosity::SolverSettings solverSettings(const NamedParameters &named, std::uint32_t seed) {
-    radiosity::SolverSettings solver;
-    solver.seed = seed;
-    solver.order = int(named.number("radiosity:order", solver.order));
-    solver.epsilon = named.number("radiosity:epsilon", solver.epsilon);
-    solver.contrast = named.number("radiosity:contrast", solver.contrast);
-    solver.leastElement = named.number("radiosity:leastelement", solver.leastElement);
-    solver.directSamples = int(named.number("radiosity:samples", solver.directSamples));
-    return solver;
-}
-
-IntegratorSettings integratorSettings(const Scene &scene, const RenderSettings &settings) {
-    const Options &options = scene.options();
-    IntegratorSettings result;
-    result.kind = scene.isClassic()         ? IntegratorKind::Classic
-                  : scene.isBidirectional() ? IntegratorKind::Bidirectional
-                  : scene.isSolved()        ? IntegratorKind::Radiosity
-                                            : IntegratorKind::Path;
-    result.finalPass = finalPassOf(options.named);
-    result.solver = solverSettings(options.named, settings.seed);
-    const double samples =
-        std::round(double(std::max(1.0f, options.xSamples)) * std::max(1.0f, options.ySamples));
-    result.lastSample = int(std::min<double>(samples, maximumSamplesPerPixel));
-    result.seed = settings.seed;
-    result.maxDepth = maxDepthOf(options);
-    result.hemisphereOnly = settings.hemisphereOnly;
-    result.bidirectional = wishesOf(options.named);
-    result.crop = options.format.cropPixels();
-    return result;
-}
-
-const char *nameOf(const IntegratorSettings &settings) {
-    switch (settings.kind) {
-    case IntegratorKind::Classic: return "classic";
-    case IntegratorKind::Path: return "path";
-    case IntegratorKind::Radiosity: return "radiosity";
-    case IntegratorKind::Bidirectional: break;
-    }
-    return settings.bidirectional.merges ? "vcm" : "bidir";
-}
-
-FrameDescription describe(const Scene &scene, const IntegratorSettings &integrator,
-                          const std::string &file) {
-    FrameDescription description;
-    description.metadata = {{"renderer", "Candela"},
-                            {"scene", std::filesystem::path(file).filename().string()},
-                            {"integrator", nameOf(integrator)},
-                            {"spp", std::to_string(integrator.lastSample)},
-                            {"seed", std::to_string(integrator.seed)},
-                            {"maxdepth", std::to_string(integrator.maxDepth)},
-                            {"sampling", integrator.hemisphereOnly ? "hemisphere" : "cones"}};
-    const Matrix4 &worldToCamera = scene.options().camera.cameraFromWorld;
-    description.worldToCamera = worldToCamera;
-    description.worldToNdc = worldToCamera * scene.camera().ndcFromCamera();
-    return description;
-}
-
-double gigabytesOfMemory() {
-    return double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE)) / 1e9;
-}
-
-/// What keeps a film of these settings, and `maps` bytes beside it, from being made is reported.
-bool canHold(const Film::Settings &film, double maps, const Options &options,
-             DiagnosticSink &diagnostics) {
-    const FrameWindow &window = film.window;
-    if (window.x0 >= window.x1 || window.y0 >= window.y1) {
-        diagnostics.error(options.places.cropWindow,
-                          "the crop window holds no pixel; the frame is not rendered");
-        return false;
-    }
-    const double needed = (Film::bytesNeeded(film) + maps) / 1e9, there = gigabytesOfMemory();
-    if (needed > there) {
-        diagnostics.error(
-            options.places.format,
-            fmt::format("a picture of {} x {} pixels takes {:.0f} GB of memory{}, and "
-                        "this machine has {:.0f}; the frame is not rendered",
-                        window.columns(), window.rows(), needed,
-                        maps > 0 ? " with its filters" : "", there));
-        return false;
-    }
-    return true;
-}
-
-/// What estimators give: what a first hit tells, and what shaders leave in output parameters.
-std::vector<ChannelInfo> channelsGiven(const Scene &scene) {
-    std::vector<ChannelInfo> channels = firstHitChannels(), own = outputParametersOf(scene);
-    channels.insert(channels.end(), own.begin(), own.end());
-    return channels;
-}
-
-/// What modes of displays may name: these, and the maps that filters make.
-std::vector<ChannelInfo> channelsToShow(const Scene &scene, const FilterStack &filters) {
-    std::vector<ChannelInfo> channels = channelsGiven(scene);
-    const std::vector<ChannelInfo> others = mapsOfEveryFilm();
-    for (const MapInfo &map : filters.mapsSet())
-        if (std::ranges::find(channels, map.name, &ChannelInfo::name) == channels.end() &&
-            std::ranges::find(others, map.name, &ChannelInfo::name) == others.end())
-            channels.push_back({map.name, map.channels});
-    return channels;
-}
-
-Film::Settings filmSettings(const Scene &scene, const std::array<int, 4> &crop,
-                            const PixelFilterSampler &filter, const FilterStack &filters) {
-    const Options &options = scene.options();
-    const std::vector<DisplayRecord> displays = displaysOf(options);
-    const auto [width, height] = options.format.effectiveResolution();
-    const auto [x0, x1, y0, y1] = crop;
-    const std::vector<ChannelInfo> given = channelsGiven(scene);
-    Film::Settings settings{{width, height, x0, x1, y0, y1},
-                            wantedChannels(displays, channelsToShow(scene, filters)),
-                            filter.hasNegativeLobes(),
-                            wantsHalves(displays)};
-    settings.splats = scene.isBidirectional();
-    // Sums of splats are exact to a share of what light there is, in rooms and under the stars.
-    if (const double typical = scene.lights().typicalRadiance(); settings.splats && typical > 0)
-        settings.splatUnits.fill(commonSplatUnit * std::exp2(std::floor(std::log2(typical))));
-    std::erase_if(settings.channels, [&](const ChannelInfo &channel) {
-        return std::ranges::find(given, channel.name, &ChannelInfo::name) == given.end();
-    });
-    wantMaps(mapNames(filters), given, settings);
-    return settings;
-}
 
 void report(const std::vector<std::string> &written, Console &console) {
     std::string summary;
@@ -201,6 +57,7 @@ struct PictureShaders {
 struct FrameJob {
     const Scene &scene;
     const FrameListeners &listeners;
+    const FrameKeeping &keeping;
     IntegratorSettings integrator;
     FrameDescription description;
     std::vector<PlannedDisplay> displays;
@@ -208,11 +65,12 @@ struct FrameJob {
 };
 
 void integrateFrame(const FrameJob &job, const PixelFilterSampler &filter, Film &film,
-                    SampleSink &sink) {
+                    SampleSink &sink, FrameProgress &progress) {
     const FrameListeners &listeners = job.listeners;
     TransportStatistics transport;
     listeners.statistics.measure("render", [&] {
-        integrate(job.scene, job.integrator, filter, sink, transport, listeners.diagnostics);
+        integrate(job.scene, job.integrator, filter, sink, progress, transport,
+                  listeners.diagnostics);
     });
     listeners.statistics.add(job.scene, transport);
     reportNonFinite(film, job.scene, transport, listeners.diagnostics);
@@ -238,31 +96,116 @@ bool filterFrame(const FrameJob &job, const FilterStack &filters, const Film &fi
     return !outcome.interrupted;
 }
 
-/// Renders, filters and writes; false if the user wants no more.
-bool makePicture(const FrameJob &job, const PictureShaders &shaders,
-                 const PixelFilterSampler &filter, Film &film) {
-    Console &console = job.listeners.console;
-    console.begin("rendering");
-    FilteredPicture filtered;
-    if (job.keepsSamples) {
-        KeptSamples samples(film, job.integrator.lastSample);
-        integrateFrame(job, filter, film, samples);
-        filtered.maps.set(samplesMap, samples.take());
-    } else {
-        integrateFrame(job, filter, film, film);
+/// Says how far a frame has come that has been ended, and has its files say it too. False if that
+/// is nowhere.
+bool tellOfEnd(const FrameJob &job, FrameEnd end, const Film &film, FrameDescription &description) {
+    const SampleCounts counts = film.sampleCounts();
+    const int wanted = job.integrator.lastSample;
+    if (counts.least == wanted)
+        return true;
+    const std::string why = end == FrameEnd::OutOfTime ? "the time is up" : "interrupted";
+    DiagnosticSink &diagnostics = job.listeners.diagnostics;
+    if (counts.most == 0) {
+        diagnostics.error({}, why + " before there was any sample: no picture is written");
+        return false;
     }
-    const bool isFiltered = !shaders.filters.empty();
-    const bool goesOn = !isFiltered || filterFrame(job, shaders.filters, film, filtered);
-    DisplaySources sources(film, isFiltered ? &filtered : nullptr);
+    const std::string range = counts.least == counts.most
+                                  ? std::to_string(counts.most)
+                                  : fmt::format("{} to {}", counts.least, counts.most);
+    diagnostics.warning({}, fmt::format("{} after {} of {} samples a pixel: the picture is written "
+                                        "as it is{}",
+                                        why, range, wanted,
+                                        counts.least == 0 ? ", black where there are none" : ""));
+    description.metadata["spp"] = fmt::format("{:.6g}", counts.mean);
+    if (counts.least < counts.most)
+        description.metadata["sppRange"] = range;
+    return true;
+}
+
+void writePictures(const FrameJob &job, const PictureShaders &shaders,
+                   const FrameDescription &description, const Film &film,
+                   const FilteredPicture *filtered) {
+    DisplaySources sources(film, filtered);
     std::optional<ImagedPicture> imaged;
     if (shaders.imager) {
         imaged = shaders.imager->run(sources, job.listeners.diagnostics);
         sources.imaged = &*imaged;
     }
-    report(writeDisplays(sources, job.displays, job.scene.options(), job.description,
+    report(writeDisplays(sources, job.displays, job.scene.options(), description,
                          job.listeners.diagnostics),
-           console);
-    return goesOn;
+           job.listeners.console);
+}
+
+/// Writes what there is, without filters, and ends the program: threads are still at work that
+/// cannot be called back.
+[[noreturn]] void writeAndEnd(const FrameJob &job, const PictureShaders &shaders, const Film &film,
+                              FrameEnd end) {
+    FrameDescription description = job.description;
+    if (tellOfEnd(job, end, film, description)) {
+        if (!shaders.filters.empty())
+            job.listeners.diagnostics.warning({}, "the filters have not been run");
+        writePictures(job, shaders, description, film, nullptr);
+    }
+    std::fflush(nullptr);
+    std::_Exit(end == FrameEnd::Interrupted ? statusOfInterrupt : 0);
+}
+
+/// What the samples go into: the film, or what keeps them for filters and hands them on to it.
+struct FrameSinks {
+    FrameSinks(const Film::Settings &wanted, const FrameJob &job) : film(wanted) {
+        if (job.keepsSamples)
+            samples.emplace(film, job.integrator.lastSample);
+    }
+    ResumableSink &first() { return samples ? static_cast<ResumableSink &>(*samples) : film; }
+
+    Film film;
+    std::optional<KeptSamples> samples;
+};
+
+/// Renders, filters and writes.
+FrameEnd makePicture(const FrameJob &job, const PictureShaders &shaders,
+                     const PixelFilterSampler &filter, FrameSinks &sinks) {
+    const FrameKeeping &keeping = job.keeping;
+    DiagnosticSink &diagnostics = job.listeners.diagnostics;
+    const Film &film = sinks.film;
+    if (keeping.from) {
+        std::string_view saved = keeping.from->samples;
+        std::string problem = differenceOf(keeping.from->identity, keeping.identity);
+        if (problem.empty() && !sinks.first().restore(saved))
+            problem = "it holds another film";
+        if (!problem.empty()) {
+            diagnostics.error({}, "the checkpoint is not of this render: " + problem);
+            return FrameEnd::Refused;
+        }
+    }
+    FrameProgress progress(keeping.from ? keeping.from->position : FramePosition());
+    FrameEnd end = FrameEnd::Whole;
+    job.listeners.console.begin("rendering");
+    {
+        std::optional<Interrupt> interrupt;
+        if (keeping.heedsSignals)
+            interrupt.emplace();
+        FrameKeeper keeper(keeping, progress, sinks.first(),
+                           {[&] { return interrupt && interrupt->asked(); },
+                            [&](FrameEnd why) { writeAndEnd(job, shaders, film, why); }},
+                           diagnostics);
+        integrateFrame(job, filter, sinks.film, sinks.first(), progress);
+        keeper.leave();
+        end = keeper.end();
+        if (end != FrameEnd::Whole && !keeping.checkpointFile.empty())
+            keeper.save();
+    }
+    FrameDescription description = job.description;
+    if (!tellOfEnd(job, end, film, description))
+        return end;
+    FilteredPicture filtered;
+    if (sinks.samples)
+        filtered.maps.set(samplesMap, sinks.samples->take());
+    const bool isFiltered = !shaders.filters.empty();
+    if (isFiltered && !filterFrame(job, shaders.filters, film, filtered))
+        end = FrameEnd::Interrupted;
+    writePictures(job, shaders, description, film, isFiltered ? &filtered : nullptr);
+    return end;
 }
 
 /// Decides whether samples are kept: what that takes.
@@ -282,45 +225,48 @@ double bytesOfSamples(FrameJob &job, const FilterStack &filters, const FrameWind
     return 0;
 }
 
-bool renderAndWrite(const Scene &scene, ShaderLibrary &library, const RenderSettings &settings,
-                    const std::string &file, const FrameListeners &listeners) {
+FrameEnd renderAndWrite(const Scene &scene, ShaderLibrary &library, const RenderSettings &settings,
+                        const std::string &file, const FrameListeners &listeners,
+                        const FrameKeeping &keeping) {
     const Options &options = scene.options();
     ErrorPolicy &diagnostics = listeners.diagnostics;
     const PictureShaders shaders{FilterStack(options.filters, library, options),
                                  Imager::of(options, library, diagnostics)};
     IntegratorSettings integrator = integratorSettings(scene, settings);
     integrator.progress = [&](double done) { listeners.console.progress(done); };
-    FrameJob job{scene, listeners, integrator, describe(scene, integrator, file),
+    FrameJob job{scene,
+                 listeners,
+                 keeping,
+                 integrator,
+                 describeFrame(scene, integrator, file),
                  planDisplays(options, channelsToShow(scene, shaders.filters),
-                              {settings.outputDirectory, settings.trust}, diagnostics)};
+                              {settings.outputDirectory, settings.trust, settings.outputFile},
+                              diagnostics)};
     const PixelFilterSampler filter(options.filter, diagnostics, options.places.pixelFilter);
     const Film::Settings wanted = filmSettings(scene, integrator.crop, filter, shaders.filters);
     double maps = shaders.filters.empty() ? 0 : bytesOfMaps(mapNames(shaders.filters), wanted);
     maps += bytesOfSamples(job, shaders.filters, wanted.window);
     if (job.displays.empty() || !canHold(wanted, maps, options, diagnostics) ||
         diagnostics.stopped())
-        return true;
-    Film film(wanted);
-    return makePicture(job, shaders, filter, film);
+        return FrameEnd::Whole;
+    warnOfSmallDisks(job.displays, double(wanted.window.pixels()), diagnostics);
+    FrameSinks sinks(wanted, job);
+    return makePicture(job, shaders, filter, sinks);
 }
 
 } // namespace
 
-int maxDepthOf(const Options &options) {
-    constexpr int usual = 64;
-    return int(options.named.number("trace:maxdepth", usual));
-}
-
-bool renderFrame(const Scene &scene, ShaderLibrary &shaders, const RenderSettings &settings,
-                 const std::string &file, const FrameListeners &listeners) {
+FrameEnd renderFrame(const Scene &scene, ShaderLibrary &shaders, const RenderSettings &settings,
+                     const std::string &file, const FrameListeners &listeners,
+                     const FrameKeeping &keeping) {
     if (scene.options().hider == "null") // RI: computes no pixels.
-        return true;
+        return FrameEnd::Whole;
     try {
-        return renderAndWrite(scene, shaders, settings, file, listeners);
+        return renderAndWrite(scene, shaders, settings, file, listeners, keeping);
     } catch (const std::bad_alloc &) {
         listeners.diagnostics.error({}, "there is not enough memory for this frame; it is not "
                                         "rendered");
-        return true;
+        return FrameEnd::Whole;
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include "interface/ri/error_policy.h"
 #include "render/console.h"
+#include "render/frame_keeper.h"
 #include "render/render.h"
 #include "render/statistics.h"
 
@@ -16,13 +17,10 @@ struct FrameListeners {
     Statistics &statistics;
 };
 
-/// Option "trace" "maxdepth": how often light may be scattered.
-int maxDepthOf(const Options &);
-
 /// Renders, filters and writes the scene, unless what is known before the first sample says that it
-/// cannot be done. `file` is the RIB's name. False if the user has interrupted it: what there was
-/// has been written.
-bool renderFrame(const Scene &, ShaderLibrary &, const RenderSettings &, const std::string &file,
-                 const FrameListeners &);
+/// cannot be done. `file` is the RIB's name. Of a frame that is ended before it is whole what there
+/// is is written.
+FrameEnd renderFrame(const Scene &, ShaderLibrary &, const RenderSettings &,
+                     const std::string &file, const FrameListeners &, const FrameKeeping & = {});
 
 } // namespace candela

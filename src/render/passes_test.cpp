@@ -33,10 +33,11 @@ std::unique_ptr<Film> rendered(const Scene &scene, const std::vector<Range> &ran
         ThreadLimit limit(threads++);
         IntegratorSettings settings;
         settings.kind = scene.isClassic() ? IntegratorKind::Classic : IntegratorKind::Path;
-        settings.firstSample = first, settings.lastSample = last;
+        settings.lastSample = last;
         settings.seed = 7;
         settings.crop = crop;
-        integrate(scene, settings, filter, *film, statistics, diagnostics);
+        FrameProgress progress({first, false, {}});
+        integrate(scene, settings, filter, *film, progress, statistics, diagnostics);
     }
     return film;
 }

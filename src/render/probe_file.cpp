@@ -4,6 +4,7 @@
 #include "foundation/base/parallel.h"
 #include "foundation/base/whole_file.h"
 #include "render/false_colors.h"
+#include "render/frame_settings.h"
 #include "render/picture_output.h"
 #include "render/probe_points.h"
 #include "render/read_scenes.h"
@@ -214,7 +215,7 @@ private:
 int probeFile(const ProbeFileSettings &settings) {
     std::signal(SIGPIPE, SIG_IGN); // Writing just fails, and says why.
     const RenderSettings &render = settings.render;
-    Console console(!render.quiet && isatty(STDERR_FILENO));
+    Console console(render.quiet ? Console::Words::Messages : Console::Words::Progress);
     ErrorPolicy diagnostics(console);
     ThreadLimit threads(render.threads);
     Statistics statistics;
@@ -225,15 +226,16 @@ int probeFile(const ProbeFileSettings &settings) {
         return 1;
     }
     int worlds = 0;
-    readScenes(settings.scene, render, listeners, [&](const Scene &scene, ShaderLibrary &shaders) {
-        if (worlds++ > 0)
-            return;
-        try {
-            ProbeRun(settings, listeners).probe(scene, shaders);
-        } catch (const std::bad_alloc &) {
-            diagnostics.error({}, "there is not enough memory to probe this scene");
-        }
-    });
+    readScenes({settings.scene}, render, listeners,
+               [&](const Scene &scene, ShaderLibrary &shaders, const std::string &) {
+                   if (worlds++ > 0)
+                       return;
+                   try {
+                       ProbeRun(settings, listeners).probe(scene, shaders);
+                   } catch (const std::bad_alloc &) {
+                       diagnostics.error({}, "there is not enough memory to probe this scene");
+                   }
+               });
     if (worlds > 1)
         diagnostics.warning(
             {std::make_shared<const std::string>(settings.scene)},

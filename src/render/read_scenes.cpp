@@ -3,12 +3,14 @@
 
 #include "foundation/base/parallel.h"
 #include "interface/ri/graphics_state.h"
+#include "interface/rib/fingerprint_sink.h"
 #include "interface/rib/rib_reader.h"
 #include "light/frame/shader_warnings.h"
 #include "render/shader_folders.h"
 #include "render/texture_orders.h"
 
 #include <filesystem>
+#include <fmt/format.h>
 #include <new>
 
 namespace candela {
@@ -68,6 +70,12 @@ ShaderLibrary libraryFor(const std::string &ribFile, const RenderSettings &setti
                          diagnostics);
 }
 
+std::unique_ptr<FingerprintSink> makeFingerprint(const RenderSettings &settings,
+                                                 RequestSink &sink) {
+    const bool isWanted = !settings.checkpointFile.empty() || !settings.resumeFile.empty();
+    return isWanted ? std::make_unique<FingerprintSink>(sink) : nullptr;
+}
+
 } // namespace
 
 struct SceneReading::State {
@@ -79,13 +87,15 @@ struct SceneReading::State {
           world(shaders, listeners.diagnostics, [this](const Scene &scene) { take(scene); }),
           graphics(world, shaders, listeners.diagnostics,
                    stateSettings(name, settings, listeners.diagnostics)),
-          reader(graphics, listeners.diagnostics, {settings.trust, {}}) {}
+          chooser(graphics, settings.frames), fingerprint(makeFingerprint(settings, chooser)),
+          reader(fingerprint ? static_cast<RequestSink &>(*fingerprint) : chooser,
+                 listeners.diagnostics, {settings.trust, {}}) {}
 
     void take(const Scene &scene) {
         sawWorld = true;
         warnings.look(scene);
         if (!listeners.diagnostics.stopped())
-            receive(scene, shaders);
+            receive(scene, shaders, fingerprint ? fingerprint->text() : std::string());
     }
 
     const std::string name;
@@ -95,6 +105,8 @@ struct SceneReading::State {
     ShaderWarnings warnings;
     SceneCompiler world;
     GraphicsState graphics;
+    FrameChooser chooser;
+    std::unique_ptr<FingerprintSink> fingerprint; ///< Null unless there are to be checkpoints.
     RibReader reader;
     bool sawWorld = false;
 };
@@ -110,18 +122,26 @@ void SceneReading::finish(bool cut) {
     if (!cut)
         state_->graphics.finish();
     const FrameListeners &listeners = state_->listeners;
+    for (const auto &[first, last] : state_->chooser.missing())
+        listeners.diagnostics.warning(
+            {}, first == last ? fmt::format("there is no frame {}", first)
+                              : fmt::format("there is no frame of {} to {}", first, last));
     if (!state_->sawWorld && !listeners.console.failed())
         listeners.diagnostics.warning({std::make_shared<const std::string>(state_->name)},
                                       "there is no WorldBegin in it: nothing is rendered");
     listeners.statistics.add(state_->shaders.statistics());
 }
 
-void readScenes(const std::string &path, const RenderSettings &settings,
+void readScenes(const std::vector<std::string> &paths, const RenderSettings &settings,
                 const FrameListeners &listeners, const SceneReceiver &receive) {
-    SceneReading scenes(path, settings, listeners, receive);
+    SceneReading scenes(paths.front(), settings, listeners, receive);
     bool cut = false;
+    std::string path;
     try {
-        scenes.reader().readFile(path);
+        for (const std::string &next : paths) {
+            path = next;
+            scenes.reader().readFile(path);
+        }
     } catch (const std::bad_alloc &) {
         listeners.diagnostics.error({std::make_shared<const std::string>(path)},
                                     "there is not enough memory to read it; what is left of it is "

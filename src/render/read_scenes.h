@@ -12,8 +12,10 @@
 
 namespace candela {
 
-/// Gets the scenes in their order, each for as long as the call lasts.
-using SceneReceiver = std::function<void(const Scene &, ShaderLibrary &)>;
+/// Gets the scenes in their order, each for as long as the call lasts, with the fingerprint of all
+/// requests up to its end (empty unless there are to be checkpoints).
+using SceneReceiver =
+    std::function<void(const Scene &, ShaderLibrary &, const std::string &requests)>;
 
 /// Makes scenes of requests, with the settings' options, folders and code generation.
 class SceneReading {
@@ -33,8 +35,8 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// Reads a RIB file ("-" = standard input). What is wrong is reported.
-void readScenes(const std::string &path, const RenderSettings &, const FrameListeners &,
-                const SceneReceiver &);
+/// Reads RIB files ("-" = standard input) as if they were one. What is wrong is reported.
+void readScenes(const std::vector<std::string> &paths, const RenderSettings &,
+                const FrameListeners &, const SceneReceiver &);
 
 } // namespace candela

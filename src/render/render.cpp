@@ -3,29 +3,30 @@
 
 #include "foundation/base/parallel.h"
 #include "render/console.h"
-#include "render/frame.h"
 #include "render/interrupt.h"
 #include "render/read_scenes.h"
+#include "render/render_run.h"
 #include "render/statistics.h"
-
-#include <unistd.h>
 
 namespace candela {
 
-int renderFile(const std::string &path, const RenderSettings &settings) {
-    Console console(!settings.quiet && isatty(STDERR_FILENO));
+int renderFiles(const std::vector<std::string> &paths, const RenderSettings &settings) {
+    Console console(settings.quiet ? Console::Words::Messages : Console::Words::Results);
     ErrorPolicy diagnostics(console);
     ThreadLimit threads(settings.threads);
     Statistics statistics;
     const FrameListeners listeners{diagnostics, console, statistics};
-    bool interrupted = false;
-    readScenes(path, settings, listeners, [&](const Scene &scene, ShaderLibrary &shaders) {
-        if (!interrupted)
-            interrupted = !renderFrame(scene, shaders, settings, path, listeners);
-    });
+    RenderRun run(paths.front(), settings, listeners);
+    if (!run.begin())
+        return 1;
+    readScenes(paths, settings, listeners,
+               [&](const Scene &scene, ShaderLibrary &shaders, const std::string &requests) {
+                   run.take(scene, shaders, requests);
+               });
+    run.finish();
     if (!settings.statisticsFile.empty())
         statistics.write(settings.statisticsFile, diagnostics);
-    return interrupted ? statusOfInterrupt : console.failed() ? 1 : 0;
+    return run.isInterrupted() ? statusOfInterrupt : console.failed() ? 1 : 0;
 }
 
 } // namespace candela

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The whole flow, from the name of a RIB file to pictures on disk.
+// The whole flow, from the names of RIB files to pictures on disk.
 #pragma once
 
+#include "interface/ri/frame_chooser.h"
 #include "light/frame/integrate.h"
 #include "world/shading/shader_library.h"
 
@@ -20,9 +21,15 @@ struct RenderSettings {
     std::optional<std::array<float, 4>> crop; ///< NDC: x0, x1, y0, y1.
     std::optional<std::array<int, 2>> resolution;
     std::uint32_t seed = 0;
-    int threads = 0; ///< 0 = all cores.
+    int threads = 0;        ///< 0 = all cores.
+    std::string outputFile; ///< In place of the first display's; empty = as the RIB has it.
     std::string outputDirectory = ".";
-    bool trust = false; ///< The RIB may run programs and write outside the output directory.
+    FrameNumbers frames;        ///< Which are rendered; none = all.
+    double timeLimit = 0;       ///< Seconds; 0 = none.
+    std::string checkpointFile; ///< Empty = none.
+    double secondsBetweenCheckpoints = 60;
+    std::string resumeFile; ///< A checkpoint to go on from; empty = none.
+    bool trust = false;     ///< The RIB may run programs and write outside the output directory.
     std::vector<std::string> shaderPath, archivePath, texturePath;
     bool quiet = false;
 
@@ -31,9 +38,9 @@ struct RenderSettings {
     std::string statisticsFile;  ///< --stats
 };
 
-/// Renders all frames of a RIB file ("-" = standard input). 0 if all went well, 1 if anything was
-/// wrong (and reported on standard error; everything else has been rendered), statusOfInterrupt if
-/// the user interrupted a filter.
-int renderFile(const std::string &path, const RenderSettings &);
+/// Renders all frames of RIB files ("-" = standard input), which are read one after the other as if
+/// they were one. 0 if all went well or the time was up, 1 if anything was wrong (and reported on
+/// standard error; everything else has been rendered), statusOfInterrupt if the user has ended it.
+int renderFiles(const std::vector<std::string> &paths, const RenderSettings &);
 
 } // namespace candela

@@ -6,18 +6,17 @@
 #include "render/read_scenes.h"
 #include "render/statistics.h"
 
-#include <unistd.h>
-
 namespace candela {
 
 struct RenderSession::State {
     State(const std::string &name, const RenderSettings &given, DiagnosticSink &heard)
-        : settings(given), console(!given.quiet && isatty(STDERR_FILENO)), diagnostics(heard),
-          threads(given.threads), listeners{diagnostics, console, statistics},
+        : settings(given),
+          console(given.quiet ? Console::Words::Messages : Console::Words::Progress),
+          diagnostics(heard), threads(given.threads), listeners{diagnostics, console, statistics},
           scenes(name, settings, listeners,
-                 [this, name](const Scene &scene, ShaderLibrary &shaders) {
-                     if (!interrupted)
-                         interrupted = !renderFrame(scene, shaders, settings, name, listeners);
+                 [this, name](const Scene &scene, ShaderLibrary &shaders, const std::string &) {
+                     if (end == FrameEnd::Whole)
+                         end = renderFrame(scene, shaders, settings, name, listeners);
                  }) {}
 
     const RenderSettings settings;
@@ -26,7 +25,7 @@ struct RenderSession::State {
     ThreadLimit threads;
     Statistics statistics;
     const FrameListeners listeners;
-    bool interrupted = false;
+    FrameEnd end = FrameEnd::Whole;
     SceneReading scenes;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Renders what it is told, world by world: what RIB files are to renderFile(), calls are to this.
+// Renders what it is told, world by world: what RIB files are to renderFiles(), calls are to this.
 #pragma once
 
 #include "interface/ri/error_policy.h"

@@ -52,7 +52,8 @@ std::vector<NamedPlanes> byName(const std::vector<ir::OutputSlot> &outputs, std:
 class ShaderRun {
 public:
     explicit ShaderRun(const RunSettings &settings)
-        : settings_(settings), console_(false), folders_(foldersOf(settings, console_)),
+        : settings_(settings), console_(Console::Words::Messages),
+          folders_(foldersOf(settings, console_)),
           shaders_({folders_.all, folders_.library, settings.jit, textureFolders(settings)},
                    console_) {}
 

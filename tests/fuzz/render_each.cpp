@@ -72,7 +72,7 @@ int render(const Task &task, const std::string &commonCache) {
     settings.quiet = true;
     const long seconds = std::strtol(task.seconds.c_str(), nullptr, 10);
     allow(seconds);
-    const int status = candela::renderFile("scene.rib", settings);
+    const int status = candela::renderFiles({"scene.rib"}, settings);
     allow(0);
     std::fflush(stdout);
     return status;

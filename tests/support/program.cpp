@@ -4,6 +4,7 @@
 #include "tests/support/scratch_folder.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
@@ -11,6 +12,7 @@
 #include <sstream>
 #include <sys/resource.h>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 
 namespace candela::test {
@@ -52,6 +54,8 @@ std::vector<std::string> launcher() {
         rlimit limit{rlim_t(settings.memoryLimit), rlim_t(settings.memoryLimit)};
         setrlimit(RLIMIT_AS, &limit);
     }
+    if (settings.sentSignal != 0)
+        std::signal(settings.sentSignal, SIG_DFL); // Whatever the tests' shell ignores.
     alarm(unsigned(
         std::ceil(settings.secondsAllowed * timeScale()))); // outlives exec: what hangs is ended
     execvp(arguments[0], arguments.data());
@@ -86,6 +90,10 @@ Outcome runCandela(const std::vector<std::string> &arguments, const RunSettings 
     pid_t child = fork();
     if (child == 0)
         become(pointers, settings, said);
+    if (settings.sentSignal != 0 && child > 0) {
+        std::this_thread::sleep_for(std::chrono::duration<double>(settings.signalAfter));
+        kill(child, settings.sentSignal); // One that has ended is still to be waited for.
+    }
     int status = 0;
     Outcome outcome;
     if (child < 0 || waitpid(child, &status, 0) != child)

@@ -14,6 +14,8 @@ struct RunSettings {
     long fileSizeLimit = -1;  ///< Largest file it may write, bytes (RLIMIT_FSIZE); -1 = any.
     long memoryLimit = -1;    ///< Most address space it may take, bytes (RLIMIT_AS); -1 = any.
     int secondsAllowed = 120; ///< Times timeScale().
+    int sentSignal = 0;       ///< A signal that is sent to it; 0 = none.
+    double signalAfter = 0;   ///< Seconds of wall clock from its start to then.
 };
 
 struct Outcome {

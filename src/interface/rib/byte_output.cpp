@@ -53,6 +53,12 @@ std::unique_ptr<ByteOutput> ByteOutput::toMemory(std::string &text) {
     return result;
 }
 
+std::unique_ptr<ByteOutput> ByteOutput::toHash(ContentHash &hash) {
+    std::unique_ptr<ByteOutput> result(new ByteOutput);
+    result->hash_ = &hash;
+    return result;
+}
+
 static std::string reasonOf(int code, const char *message) {
     return code == Z_ERRNO ? std::strerror(errno) : message;
 }
@@ -61,6 +67,8 @@ void ByteOutput::write(std::string_view bytes) {
     constexpr std::size_t most = 1 << 30; // gzwrite() counts in unsigned.
     if (text_)
         text_->append(bytes);
+    if (hash_)
+        hash_->add(bytes);
     if (command_ && !failed() &&
         std::fwrite(bytes.data(), 1, bytes.size(), command_) < bytes.size())
         failure_ = std::strerror(errno);

@@ -2,6 +2,8 @@
 // Where written RIB goes.
 #pragma once
 
+#include "foundation/base/hash.h"
+
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -19,6 +21,8 @@ public:
     static std::unique_ptr<ByteOutput> toCommand(const std::string &command, std::string &why);
     /// Ends up in `text`, which must outlive it.
     static std::unique_ptr<ByteOutput> toMemory(std::string &text);
+    /// Is kept nowhere but added to `hash`, which must outlive it.
+    static std::unique_ptr<ByteOutput> toHash(ContentHash &hash);
     ~ByteOutput();
 
     /// Nothing is written any more once it has failed.
@@ -34,6 +38,7 @@ private:
     std::unique_ptr<File> file_;
     std::FILE *command_ = nullptr;
     std::string *text_ = nullptr;
+    ContentHash *hash_ = nullptr;
     std::string failure_;
 };
 

@@ -56,7 +56,7 @@ LightPass::LightPass(FrameContext &frame, const BidirectionalPlan &plan, SampleS
     : frame_(frame), plan_(plan), counts_(plan.counts()), sink_(sink),
       waves_(std::max(1, threadCount())) {}
 
-void LightPass::run(int first, int last) {
+void LightPass::run(int first, int last, const std::function<bool()> &isStopped) {
     const std::int64_t begin = pathsBefore(frame_.scene, plan_, first);
     const std::int64_t end = pathsBefore(frame_.scene, plan_, last);
     const std::size_t waves = std::size_t((end - begin + pathsOfWave - 1) / pathsOfWave);
@@ -73,7 +73,7 @@ void LightPass::run(int first, int last) {
             waves_[thread] = std::make_unique<LightWave>(frame_, counts_, sink_);
         LightWave &wave = *waves_[thread];
         wave.subpaths->counts = counts_;
-        for (std::size_t at; (at = next++) < waves;) {
+        for (std::size_t at; !isStopped() && (at = next++) < waves;) {
             const std::int64_t from = begin + std::int64_t(at) * pathsOfWave;
             const int count = int(std::min<std::int64_t>(pathsOfWave, end - from));
             wave.keeps = at < keeping;

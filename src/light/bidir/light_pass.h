@@ -5,6 +5,7 @@
 #include "light/bidir/eye_wave.h"
 #include "light/bidir/light_wave.h"
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -14,8 +15,9 @@ class LightPass {
 public:
     LightPass(FrameContext &, const BidirectionalPlan &, SampleSink &);
 
-    /// Follows the light paths that belong to the samples [first, last) of all the frame's pixels.
-    void run(int first, int last);
+    /// Follows the light paths that belong to the samples [first, last) of all the frame's pixels;
+    /// none that would begin after `isStopped`.
+    void run(int first, int last, const std::function<bool()> &isStopped);
     const LightVertices &vertices() const { return vertices_; }
     /// How often each technique is tried with them.
     const TechniqueCounts &counts() const { return counts_; }

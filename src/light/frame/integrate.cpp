@@ -82,18 +82,119 @@ int partEnd(const BidirectionalPlan &plan, int first) {
     return plan.merging.isUsed() ? std::min(plan.merging.roundEnd(first), last) : last;
 }
 
-void renderTile(Worker &worker, const Tile &tile, int first, int last, SampleSink &sink) {
+void renderTile(Worker &worker, const Tile &tile, int first, int last) {
     pixelsOf(tile, worker.x, worker.y);
     startCamera(*worker.wave, int(worker.x.size()), worker.x.data(), worker.y.data(), first, last);
     follow(*worker.wave);
-    bringSamples(*worker.wave, sink);
 }
+
+/// Lets samples by; splats as the frame's progress has it, and none that have come before.
+class SplatGate : public SampleSink {
+public:
+    SplatGate(SampleSink &sink, FrameProgress &progress) : sink_(sink), progress_(progress) {}
+
+    std::span<const ChannelInfo> channels() const override { return sink_.channels(); }
+    void add(const SampleBatch &batch) override { sink_.add(batch); }
+    void add(const SplatBatch &batch) override {
+        if (!progress_.hasLightPaths())
+            progress_.bring([&] { sink_.add(batch); });
+    }
+
+private:
+    SampleSink &sink_;
+    FrameProgress &progress_;
+};
+
+/// A frame's passes, with all that is made for them once.
+class FramePasses {
+public:
+    FramePasses(FrameContext &frame, const BidirectionalPlan &plan, SampleSink &sink,
+                FrameProgress &progress)
+        : frame_(frame), plan_(plan), sink_(sink), progress_(progress), gate_(sink, progress),
+          workers_(std::size_t(std::max(1, threadCount()))) {
+        if (plan.lightPaths > 0)
+            lightPaths_ = std::make_unique<LightPass>(frame, plan, gate_);
+    }
+
+    void run() {
+        const int end = frame_.settings.lastSample;
+        for (int first = progress_.firstSample(), last; first < end; first = last) {
+            last = std::min(partEnd(plan_, first), end);
+            run(first, last);
+            if (progress_.isStopped())
+                return;
+        }
+        progress_.beginPass(end, 0);
+    }
+
+private:
+    void run(int first, int last) {
+        const std::vector<Tile> tiles = tilesOver(frame_.settings.crop, tileSize(last - first));
+        progress_.beginPass(first, tiles.size());
+        if (lightPaths_ && !followLightPaths(first, last))
+            return;
+        std::atomic<std::size_t> next{0}, done{0};
+        parallelFor(workers_.size(), [&](std::size_t thread) {
+            Worker &worker = workerOf(thread);
+            for (std::size_t at; !progress_.isStopped() && (at = next++) < tiles.size();) {
+                if (!progress_.isTaken(at)) {
+                    renderTile(worker, tiles[at], first, last);
+                    progress_.bringTile(at, [&] { bringSamples(*worker.wave, sink_); });
+                }
+                report(first + double(++done) / double(tiles.size()) * (last - first));
+            }
+        });
+    }
+
+    /// False if the pass is stopped amid them. Those whose light has come are followed again, since
+    /// camera paths are connected with them.
+    bool followLightPaths(int first, int last) {
+        const bool haveCome = progress_.hasLightPaths();
+        if (!haveCome)
+            progress_.beginLightPaths();
+        lightPaths_->run(first, last, [&] { return progress_.isStopped(); });
+        if (progress_.isStopped())
+            return false;
+        if (!haveCome)
+            progress_.endLightPaths();
+        return true;
+    }
+
+    Worker &workerOf(std::size_t thread) {
+        std::unique_ptr<Worker> &worker = workers_[thread];
+        if (!worker)
+            worker = std::make_unique<Worker>(makeWave());
+        if (lightPaths_)
+            worker->wave->subpaths->counts = lightPaths_->counts();
+        return *worker;
+    }
+
+    std::unique_ptr<PathWave> makeWave() {
+        if (!lightPaths_)
+            return std::make_unique<PathWave>(frame_);
+        return std::make_unique<EyeWave>(frame_, plan_.counts(), lightPaths_->vertices(),
+                                         plan_.connections);
+    }
+
+    void report(double samples) const {
+        if (frame_.settings.progress)
+            frame_.settings.progress(samples / frame_.settings.lastSample);
+    }
+
+    FrameContext &frame_;
+    const BidirectionalPlan &plan_;
+    SampleSink &sink_;
+    FrameProgress &progress_;
+    SplatGate gate_;
+    std::unique_ptr<LightPass> lightPaths_;
+    std::vector<std::unique_ptr<Worker>> workers_; ///< One a thread.
+};
 
 } // namespace
 
 void integrate(const Scene &scene, const IntegratorSettings &settings,
-               const PixelFilterSampler &filter, SampleSink &sink, TransportStatistics &statistics,
-               DiagnosticSink &diagnostics) {
+               const PixelFilterSampler &filter, SampleSink &sink, FrameProgress &progress,
+               TransportStatistics &statistics, DiagnosticSink &diagnostics) {
     IntegratorSettings taken = settings;
     FrameContext frame(scene, taken, filter, sink.channels(), statistics, diagnostics);
     BidirectionalPlan plan;
@@ -110,37 +211,7 @@ void integrate(const Scene &scene, const IntegratorSettings &settings,
         statistics.solver = solution->statistics();
         frame.solution = solution.get();
     }
-    std::unique_ptr<LightPass> lightPaths;
-    if (plan.lightPaths > 0)
-        lightPaths = std::make_unique<LightPass>(frame, plan, sink);
-    const auto makeWave = [&]() -> std::unique_ptr<PathWave> {
-        if (!lightPaths)
-            return std::make_unique<PathWave>(frame);
-        return std::make_unique<EyeWave>(frame, plan.counts(), lightPaths->vertices(),
-                                         plan.connections);
-    };
-    std::vector<std::unique_ptr<Worker>> workers(std::max(1, threadCount()));
-    const double samples = settings.lastSample - settings.firstSample;
-    for (int first = settings.firstSample, last; first < settings.lastSample; first = last) {
-        last = std::min(partEnd(plan, first), settings.lastSample);
-        const std::vector<Tile> tiles = tilesOver(settings.crop, tileSize(last - first));
-        std::atomic<std::size_t> next{0}, done{0};
-        if (lightPaths)
-            lightPaths->run(first, last);
-        parallelFor(workers.size(), [&](std::size_t thread) {
-            if (!workers[thread])
-                workers[thread] = std::make_unique<Worker>(makeWave());
-            if (lightPaths)
-                workers[thread]->wave->subpaths->counts = lightPaths->counts();
-            for (std::size_t at; (at = next++) < tiles.size();) {
-                renderTile(*workers[thread], tiles[at], first, last, sink);
-                const double share = double(++done) / double(tiles.size());
-                if (settings.progress)
-                    settings.progress((first - settings.firstSample + share * (last - first)) /
-                                      samples);
-            }
-        });
-    }
+    FramePasses(frame, plan, sink, progress).run();
 }
 
 } // namespace candela

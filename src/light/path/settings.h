@@ -80,8 +80,7 @@ struct BidirectionalWishes {
 
 struct IntegratorSettings {
     IntegratorKind kind = IntegratorKind::Path;
-    int firstSample = 0; ///< Of each pixel; the first of a pass.
-    int lastSample = 4;  ///< One beyond; the samples of a pixel so far are then as many.
+    int lastSample = 4; ///< Samples of each pixel; one beyond the last.
     std::uint32_t seed = 0;
     int maxDepth = 64;           ///< Reflections and refractions along a path.
     bool hemisphereOnly = false; ///< --sampling hemisphere: ignore the shaders' cones.

@@ -7,6 +7,7 @@
 #include "foundation/base/motion_steps.h"
 #include "foundation/base/parallel.h"
 #include "interface/ri/search_path.h"
+#include "language/jit/function_hash.h"
 #include "world/shading/instance_values.h"
 #include "world/shading/light_stand_in.h"
 #include "world/shading/shader_source.h"
@@ -404,6 +405,21 @@ bool ShaderLibrary::hasShadowMap(const std::string &name) const {
 void ShaderLibrary::bindRays(const RayAnswers *rays) { state_->answers->bindRays(rays); }
 
 std::vector<std::shared_ptr<ShaderCode>> ShaderLibrary::all() const { return state_->inOrder; }
+
+std::string ShaderLibrary::fingerprint() const {
+    std::vector<std::string> texts;
+    for (const std::shared_ptr<ShaderCode> &code : state_->inOrder) {
+        ContentHash hash;
+        hash.add(code->name());
+        addFunction(hash, code->shader().whole);
+        texts.push_back(hash.text());
+    }
+    std::ranges::sort(texts);
+    ContentHash hash;
+    for (const std::string &text : texts)
+        hash.add(text);
+    return hash.text();
+}
 
 Jit::Statistics ShaderLibrary::statistics() const { return state_->jit->statistics(); }
 

@@ -83,6 +83,9 @@ public:
     /// All specialisations so far, for binding spaces and categories.
     std::vector<std::shared_ptr<ShaderCode>> all() const;
     Jit::Statistics statistics() const;
+    /// What they do, of all specialisations so far: the same for the same shaders, whatever the
+    /// order of their coming.
+    std::string fingerprint() const;
 
 private:
     struct State;
