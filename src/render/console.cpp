@@ -102,7 +102,7 @@ void Console::end(const std::string &summary) {
     if (showProgress_)
         std::fprintf(stderr, "%s (%.2f s)\n", summary.c_str(), elapsed());
     if (tellResults_)
-        std::printf("%s (%.2f s)\n", summary.c_str(), elapsed());
+        std::printf("%s\n", summary.c_str()); // Without the time: the same for the same render.
 }
 
 } // namespace candela

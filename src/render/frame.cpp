@@ -6,6 +6,7 @@
 #include "image/film_maps.h"
 #include "image/imager.h"
 #include "image/kept_samples.h"
+#include "light/frame/darkness.h"
 #include "render/filtering.h"
 #include "render/frame_film.h"
 #include "render/frame_settings.h"
@@ -122,6 +123,24 @@ bool tellOfEnd(const FrameJob &job, FrameEnd end, const Film &film, FrameDescrip
     return true;
 }
 
+/// A black picture says why.
+void explainBlack(const FrameJob &job, const Film &film) {
+    constexpr int color = 0, opacity = 1; // Of every film's channels.
+    const auto isZero = [&](int channel) {
+        for (int c = 0; c < colorSamples; ++c)
+            for (const float value : film.mean(channel, c))
+                if (value != 0)
+                    return false;
+        return true;
+    };
+    const bool shows = std::ranges::any_of(
+        job.displays, [](const PlannedDisplay &display) { return !holdsDepths(display.record); });
+    if (shows && film.sampleCounts().least > 0 && film.nonFiniteSamples() == 0 && isZero(color))
+        job.listeners.diagnostics.warning(
+            {},
+            "the picture is black: " + whyBlack(job.scene, job.integrator.crop, isZero(opacity)));
+}
+
 void writePictures(const FrameJob &job, const PictureShaders &shaders,
                    const FrameDescription &description, const Film &film,
                    const FilteredPicture *filtered) {
@@ -198,6 +217,7 @@ FrameEnd makePicture(const FrameJob &job, const PictureShaders &shaders,
     FrameDescription description = job.description;
     if (!tellOfEnd(job, end, film, description))
         return end;
+    explainBlack(job, film);
     FilteredPicture filtered;
     if (sinks.samples)
         filtered.maps.set(samplesMap, sinks.samples->take());

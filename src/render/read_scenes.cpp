@@ -5,6 +5,7 @@
 #include "interface/ri/graphics_state.h"
 #include "interface/rib/fingerprint_sink.h"
 #include "interface/rib/rib_reader.h"
+#include "light/frame/light_warnings.h"
 #include "light/frame/shader_warnings.h"
 #include "render/shader_folders.h"
 #include "render/texture_orders.h"
@@ -83,7 +84,7 @@ struct SceneReading::State {
           SceneReceiver receive)
         : name(name), listeners(listeners), receive(std::move(receive)),
           shaders(libraryFor(name, settings, listeners.diagnostics)),
-          warnings(listeners.diagnostics),
+          shaderWarnings(listeners.diagnostics), lightWarnings(listeners.diagnostics),
           world(shaders, listeners.diagnostics, [this](const Scene &scene) { take(scene); }),
           graphics(world, shaders, listeners.diagnostics,
                    stateSettings(name, settings, listeners.diagnostics)),
@@ -93,7 +94,8 @@ struct SceneReading::State {
 
     void take(const Scene &scene) {
         sawWorld = true;
-        warnings.look(scene);
+        shaderWarnings.look(scene);
+        lightWarnings.look(scene);
         if (!listeners.diagnostics.stopped())
             receive(scene, shaders, fingerprint ? fingerprint->text() : std::string());
     }
@@ -102,7 +104,8 @@ struct SceneReading::State {
     const FrameListeners listeners;
     SceneReceiver receive;
     ShaderLibrary shaders;
-    ShaderWarnings warnings;
+    ShaderWarnings shaderWarnings;
+    LightWarnings lightWarnings;
     SceneCompiler world;
     GraphicsState graphics;
     FrameChooser chooser;

@@ -212,7 +212,9 @@ TEST_F(BadInput, OptionsThatCannotBeUnderstood) {
                                                       {rib, "--integrator", "magic"},
                                                       {rib, "--sampling", "sphere"},
                                                       {rib, "--threads", "-1"},
-                                                      {rib, "second.rib"},
+                                                      {rib, "--frames", "two"},
+                                                      {rib, "--time-limit", "-1"},
+                                                      {rib, "--every", "0"},
                                                       {"diff"},
                                                       {"diff", "a.exr"}};
     for (const auto &arguments : wrong) {

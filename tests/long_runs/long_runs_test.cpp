@@ -22,7 +22,7 @@ std::string world(int samples, const std::string &options = "") {
            " 1\nProjection \"perspective\" \"fov\" 40\n" + options +
            "WorldBegin\n"
            "AttributeBegin AreaLightSource \"arealight\" 1 \"radiance\" [9]\n"
-           "Translate 0 3 6 Rotate 90 1 0 0 Disk 0 1 360 AttributeEnd\n"
+           "Translate 0 3 6 Rotate 90 1 0 0 Disk 0 1 360 AttributeEnd\nIlluminate 1 1\n"
            "Surface \"matte\"\nTranslate 0 0 6\nSphere 1 -1 1 360\n"
            "Translate 0 -1 0\nRotate -90 1 0 0\nDisk 0 10 360\nWorldEnd\n";
 }

@@ -134,6 +134,8 @@ void LightBuilder::declare(const std::vector<std::shared_ptr<const LightRecord>>
         told.push_back(library_.parametersTold(ShaderKind::Light, shader, state_.options,
                                                ir::LightRule::Classic));
         SceneLight light;
+        light.title = "light \"" + record->handle + "\" (\"" + record->shader.name + "\")";
+        light.where = record->shader.parameters.where;
         LightTags tags;
         auto instance = library_.instance(ShaderKind::Light, shader, state_.options,
                                           ir::LightRule::Classic, {});
@@ -190,6 +192,7 @@ void LightBuilder::attach(const PlacedShape &placed) {
     SceneLight emitter;
     emitter.kind = LightKind::Emitter;
     emitter.shader = {code.code, appearance.parameterOffset};
+    emitter.title = "a surface with shader \"" + code.code->name() + "\"";
     lights.push_back(std::move(emitter));
     tags_.emplace_back();
     sources_.emplace_back(), appearances_.emplace_back();

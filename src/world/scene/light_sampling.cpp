@@ -541,6 +541,29 @@ void Lights::sample(LightGroup group, const LightQuery &query, LightSamples &sam
     answer(*state_, blockOf(query, source, probability, query.position[0], samples), own);
 }
 
+/// For any shape but its own.
+static bool isOnForOthers(const SceneState &state, int light) {
+    const PointTables &points = state.points;
+    for (std::size_t i = 0; i < points.appearances.size(); ++i) {
+        const auto &own = points.details[i].attributes->areaLight;
+        if (state.lights.on(points.appearances[i].lightSet, light + 1) &&
+            !(own && own->index == light))
+            return true;
+    }
+    return false;
+}
+
+LightFacts Lights::facts(int index) const {
+    const SceneLight &light = state_->lights.lights[index];
+    return {light.title,
+            light.where,
+            light.kind != LightKind::None,
+            light.kind == LightKind::None && light.shader.code != nullptr,
+            isOnForOthers(*state_, index),
+            light.kind == LightKind::Ambient,
+            light.castsShadow};
+}
+
 void Lights::sampleOne(int index, const LightQuery &query, LightSamples &samples) const {
     if (query.count == 0)
         return;

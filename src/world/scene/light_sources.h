@@ -3,6 +3,7 @@
 // choose among sources, aim at elements, and shaders are asked about lights.
 #pragma once
 
+#include "foundation/base/diagnostics.h"
 #include "world/lights/light_choice.h"
 #include "world/points/point_tables.h"
 #include "world/scene/lights.h"
@@ -10,6 +11,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace candela {
@@ -92,6 +94,9 @@ struct SceneLight {
     float spread = 3.14159274f;     ///< Nearly all of its light leaves within this of the axis.
     LightSides sides = LightSides::Both;
     double power = 0; ///< An estimate; W, or what would be W for classic units.
+    /// For messages: 'light "key" ("pointlight")', and where it stands.
+    std::string title{};
+    SourceLocation where{};
 
     bool finite() const { return kind == LightKind::Area || kind == LightKind::Emitter; }
     bool hasGeometry() const { return finite() || kind == LightKind::ClassicArea; }

@@ -2,6 +2,7 @@
 // Light sampling as estimators see it: points ask, samples answer, in batches.
 #pragma once
 
+#include "foundation/base/diagnostics.h"
 #include "foundation/base/planes.h"
 #include "foundation/base/vec3.h"
 #include "foundation/units/color.h"
@@ -10,6 +11,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace candela {
@@ -63,6 +65,17 @@ struct LightSamples {
     std::array<float *, 3> normal{};
 };
 
+/// What is told of a light in messages.
+struct LightFacts {
+    std::string title; ///< 'light "key" ("pointlight")'
+    SourceLocation where;
+    bool isThere = false;     ///< It has something to shine with; a faulty shader has not,
+    bool lacksShapes = false; ///< nor has an area light around no shape.
+    bool isEverOn = false;    ///< For any shape but its own.
+    bool isAmbient = false;
+    bool castsShadow = false;
+};
+
 /// The lights of a scene: samples of them, what they emit, and how likely samples would have met
 /// what a ray has.
 class Lights {
@@ -81,6 +94,7 @@ public:
     /// that cast no shadows hide nothing but parts of themselves.
     int count() const;
     void sampleOne(int index, const LightQuery &, LightSamples &) const;
+    LightFacts facts(int index) const;
     /// pdf[i] per steradian with which sample(), asked by `query` (of which count, P, N,
     /// lightSet and scattered are read), would have sent to the points, which rays from query.P
     /// have met on elements at `elementPoint`. 0 where the point is no light, or off.

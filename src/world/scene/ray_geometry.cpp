@@ -106,6 +106,7 @@ void measure(const std::vector<RayShape> &meshes, std::span<const std::uint32_t>
     }
     state.statistics.primitives = meshes.size();
     state.statistics.instances = points.instances.size();
+    state.bound = box;
     if (!box.empty()) {
         state.centre = box.centre();
         state.radius = std::max(length(box.extent()) / 2, 1e-6f);

@@ -90,6 +90,7 @@ bool Scene::isClassic() const { return state_->classic; }
 bool Scene::isBidirectional() const { return state_->bidirectional; }
 bool Scene::isSolved() const { return state_->solved; }
 Lights Scene::lights() const { return Lights(*state_); }
+const Box3 &Scene::bound() const { return state_->bound; }
 SurfaceDomains Scene::domains() const { return SurfaceDomains(*state_); }
 Scene::Statistics Scene::statistics() const {
     Statistics statistics = state_->statistics;

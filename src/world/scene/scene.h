@@ -122,6 +122,8 @@ public:
     std::string whyVolumesStopLightPaths() const;
 
     Lights lights() const;
+    /// Around all shapes, current space; empty if there are none.
+    const Box3 &bound() const;
     /// Surfaces by their parameters.
     SurfaceDomains domains() const;
 

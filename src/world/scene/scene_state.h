@@ -39,7 +39,8 @@ struct SceneState {
     /// Samples of lights that were not finite, and counted as 0.
     mutable std::atomic<std::uint64_t> nonFiniteLight = 0;
     Scene::Statistics statistics;
-    Vec3 centre; ///< Of a sphere around the scene, current space.
+    Box3 bound;  ///< Of the scene, current space; empty if there is nothing.
+    Vec3 centre; ///< Of a sphere around it.
     float radius = 1;
 
     /// Numbers the bins, once it is known what is a light.
