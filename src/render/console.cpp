@@ -96,6 +96,14 @@ void Console::show(const std::string &line) {
     lineShown_ = true;
 }
 
+void Console::remark(const std::string &words) {
+    std::lock_guard lock(mutex_);
+    if ((!showProgress_ && !tellResults_) || !remarks_.insert(words).second)
+        return;
+    clearLine();
+    std::fprintf(showProgress_ ? stderr : stdout, "note: %s\n", words.c_str());
+}
+
 void Console::end(const std::string &summary) {
     std::lock_guard lock(mutex_);
     clearLine();

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <chrono>
 #include <mutex>
+#include <set>
 #include <string>
 
 namespace candela {
@@ -33,6 +34,8 @@ public:
     /// What a task of several steps is at, and the share of that step that is done; negative where
     /// nobody knows it. The clock goes on.
     void step(const std::string &name, double done);
+    /// What users may like to know of what has been made; the same words are said once.
+    void remark(const std::string &);
     /// Ends the task and leaves a line of what it was and how long it took.
     void end(const std::string &summary);
 
@@ -48,6 +51,7 @@ private:
     std::mutex mutex_;
     DiagnosticLimit limit_;
     std::string task_;
+    std::set<std::string> remarks_; ///< That have been made.
     Clock::time_point start_, lastShown_;
     double done_ = 0;
     bool lineShown_ = false;

@@ -7,6 +7,7 @@
 #include "image/imager.h"
 #include "image/kept_samples.h"
 #include "light/frame/darkness.h"
+#include "light/frame/light_warnings.h"
 #include "render/filtering.h"
 #include "render/frame_film.h"
 #include "render/frame_settings.h"
@@ -150,6 +151,11 @@ void writePictures(const FrameJob &job, const PictureShaders &shaders,
         imaged = shaders.imager->run(sources, job.listeners.diagnostics);
         sources.imaged = &*imaged;
     }
+    if (lightsCastNoShadows(job.scene))
+        job.listeners.console.remark(
+            "lights cast no shadows under the integrator \"classic\", unless Attribute \"light\" "
+            "\"string shadows\" \"on\" stands before them or their shaders look them up; "
+            "--integrator path casts them all");
     report(writeDisplays(sources, job.displays, job.scene.options(), description,
                          job.listeners.diagnostics),
            job.listeners.console);

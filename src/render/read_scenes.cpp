@@ -84,7 +84,7 @@ struct SceneReading::State {
           SceneReceiver receive)
         : name(name), listeners(listeners), receive(std::move(receive)),
           shaders(libraryFor(name, settings, listeners.diagnostics)),
-          shaderWarnings(listeners.diagnostics), lightWarnings(listeners.diagnostics),
+          shaderWarnings(listeners.diagnostics),
           world(shaders, listeners.diagnostics, [this](const Scene &scene) { take(scene); }),
           graphics(world, shaders, listeners.diagnostics,
                    stateSettings(name, settings, listeners.diagnostics)),
@@ -95,7 +95,7 @@ struct SceneReading::State {
     void take(const Scene &scene) {
         sawWorld = true;
         shaderWarnings.look(scene);
-        lightWarnings.look(scene);
+        warnOfLights(scene, listeners.diagnostics);
         if (!listeners.diagnostics.stopped())
             receive(scene, shaders, fingerprint ? fingerprint->text() : std::string());
     }
@@ -105,7 +105,6 @@ struct SceneReading::State {
     SceneReceiver receive;
     ShaderLibrary shaders;
     ShaderWarnings shaderWarnings;
-    LightWarnings lightWarnings;
     SceneCompiler world;
     GraphicsState graphics;
     FrameChooser chooser;

@@ -70,6 +70,15 @@ std::string Outcome::text() const {
     return how + "\nstdout:\n" + out + "\nstderr:\n" + err;
 }
 
+std::string Outcome::errBesidesBlack() const {
+    std::istringstream lines(err);
+    std::string rest;
+    for (std::string line; std::getline(lines, line);)
+        if (!line.starts_with("warning: the picture is black"))
+            rest += line + "\n";
+    return rest;
+}
+
 std::string candelaProgram() { return CANDELA_BINARY_DIR "/bin/candela"; }
 
 double timeScale() {

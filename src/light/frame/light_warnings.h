@@ -6,17 +6,10 @@
 
 namespace candela {
 
-class LightWarnings {
-public:
-    explicit LightWarnings(DiagnosticSink &diagnostics) : diagnostics_(diagnostics) {}
+/// Warns of lights that are on for no shape but their own, and of area lights around none.
+void warnOfLights(const Scene &, DiagnosticSink &);
 
-    /// Warns of lights that are on for no shape, and of area lights around none. Notes, once, that
-    /// lights cast no shadows under `classic` unless they are told to.
-    void look(const Scene &);
-
-private:
-    DiagnosticSink &diagnostics_;
-    bool hasSpokenOfShadows_ = false;
-};
+/// There are lights, and none of them casts shadows (`classic`, unless it is told to).
+bool lightsCastNoShadows(const Scene &);
 
 } // namespace candela
