@@ -288,7 +288,10 @@ TEST_F(BadInput, UnknownIntegratorHasAPlace) {
     rib.replace(rib.find("\"path\""), 6, "\"magic\"");
     Outcome run = render(rib);
     EXPECT_EQ(run.status, 1) << run.text();
-    EXPECT_TRUE(run.says("scene.rib:5:1: error: Option: there is no integrator \"magic\""))
+    EXPECT_TRUE(
+        run.says("scene.rib:5:1: error: Option: \"render\" \"integrator\" is how light is") &&
+        run.says("one of \"path\", \"bidir\", \"vcm\", \"radiosity\", \"classic\", and "
+                 "not \"magic\""))
         << run.text();
     expectDisc();
 }

@@ -239,7 +239,7 @@ TEST(Radiosity, WrongOptionsAreNamed) {
                      "Option \"radiosity\" \"integer order\" [7]\nWorldBegin\nWorldEnd\n");
     const Outcome outcome = runCandela({folder.path("scene.rib"), "--output-dir", folder.path("")});
     EXPECT_EQ(outcome.status, 1);
-    EXPECT_TRUE(outcome.says("there is no final pass \"best\"")) << outcome.text();
+    EXPECT_TRUE(outcome.says("\"fe\", \"fe+direct\", \"gather\", and not \"best\"")) << outcome.text();
     EXPECT_TRUE(outcome.says("\"radiosity\" \"epsilon\" is")) << outcome.text();
     EXPECT_TRUE(outcome.says("\"radiosity\" \"order\" is")) << outcome.text();
 }

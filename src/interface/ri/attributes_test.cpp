@@ -93,8 +93,8 @@ TEST_F(State, unitsOfLightsComeFromTheAttributeThenTheOption) {
     EXPECT_TRUE(lights[2]->shadows);
     EXPECT_EQ(lights[3]->units, LightUnits::Si);
     EXPECT_FALSE(lights[3]->shadows);
-    EXPECT_EQ(lights[4]->units, LightUnits::Classic);
-    EXPECT_EQ(warnings(), 1);
+    EXPECT_EQ(lights[4]->units, LightUnits::Si);
+    EXPECT_EQ(errors(), 1);
 }
 
 TEST_F(State, shadersCarryTheirSpaceAndTypedParameters) {

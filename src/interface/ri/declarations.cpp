@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "interface/ri/declarations.h"
 
+#include "interface/ri/state_parameters.h"
+
 #include <charconv>
 #include <iterator>
 #include <utility>
@@ -158,8 +160,7 @@ std::optional<Declaration> Dictionary::declaredByUser(const std::string &name) c
 }
 
 std::optional<Declaration> Dictionary::standard(const std::string &name) {
-    // RI 3.2, appendix A.2 ("predeclared"), with the tokens of the usual implementation-specific
-    // options and attributes.
+    // RI 3.2, appendix A.2 ("predeclared").
     static const auto table = [] {
         constexpr std::pair<std::string_view, std::string_view> lines[] = {
             {"P", "vertex point"},
@@ -197,58 +198,6 @@ std::optional<Declaration> Dictionary::standard(const std::string &name) {
             {"dither", "float"},
             {"halfbuffers", "integer"},
             {"fov", "float"},
-            {"searchpath:shader", "string"},
-            {"searchpath:texture", "string"},
-            {"searchpath:archive", "string"},
-            {"searchpath:procedural", "string"},
-            {"searchpath:display", "string"},
-            {"searchpath:resource", "string"},
-            {"limits:bucketsize", "integer[2]"},
-            {"limits:gridsize", "integer"},
-            {"limits:texturememory", "integer"},
-            {"limits:eyesplits", "integer"},
-            {"limits:othreshold", "color"},
-            {"limits:zthreshold", "color"},
-            {"statistics:endofframe", "integer"},
-            {"shadow:bias", "float"},
-            {"shadow:bias0", "float"},
-            {"shadow:bias1", "float"},
-            {"render:integrator", "string"},
-            {"radiometry:units", "string"},
-            {"shading:highlights", "string"},
-            {"shading:loopturns", "integer"},
-            {"radiosity:finalpass", "string"},
-            {"trace:maxdepth", "integer"},
-            {"bidir:lightpaths", "float"},
-            {"bidir:connections", "integer"},
-            {"bidir:trust", "float"},
-            {"radiosity:contrast", "float"},
-            {"radiosity:epsilon", "float"},
-            {"radiosity:finalpass", "string"},
-            {"radiosity:leastelement", "float"},
-            {"radiosity:order", "integer"},
-            {"radiosity:samples", "integer"},
-            {"vcm:radius", "float"},
-            {"vcm:trust", "float"},
-            {"light:units", "string"},
-            {"light:shadows", "string"},
-            {"identifier:name", "string"},
-            {"identifier:shadinggroup", "string"},
-            {"displacementbound:sphere", "float"},
-            {"displacementbound:coordinatesystem", "string"},
-            {"displacementbound:space", "string"},
-            {"trace:displacements", "integer"},
-            {"trace:bias", "float"},
-            {"trace:decimationrate", "integer"},
-            {"trace:maxdiffusedepth", "integer"},
-            {"trace:maxspeculardepth", "integer"},
-            {"trace:samplemotion", "integer"},
-            {"render:truedisplacement", "integer"},
-            {"dice:binary", "integer"},
-            {"dice:hair", "integer"},
-            {"dice:rasterorient", "integer"},
-            {"cull:hidden", "integer"},
-            {"cull:backfacing", "integer"},
         };
         std::map<std::string_view, Declaration> result;
         for (auto [token, declaration] : lines)
@@ -257,7 +206,7 @@ std::optional<Declaration> Dictionary::standard(const std::string &name) {
     }();
     auto found = table.find(name);
     if (found == table.end())
-        return std::nullopt;
+        return typeOfStateParameter(name);
     return found->second;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Attributes but for shaders and lights (RI 3.2, section 4.2).
 #include "interface/ri/state_handlers.h"
+#include "interface/ri/state_parameters.h"
 #include "interface/ri/trim_record.h"
 
 #include <algorithm>
@@ -179,12 +180,6 @@ void StateHandlers::basis(const SourceLocation &where, const BasisArgument &u, i
     state_.edit().vBasis = *vBasis;
 }
 
-static bool isKnownCasting(const Parameter &parameter) {
-    constexpr std::array known{"none", "opaque", "Os", "shade"};
-    return parameter.strings.size() == 1 &&
-           std::ranges::find(known, parameter.strings.front()) != known.end();
-}
-
 void StateHandlers::trimCurve(const SourceLocation &where, const Integers &curveCounts,
                               const Integers &orders, const Floats &knots, const Floats &minima,
                               const Floats &maxima, const Integers &pointCounts, const Floats &u,
@@ -200,13 +195,8 @@ void StateHandlers::trimCurve(const SourceLocation &where, const Integers &curve
 void StateHandlers::attribute(const SourceLocation &where, const std::string &category,
                               const TokenList &tokens) {
     for (Parameter &parameter : parameters_.ofCategory(tokens, "Attribute", category)) {
-        if (category == "render" && parameter.name == "casts_shadows" &&
-            !isKnownCasting(parameter)) {
-            diagnostics_.error(where, "Attribute",
-                               "casts_shadows: expected \"none\", \"opaque\", \"Os\" or \"shade\"; "
-                               "the attribute is left out");
+        if (!checkStateParameter(diagnostics_, where, "Attribute", category, parameter))
             continue;
-        }
         if (category == "identifier" && parameter.name == "name" && !parameter.strings.empty())
             state_.edit().name = parameter.strings.front();
         std::string name = category + ":" + parameter.name;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Options (RI 3.2, section 4.1).
-#include "interface/ri/option_checks.h"
 #include "interface/ri/search_path.h"
 #include "interface/ri/state_handlers.h"
+#include "interface/ri/state_parameters.h"
 
 #include <algorithm>
 #include <cmath>
@@ -284,7 +284,7 @@ static void expandSearchPath(Parameter &path, const GraphicsStateSettings::Searc
 void StateHandlers::option(const SourceLocation &where, const std::string &category,
                            const TokenList &tokens) {
     for (Parameter &parameter : parameters_.ofCategory(tokens, "Option", category)) {
-        if (!checkOption(diagnostics_, where, category, parameter))
+        if (!checkStateParameter(diagnostics_, where, "Option", category, parameter))
             continue;
         if (category == "searchpath" && !parameter.strings.empty())
             expandSearchPath(parameter, settings_.searchPaths, state_.options, where);

@@ -9,7 +9,7 @@ TEST_F(Reading, everyMistakeIsReportedAtItsPlaceAndTheRestIsRead) {
         const char *bad, *message;
         int primitives; ///< Beside the disk that follows.
     } cases[] = {
-        {"Spere 1 -1 1 360", ":2:1: error: unknown request 'Spere'", 0},
+        {"Spere 1 -1 1 360", ":2:1: error: unknown request 'Spere'; did you mean 'Sphere'?", 0},
         {"Foo 1 [2] \"x\" Bar 3", ":2:1: error: unknown request 'Foo'", 0},
         {"3 4 Sphere 1 -1 1 360", ":2:1: error: WorldBegin: expected the next request after 0", 1},
         {"Sphere 1 -1 1",

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "interface/rib/request_names.h"
 
+#include "foundation/base/suggestion.h"
+
 #include <unordered_map>
+#include <vector>
 
 namespace candela {
 
@@ -15,6 +18,13 @@ std::optional<RequestId> requestNamed(std::string_view name) {
     }();
     auto found = ids.find(name);
     return found == ids.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::string requestSuggestion(const std::string &name) {
+    std::vector<std::string> names;
+    for (const RequestDescription &request : requestTable())
+        names.emplace_back(request.name);
+    return suggestion(name, names);
 }
 
 } // namespace candela

@@ -48,7 +48,8 @@ void RequestReader::readRequest() {
         return dispatch(id.value(), name.where);
     }
     if (!skips)
-        diagnostics_.error(name.where, word ? "unknown request '" + name.text + "'"
+        diagnostics_.error(name.where, word ? "unknown request '" + name.text + "'" +
+                                                  requestSuggestion(name.text)
                                             : "expected the name of a request");
     cursor_.next();
     cursor_.skipToRequest();

@@ -3,6 +3,8 @@
 // parameter may be called exp and exp() still be called.
 #pragma once
 
+#include "foundation/base/suggestion.h"
+
 #include <map>
 #include <memory>
 #include <optional>
@@ -59,8 +61,5 @@ private:
     std::map<std::string, std::vector<FunctionDefinition *>> functions_;
     std::vector<std::unique_ptr<Scope>> inner_;
 };
-
-/// "; did you mean 'x'?" with the candidate that is nearest to the word, or "" if none is near.
-std::string suggestion(const std::string &word, const std::vector<std::string> &candidates);
 
 } // namespace candela::sl
