@@ -48,6 +48,8 @@ struct LightRecord {
     ShaderRecord shader;
     LightUnits units = LightUnits::Classic;
     bool shadows = false; ///< Attribute "light" "string shadows" ["on"].
+    /// Illuminate has turned it off somewhere: who finds it dark has meant it.
+    std::shared_ptr<bool> isTurnedOff = std::make_shared<bool>(false);
 };
 
 /// RiBasis: a 4x4 matrix (rows = powers from u^3 down, as RI writes it) and its step.

@@ -170,6 +170,8 @@ void StateHandlers::illuminate(const SourceLocation &where, const Handle &handle
     auto found = state_.lights.byHandle.find(handle.text);
     if (found == state_.lights.byHandle.end())
         return diagnostics_.error(where, "Illuminate", "there is no light '" + handle.text + "'");
+    if (!on)
+        *state_.lights.all[std::size_t(found->second)]->isTurnedOff = true;
     std::vector<int> &lights = state_.edit().lightsOn;
     auto place = std::ranges::lower_bound(lights, found->second);
     bool isOn = place != lights.end() && *place == found->second;

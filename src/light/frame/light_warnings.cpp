@@ -13,7 +13,7 @@ void warnOfLights(const Scene &scene, DiagnosticSink &diagnostics) {
             diagnostics.warning(light.where, light.title +
                                                  " gives no light: no primitive stands between its "
                                                  "AreaLightSource and the end of its block");
-        else if (light.isThere && !light.isEverOn)
+        else if (light.isThere && !light.isEverOn && !light.isTurnedOff)
             diagnostics.warning(light.where,
                                 light.title +
                                     " shines on nothing, unless on its own shapes: a light is on "

@@ -136,6 +136,7 @@ void LightBuilder::declare(const std::vector<std::shared_ptr<const LightRecord>>
         SceneLight light;
         light.title = "light \"" + record->handle + "\" (\"" + record->shader.name + "\")";
         light.where = record->shader.parameters.where;
+        light.isTurnedOff = *record->isTurnedOff;
         LightTags tags;
         auto instance = library_.instance(ShaderKind::Light, shader, state_.options,
                                           ir::LightRule::Classic, {});

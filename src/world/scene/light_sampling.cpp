@@ -560,6 +560,7 @@ LightFacts Lights::facts(int index) const {
             light.kind != LightKind::None,
             light.kind == LightKind::None && light.shader.code != nullptr,
             isOnForOthers(*state_, index),
+            light.isTurnedOff,
             light.kind == LightKind::Ambient,
             light.castsShadow};
 }

@@ -97,6 +97,7 @@ struct SceneLight {
     /// For messages: 'light "key" ("pointlight")', and where it stands.
     std::string title{};
     SourceLocation where{};
+    bool isTurnedOff = false; ///< As LightRecord has it.
 
     bool finite() const { return kind == LightKind::Area || kind == LightKind::Emitter; }
     bool hasGeometry() const { return finite() || kind == LightKind::ClassicArea; }

@@ -72,6 +72,7 @@ struct LightFacts {
     bool isThere = false;     ///< It has something to shine with; a faulty shader has not,
     bool lacksShapes = false; ///< nor has an area light around no shape.
     bool isEverOn = false;    ///< For any shape but its own.
+    bool isTurnedOff = false; ///< Somewhere, by Illuminate.
     bool isAmbient = false;
     bool castsShadow = false;
 };
