@@ -97,7 +97,7 @@ std::string takeValue(const std::string &word, const std::vector<ParameterType> 
             all += (all.empty() ? "" : ", ") + textOf(known);
             names.push_back(known.name);
         }
-        return "has no parameter '" + name + "'" + sl::suggestion(name, names) +
+        return "has no parameter '" + name + "'" + suggestion(name, names) +
                (all.empty() ? "; it has none" : "; it has " + all);
     }
     auto parameter = valueOf(*type, text);

@@ -272,7 +272,7 @@ TEST_F(State, highlightsAreChecked) {
     for (const char *name : {"production", "ri", "shiny"})
         state.option(at, "shading", text("highlights", name));
     EXPECT_EQ(errors(), 1);
-    EXPECT_TRUE(says("the known ones are \"production\""));
+    EXPECT_TRUE(says("one of \"production\", \"ri\""));
 }
 
 TEST_F(State, depthsAreChecked) {

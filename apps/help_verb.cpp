@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "apps/shader_text.h"
+#include "apps/verbs.h"
+
+#include "foundation/base/suggestion.h"
+#include "render/console.h"
+#include "render/reference.h"
+#include "render/shader_folders.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+
+namespace candela {
+
+namespace {
+
+constexpr const char *topics =
+    "candela help WORD tells of a request, an option, an attribute, a function of the Shading "
+    "Language\nor a shader: candela help Sphere, candela help integrator, candela help noise, "
+    "candela "
+    "help plastic\n\n"
+    "  requests     all requests of the RenderMan Interface\n"
+    "  options      what Option sets\n"
+    "  attributes   what Attribute sets\n"
+    "  functions    all functions of the Shading Language\n"
+    "  filters      candela filter --list\n"
+    "  verbs        candela --help, candela VERB --help\n";
+
+/// Empty if no shader of that name is at hand.
+std::string entryOfShader(const std::string &name) {
+    Console console(Console::Words::Messages);
+    std::string problem;
+    const auto source = readShader(name, shaderFolders("", {}, console).all, problem);
+    return source ? "shader " + name + "\n    " + source->name + "; candela info " + name +
+                        " tells of its parameters"
+                  : "";
+}
+
+int tell(const std::string &word) {
+    if (word.empty()) {
+        std::fputs(topics, stdout);
+        return 0;
+    }
+    std::vector<std::string> entries = referenceOf(word);
+    if (const std::string shader = entryOfShader(word); !shader.empty())
+        entries.push_back(shader);
+    for (std::size_t k = 0; k < entries.size(); ++k)
+        std::printf("%s%s\n", k > 0 ? "\n" : "", entries[k].c_str());
+    if (!entries.empty())
+        return 0;
+    std::fprintf(stderr, "candela help: there is no entry of \"%s\"%s\n", word.c_str(),
+                 suggestion(word, referenceWords()).c_str());
+    return 1;
+}
+
+} // namespace
+
+void addHelp(CLI::App &app, int &status) {
+    auto word = std::make_shared<std::string>();
+    CLI::App *help = app.add_subcommand(
+        "help", "The reference entry of a request, option, attribute, function or shader");
+    help->footer("Exit status: 0 all went well, 1 there is no such word, 2 the command line cannot "
+                 "be understood.");
+    help->add_option("word", *word, "What to tell of; none: what there is");
+    help->callback([word, &status] { status = tell(*word); });
+}
+
+} // namespace candela

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// The reference, from the tables that the program itself goes by.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace candela {
+
+/// What there is of that name, whatever it is: requests, options and attributes (by category or
+/// name), functions of the Shading Language; an entry each. The name of a kind ("requests",
+/// "options", "attributes", "functions") has all of its kind.
+std::vector<std::string> referenceOf(const std::string &word);
+
+/// All words that have an entry.
+std::vector<std::string> referenceWords();
+
+} // namespace candela
