@@ -27,8 +27,9 @@ int main(int argc, char **argv) {
         "Exit status: 0 all went well; 1 something was wrong and has been reported, the rest "
         "was rendered; 2 the command line cannot be understood.\n"
         "See also: candela compile --help, candela info --help, candela run --help, candela diff "
-        "--help, candela merge --help, candela filter --help, candela tex --help, candela probe --help, candela cat "
-        "--help");
+        "--help, candela merge --help, candela filter --help, candela tex --help, candela probe "
+        "--help, candela cat "
+        "--help. candela help WORD tells of requests, options, functions and shaders.");
     app.get_formatter()->column_width(34);
 
     // Beyond RLIMIT_FSIZE writing just fails, as on a full disk.
@@ -44,6 +45,7 @@ int main(int argc, char **argv) {
     candela::addTex(app, status);
     candela::addProbe(app, status);
     candela::addCat(app, status);
+    candela::addHelp(app, status);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError &error) {

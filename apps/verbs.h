@@ -26,6 +26,8 @@ void addProbe(CLI::App &, int &status);
 /// `candela cat in.rib -o out.rib`
 void addCat(CLI::App &, int &status);
 
+/// `candela help WORD`
+void addHelp(CLI::App &, int &status);
 /// `candela info shader ...`
 void addInfo(CLI::App &, int &status);
 /// `candela run shader PARAM=VALUE ...`

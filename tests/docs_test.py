@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""What pages show of the program's output is what it prints today.
+"""What pages show of the program's output is what it prints today; their listings render.
 
 A fenced block that begins with "$ candela ..." shows a run from the source folder: its lines stand
 in what is printed, in this order; "..." stands for any lines, all others follow one another.
@@ -12,7 +12,9 @@ import re
 import shlex
 import subprocess
 import sys
+import tempfile
 
+LISTING = re.compile(r"^```rib\n# (\S+\.rib)\n(.*?)^```", re.MULTILINE | re.DOTALL)
 BLOCK = re.compile(r"^```\w*\n(\$ candela .*?)^```", re.MULTILINE | re.DOTALL)
 
 
@@ -48,6 +50,32 @@ def test_the_test():
     assert missing_piece(["b", "...", "a"], printed) == ["a"]
 
 
+def complaints_of_listings(page, program):
+    """The RIB files of a page, rendered as they stand: in silence, unless the page says "black"."""
+    listings = LISTING.findall(page.read_text())
+    with tempfile.TemporaryDirectory() as folder:
+        for name, rib in listings:
+            pathlib.Path(folder, name).write_text(rib)
+        for name, rib in listings:
+            if "WorldBegin" not in rib:
+                continue # An archive.
+            run = subprocess.run([program, name, "--spp", "1", "--format", "32x24"], cwd=folder,
+                                 capture_output=True, text=True)
+            silent = not run.stderr or run.stderr.startswith("warning: the picture is black")
+            if run.returncode != 0 or not silent:
+                yield f"{page}: {name}\n  exit status {run.returncode} {run.stderr}"
+            for picture in re.findall(r'Display "\+?(\S+)"', rib):
+                if not pathlib.Path(folder, picture).is_file():
+                    yield f"{page}: {name} makes no {picture}"
+
+
+def complaints_of_links(page):
+    """Links to files that are not there."""
+    for link in re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)", page.read_text()):
+        if not (page.parent / link).exists():
+            yield f"{page}: there is no {link}"
+
+
 def complaints_of(page, program, root):
     for block in BLOCK.findall(page.read_text()):
         command, *shown = block.rstrip("\n").split("\n")
@@ -65,9 +93,11 @@ def main():
         sys.exit(__doc__)
     test_the_test()
     program, root = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
-    pages = sorted(root.glob("docs/*.md")) + [root / "README.md"]
+    pages = sorted(root.glob("docs/**/*.md")) + [root / "README.md"]
     blocks = sum(len(BLOCK.findall(page.read_text())) for page in pages)
     complaints = [text for page in pages for text in complaints_of(page, program, root)]
+    complaints += [text for page in pages for text in complaints_of_listings(page, program)]
+    complaints += [text for page in pages for text in complaints_of_links(page)]
     print("\n".join(complaints))
     print(f"{len(pages)} pages, {blocks} blocks, {len(complaints)} complaints")
     sys.exit(1 if complaints or not blocks else 0)
