@@ -16,16 +16,13 @@ namespace candela {
 namespace {
 
 constexpr const char *topics =
-    "candela help WORD tells of a request, an option, an attribute, a function of the Shading "
-    "Language\nor a shader: candela help Sphere, candela help integrator, candela help noise, "
-    "candela "
-    "help plastic\n\n"
+    "candela help WORD tells of a request, an option, an attribute, a function of the Shading\n"
+    "Language or a shader: candela help Sphere, candela help integrator, candela help noise\n\n"
     "  requests     all requests of the RenderMan Interface\n"
     "  options      what Option sets\n"
     "  attributes   what Attribute sets\n"
-    "  functions    all functions of the Shading Language\n"
-    "  filters      candela filter --list\n"
-    "  verbs        candela --help, candela VERB --help\n";
+    "  functions    all functions of the Shading Language\n\n"
+    "candela filter --list tells of filters, candela --help and candela VERB --help of verbs\n";
 
 /// Empty if no shader of that name is at hand.
 std::string entryOfShader(const std::string &name) {

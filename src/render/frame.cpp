@@ -172,7 +172,9 @@ void writePictures(const FrameJob &job, const PictureShaders &shaders,
         writePictures(job, shaders, description, film, nullptr);
     }
     std::fflush(nullptr);
-    std::_Exit(end == FrameEnd::Interrupted ? statusOfInterrupt : 0);
+    std::_Exit(end == FrameEnd::Interrupted     ? statusOfInterrupt
+               : job.listeners.console.failed() ? 1
+                                                : 0);
 }
 
 /// What the samples go into: the film, or what keeps them for filters and hands them on to it.

@@ -47,7 +47,7 @@ std::string entryOf(const StateParameter &row) {
     if (row.rule == Rule::Choice)
         text += fmt::format("\n    One of {}; at first {}.", row.values, row.initial);
     if (row.rule == Rule::Number)
-        text += fmt::format("\n    From {:.6g} to {:.6g}; at first {}.", row.least, row.most,
+        text += fmt::format("\n    From {:.10g} to {:.10g}; at first {}.", row.least, row.most,
                             row.initial);
     return text;
 }
