@@ -19,6 +19,19 @@ TEST_F(Filtered, backgroundStandsBehindThePicture) {
     EXPECT_EQ(everywhere("a.exr", "A"), 1);
 }
 
+TEST_F(Filtered, imagersMayStandInTheWorld) {
+    render(smallFrame(colorFile) +
+           ballWorld("Imager \"background\" \"color\" [.25 .5 1]\nSurface \"glow\""));
+    EXPECT_EQ(at("a.exr", "R", 0, 0), .25f);
+    EXPECT_EQ(at("a.exr", "B", 0, 0), 1);
+}
+
+TEST_F(Filtered, colorsAreClampedToAlpha) {
+    render(smallFrame("Imager \"clamptoalpha\"\n" + colorFile) + ballWorld("Surface \"glow\""));
+    EXPECT_EQ(at("a.exr", "R", 0, 0), 0);
+    EXPECT_EQ(at("a.exr", "R", 8, 6), 1); // The ball shines with 2.
+}
+
 TEST_F(Filtered, imagersKnowPlaceOpacityAndTime) {
     struct Case {
         const char *options;

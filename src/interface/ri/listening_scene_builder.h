@@ -79,6 +79,9 @@ public:
     void coordinateSystem(const std::string &name, const Matrix4 &currentFromSpace) override {
         worlds.back().coordinateSystems[name] = currentFromSpace;
     }
+    void imager(std::shared_ptr<const ShaderRecord> shader) override {
+        worlds.back().options.imager = shader ? std::optional(*shader) : std::nullopt;
+    }
     void worldEnd() override { worlds.back().ended = true; }
 };
 

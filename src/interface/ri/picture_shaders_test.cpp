@@ -25,6 +25,22 @@ TEST_F(State, filtersAreStackedInTheOrderOfTheirRequests) {
     EXPECT_EQ(errors(), 0);
 }
 
+// RI freezes options at WorldBegin; files that were made for others have it behind, for the
+// picture.
+TEST_F(State, imagersWithinTheWorldCountForItsPicture) {
+    state.imager(at, "marble", {});
+    state.worldBegin(at);
+    state.imager(at, "marble", numbers("scale", {2}));
+    EXPECT_EQ(builder.worlds[0].options.imager->parameters.number("scale", 0), 2);
+    state.imager(at, "null", {});
+    EXPECT_FALSE(builder.worlds[0].options.imager);
+    state.worldEnd(at);
+    state.worldBegin(at);
+    ASSERT_TRUE(builder.worlds[1].options.imager);
+    EXPECT_EQ(builder.worlds[1].options.imager->parameters.number("scale", 0), 0);
+    EXPECT_EQ(errors() + warnings(), 0);
+}
+
 TEST_F(State, framesSaveAndRestoreFiltersAndImager) {
     state.pushFilter(at, "all", {});
     state.imager(at, "clouds", {});

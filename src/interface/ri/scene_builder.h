@@ -48,6 +48,8 @@ public:
     virtual void solidEnd() = 0;
     /// A coordinate system named inside the world block.
     virtual void coordinateSystem(const std::string &name, const Matrix4 &currentFromSpace) = 0;
+    /// An imager given within the world, which counts for its picture; null: none.
+    virtual void imager(std::shared_ptr<const ShaderRecord>) = 0;
     /// The world is complete: render it.
     virtual void worldEnd() = 0;
 };

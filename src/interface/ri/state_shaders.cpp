@@ -95,10 +95,14 @@ void StateHandlers::popFilter(const SourceLocation &where) {
 void StateHandlers::imager(const SourceLocation &where, const std::string &name,
                            const TokenList &tokens) {
     // RI 3.2, 4.1.2: the null shader is none at all.
+    std::optional<ShaderRecord> &imager = state_.options.imager;
     if (name.empty() || name == "null")
-        state_.options.imager.reset();
+        imager.reset();
     else
-        state_.options.imager = pictureShader(where, "Imager", ShaderKind::Imager, name, tokens);
+        imager = pictureShader(where, "Imager", ShaderKind::Imager, name, tokens);
+    // The options are frozen, but many files that were made for other renderers have it here.
+    if (state_.inWorld)
+        builder_.imager(imager ? std::make_shared<const ShaderRecord>(*imager) : nullptr);
 }
 
 static LightUnits lightUnits(const FrameState &state, RequestDiagnostics &diagnostics,

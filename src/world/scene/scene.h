@@ -158,6 +158,7 @@ public:
     void solidBegin(SolidOperation) override;
     void solidEnd() override;
     void coordinateSystem(const std::string &name, const Matrix4 &currentFromSpace) override;
+    void imager(std::shared_ptr<const ShaderRecord>) override;
     void worldEnd() override;
 
 private:

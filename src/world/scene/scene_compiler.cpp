@@ -41,6 +41,10 @@ void SceneCompiler::worldBegin(const Options &options) {
     state_->declared.systems = options.coordinateSystems;
 }
 
+void SceneCompiler::imager(std::shared_ptr<const ShaderRecord> shader) {
+    state_->declared.options.imager = shader ? std::optional(*shader) : std::nullopt;
+}
+
 /// Where it is when the shutter opens, and its motion if it may move before it closes.
 static MotionTransform whileOpen(const MotionTransform &transform, const Shutter &shutter) {
     if (!transform.motion)
