@@ -90,18 +90,16 @@ TEST_F(State, anEmptyStackHasNothingToPop) {
         << found.text();
 }
 
-TEST_F(State, pictureShadersAreOptionsAndNotForWorlds) {
+TEST_F(State, filtersAreOptionsAndNotForWorlds) {
     state.pushFilter(at, "one", {});
     state.worldBegin(at);
     state.pushFilter(at, "two", {});
     state.popFilter(at);
-    state.imager(at, "clouds", {});
     state.worldEnd(at);
-    EXPECT_EQ(warnings(), 3) << found.text(); // As of other options.
+    EXPECT_EQ(warnings(), 2) << found.text(); // As of other options.
     EXPECT_TRUE(says("PopFilter has no effect between WorldBegin and WorldEnd"));
     state.worldBegin(at);
     EXPECT_EQ(namesOf(builder.worlds[1].options.filters), "one ");
-    EXPECT_FALSE(builder.worlds[1].options.imager);
 }
 
 /// A picture lies in no space, so that no transformation can flatten its shaders'.
