@@ -74,7 +74,8 @@ std::string Outcome::errBesidesBlack() const {
     std::istringstream lines(err);
     std::string rest;
     for (std::string line; std::getline(lines, line);)
-        if (!line.starts_with("warning: the picture is black"))
+        if (line.find("the picture is black: ") == line.npos &&
+            line.find(" shines on nothing, ") == line.npos)
             rest += line + "\n";
     return rest;
 }

@@ -24,7 +24,8 @@ struct Outcome {
     std::string out, err; ///< Standard output and standard error.
 
     bool says(const std::string &text) const { return err.find(text) != std::string::npos; }
-    /// Standard error but for the warning that a picture is black: where it is meant to be.
+    /// Standard error but for what it says of black pictures and lights that shine on nothing:
+    /// where they are meant to be so.
     std::string errBesidesBlack() const;
     /// All of it, for the message of a failed test.
     std::string text() const;

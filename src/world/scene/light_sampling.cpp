@@ -541,16 +541,19 @@ void Lights::sample(LightGroup group, const LightQuery &query, LightSamples &sam
     answer(*state_, blockOf(query, source, probability, query.position[0], samples), own);
 }
 
-/// For any shape but its own.
+/// For some shape but its own; or there are no others.
 static bool isOnForOthers(const SceneState &state, int light) {
     const PointTables &points = state.points;
+    bool areOthers = false;
     for (std::size_t i = 0; i < points.appearances.size(); ++i) {
-        const auto &own = points.details[i].attributes->areaLight;
-        if (state.lights.on(points.appearances[i].lightSet, light + 1) &&
-            !(own && own->index == light))
+        const auto &lamp = points.details[i].attributes->areaLight;
+        if (lamp && lamp->index == light)
+            continue;
+        if (state.lights.on(points.appearances[i].lightSet, light + 1))
             return true;
+        areOthers = true;
     }
-    return false;
+    return !areOthers;
 }
 
 LightFacts Lights::facts(int index) const {

@@ -71,7 +71,7 @@ struct LightFacts {
     SourceLocation where;
     bool isThere = false;     ///< It has something to shine with; a faulty shader has not,
     bool lacksShapes = false; ///< nor has an area light around no shape.
-    bool isEverOn = false;    ///< For any shape but its own.
+    bool isEverOn = false;    ///< For some shape but its own, or there are no others.
     bool isTurnedOff = false; ///< Somewhere, by Illuminate.
     bool isAmbient = false;
     bool castsShadow = false;
