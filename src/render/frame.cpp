@@ -136,10 +136,11 @@ void explainBlack(const FrameJob &job, const Film &film) {
     };
     const bool shows = std::ranges::any_of(
         job.displays, [](const PlannedDisplay &display) { return !holdsDepths(display.record); });
-    if (shows && film.sampleCounts().least > 0 && film.nonFiniteSamples() == 0 && isZero(color))
-        job.listeners.diagnostics.warning(
-            {},
-            "the picture is black: " + whyBlack(job.scene, job.integrator.crop, isZero(opacity)));
+    if (!shows || film.sampleCounts().least == 0 || film.nonFiniteSamples() > 0 || !isZero(color))
+        return;
+    const std::string why = whyBlack(job.scene, job.integrator.crop, isZero(opacity));
+    if (!why.empty())
+        job.listeners.diagnostics.warning({}, "the picture is black: " + why);
 }
 
 void writePictures(const FrameJob &job, const PictureShaders &shaders,

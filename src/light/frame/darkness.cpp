@@ -227,6 +227,8 @@ std::string whyTheSeenIsDark(const Scene &scene, Looks &look) {
     if (present.empty())
         return named(lights, {0}) + " has nothing to shine with: its shader has not been found or "
                                     "is faulty, or it is an area light around no primitive";
+    const bool hasSource =
+        std::ranges::any_of(present, [&](int light) { return !lights.facts(light).isSurface; });
     SeenPoints points(look);
     for (int light : present) {
         const Share share = points.shareOf(light);
@@ -239,6 +241,8 @@ std::string whyTheSeenIsDark(const Scene &scene, Looks &look) {
                              : shadowed)
             .push_back(light);
     }
+    if (!shadowed.empty() && !hasSource)
+        return {};
     if (!shadowed.empty())
         return "what is seen lies in shadow: something stands between it and " +
                named(lights, shadowed);

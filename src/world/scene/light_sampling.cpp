@@ -565,6 +565,7 @@ LightFacts Lights::facts(int index) const {
             isOnForOthers(*state_, index),
             light.isTurnedOff,
             light.kind == LightKind::Ambient,
+            light.kind == LightKind::Emitter,
             light.castsShadow};
 }
 

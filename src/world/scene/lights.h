@@ -74,6 +74,7 @@ struct LightFacts {
     bool isEverOn = false;    ///< For some shape but its own, or there are no others.
     bool isTurnedOff = false; ///< Somewhere, by Illuminate.
     bool isAmbient = false;
+    bool isSurface = false; ///< A surface that shines by its own shader: no light source.
     bool castsShadow = false;
 };
 
