@@ -208,7 +208,9 @@ private:
         const double share = double(result.finite) / double(std::max(1l, result.boxes));
         named_ += isNamed, covered_ += isNamed && share == 1;
         const double median = quantile(result.flat, .5), most = quantile(result.flat, .9);
-        isLoose_ |= isNamed && (median > 3 || most > 10);
+        // Quantiles of a few boxes, around a single jump, tell nothing of a shader.
+        constexpr std::size_t enough = 10;
+        isLoose_ |= isNamed && result.flat.size() >= enough && (median > 3 || most > 10);
         all_.flat.insert(all_.flat.end(), result.flat.begin(), result.flat.end());
         all_.round.insert(all_.round.end(), result.round.begin(), result.round.end());
         if (settings_.table)
