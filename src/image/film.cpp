@@ -237,14 +237,24 @@ float Film::value(const double *pixel, int slot, FilmHalf half) const {
 }
 
 std::vector<float> Film::mean(int channel, int component, FilmHalf half) const {
-    const int slot = layout_.firstComponent[channel] + component;
     std::vector<float> plane(settings_.window.pixels());
-    for (std::size_t i = 0; i < plane.size(); ++i) {
-        plane[i] = value(&sums_[i * layout_.stride], slot, half);
-        if (splats_ && channel == 0)
-            plane[i] += splats_->mean(i, component);
-    }
+    for (std::size_t i = 0; i < plane.size(); ++i)
+        plane[i] = meanOfPixel(i, channel, component, half);
     return plane;
+}
+
+float Film::meanOfPixel(std::size_t pixel, int channel, int component, FilmHalf half) const {
+    const int slot = layout_.firstComponent[channel] + component;
+    const float samples = value(&sums_[pixel * layout_.stride], slot, half);
+    return splats_ && channel == 0 ? samples + splats_->mean(pixel, component) : samples;
+}
+
+bool Film::isZero(int channel) const {
+    for (std::size_t pixel = 0; pixel < settings_.window.pixels(); ++pixel)
+        for (int c = 0; c < channels_[channel].components; ++c)
+            if (meanOfPixel(pixel, channel, c, FilmHalf::Both) != 0)
+                return false;
+    return true;
 }
 
 std::uint64_t Film::nonFiniteSamples() const {

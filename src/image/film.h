@@ -67,6 +67,8 @@ public:
     std::uint64_t nonFiniteSamples() const;
     /// Of the pixels of the window.
     SampleCounts sampleCounts() const;
+    /// The means of all components of a channel are 0 in every pixel.
+    bool isZero(int channel) const;
     /// Null unless wanted.
     const FilmSplats *splats() const { return splats_.get(); }
 
@@ -93,6 +95,7 @@ private:
     static double addSingle(Merge, double value, const Run &, int component);
     FilmMoments moments(const double *pixel, int slot, FilmHalf) const;
     float value(const double *pixel, int slot, FilmHalf) const;
+    float meanOfPixel(std::size_t pixel, int channel, int component, FilmHalf) const;
 
     Settings settings_;
     std::vector<ChannelInfo> channels_;

@@ -127,18 +127,12 @@ bool tellOfEnd(const FrameJob &job, FrameEnd end, const Film &film, FrameDescrip
 /// A black picture says why.
 void explainBlack(const FrameJob &job, const Film &film) {
     constexpr int color = 0, opacity = 1; // Of every film's channels.
-    const auto isZero = [&](int channel) {
-        for (int c = 0; c < colorSamples; ++c)
-            for (const float value : film.mean(channel, c))
-                if (value != 0)
-                    return false;
-        return true;
-    };
     const bool shows = std::ranges::any_of(
         job.displays, [](const PlannedDisplay &display) { return !holdsDepths(display.record); });
-    if (!shows || film.sampleCounts().least == 0 || film.nonFiniteSamples() > 0 || !isZero(color))
+    if (!shows || film.sampleCounts().least == 0 || film.nonFiniteSamples() > 0 ||
+        !film.isZero(color))
         return;
-    const std::string why = whyBlack(job.scene, job.integrator.crop, isZero(opacity));
+    const std::string why = whyBlack(job.scene, job.integrator.crop, film.isZero(opacity));
     if (!why.empty())
         job.listeners.diagnostics.warning({}, "the picture is black: " + why);
 }
@@ -173,9 +167,7 @@ void writePictures(const FrameJob &job, const PictureShaders &shaders,
         writePictures(job, shaders, description, film, nullptr);
     }
     std::fflush(nullptr);
-    std::_Exit(end == FrameEnd::Interrupted     ? statusOfInterrupt
-               : job.listeners.console.failed() ? 1
-                                                : 0);
+    std::_Exit(exitStatusOf(end, job.listeners.console));
 }
 
 /// What the samples go into: the film, or what keeps them for filters and hands them on to it.
@@ -284,6 +276,10 @@ FrameEnd renderAndWrite(const Scene &scene, ShaderLibrary &library, const Render
 }
 
 } // namespace
+
+int exitStatusOf(FrameEnd end, const Console &console) {
+    return end == FrameEnd::Interrupted ? statusOfInterrupt : console.failed() ? 1 : 0;
+}
 
 FrameEnd renderFrame(const Scene &scene, ShaderLibrary &shaders, const RenderSettings &settings,
                      const std::string &file, const FrameListeners &listeners,

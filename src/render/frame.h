@@ -23,4 +23,7 @@ struct FrameListeners {
 FrameEnd renderFrame(const Scene &, ShaderLibrary &, const RenderSettings &,
                      const std::string &file, const FrameListeners &, const FrameKeeping & = {});
 
+/// What the program answers the shell after that end.
+int exitStatusOf(FrameEnd, const Console &);
+
 } // namespace candela

@@ -71,11 +71,19 @@ ShaderLibrary libraryFor(const std::string &ribFile, const RenderSettings &setti
                          diagnostics);
 }
 
+std::unique_ptr<FrameChooser> makeChooser(const RenderSettings &settings, RequestSink &sink) {
+    return settings.frames.empty() ? nullptr
+                                   : std::make_unique<FrameChooser>(sink, settings.frames);
+}
+
 std::unique_ptr<FingerprintSink> makeFingerprint(const RenderSettings &settings,
                                                  RequestSink &sink) {
     const bool isWanted = !settings.checkpointFile.empty() || !settings.resumeFile.empty();
     return isWanted ? std::make_unique<FingerprintSink>(sink) : nullptr;
 }
+
+/// Where requests go that pass `before`, if there is one, on their way to `sink`.
+RequestSink &firstOf(RequestSink *before, RequestSink &sink) { return before ? *before : sink; }
 
 } // namespace
 
@@ -88,8 +96,9 @@ struct SceneReading::State {
           world(shaders, listeners.diagnostics, [this](const Scene &scene) { take(scene); }),
           graphics(world, shaders, listeners.diagnostics,
                    stateSettings(name, settings, listeners.diagnostics)),
-          chooser(graphics, settings.frames), fingerprint(makeFingerprint(settings, chooser)),
-          reader(fingerprint ? static_cast<RequestSink &>(*fingerprint) : chooser,
+          chooser(makeChooser(settings, graphics)),
+          fingerprint(makeFingerprint(settings, firstOf(chooser.get(), graphics))),
+          reader(firstOf(fingerprint.get(), firstOf(chooser.get(), graphics)),
                  listeners.diagnostics, {settings.trust, {}}) {}
 
     void take(const Scene &scene) {
@@ -107,7 +116,7 @@ struct SceneReading::State {
     ShaderWarnings shaderWarnings;
     SceneCompiler world;
     GraphicsState graphics;
-    FrameChooser chooser;
+    std::unique_ptr<FrameChooser> chooser;        ///< Null where all frames are wanted.
     std::unique_ptr<FingerprintSink> fingerprint; ///< Null unless there are to be checkpoints.
     RibReader reader;
     bool sawWorld = false;
@@ -124,7 +133,8 @@ void SceneReading::finish(bool cut) {
     if (!cut)
         state_->graphics.finish();
     const FrameListeners &listeners = state_->listeners;
-    for (const auto &[first, last] : state_->chooser.missing())
+    const FrameChooser *chooser = state_->chooser.get();
+    for (const auto &[first, last] : chooser ? chooser->missing() : FrameNumbers())
         listeners.diagnostics.warning(
             {}, first == last ? fmt::format("there is no frame {}", first)
                               : fmt::format("there is no frame of {} to {}", first, last));

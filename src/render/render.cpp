@@ -3,7 +3,6 @@
 
 #include "foundation/base/parallel.h"
 #include "render/console.h"
-#include "render/interrupt.h"
 #include "render/read_scenes.h"
 #include "render/render_run.h"
 #include "render/statistics.h"
@@ -26,7 +25,7 @@ int renderFiles(const std::vector<std::string> &paths, const RenderSettings &set
     run.finish();
     if (!settings.statisticsFile.empty())
         statistics.write(settings.statisticsFile, diagnostics);
-    return run.isInterrupted() ? statusOfInterrupt : console.failed() ? 1 : 0;
+    return exitStatusOf(run.end(), console);
 }
 
 } // namespace candela

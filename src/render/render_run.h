@@ -22,7 +22,8 @@ public:
     /// After the last one.
     void finish();
 
-    bool isInterrupted() const { return end_ == FrameEnd::Interrupted; }
+    /// How the last frame that was rendered came to its end.
+    FrameEnd end() const { return end_; }
 
 private:
     /// False if the frame has been rendered by the run before.

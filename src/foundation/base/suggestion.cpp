@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "foundation/base/suggestion.h"
 
+#include "foundation/base/letters.h"
+
 #include <algorithm>
-#include <cctype>
 #include <numeric>
 #include <utility>
 
@@ -26,12 +27,6 @@ static std::size_t editDistance(const std::string &a, const std::string &b) {
     return previous[b.size()];
 }
 
-static std::string lower(std::string word) {
-    std::ranges::transform(word, word.begin(),
-                           [](unsigned char c) { return char(std::tolower(c)); });
-    return word;
-}
-
 std::string suggestion(const std::string &word, const std::vector<std::string> &candidates) {
     if (word.size() > 64)
         return {};
@@ -41,7 +36,7 @@ std::string suggestion(const std::string &word, const std::vector<std::string> &
     for (const std::string &candidate : candidates) {
         if (candidate == word || candidate.size() > 64)
             continue;
-        bool sameLetters = lower(word) == lower(candidate);
+        bool sameLetters = inSmallLetters(word) == inSmallLetters(candidate);
         std::size_t distance = sameLetters ? 0 : editDistance(word, candidate);
         if (distance < bestDistance && distance < word.size()) {
             best = candidate;

@@ -31,7 +31,7 @@ FrameChooser::FrameChooser(RequestSink &sink, FrameNumbers wanted)
     : ForwardingSink(sink), wanted_(std::move(wanted)), found_(wanted_.size()) {}
 
 void FrameChooser::frameBegin(const SourceLocation &where, int number) {
-    isSkipping_ = !wanted_.empty();
+    isSkipping_ = true;
     for (std::size_t k = 0; k < wanted_.size(); ++k)
         if (number >= wanted_[k].first && number <= wanted_[k].second)
             found_[k] = true, isSkipping_ = false;

@@ -17,7 +17,7 @@ std::optional<FrameNumbers> parseFrameNumbers(const std::string &);
 
 class FrameChooser final : public ForwardingSink {
 public:
-    /// No numbers: all frames. The sink must outlive it.
+    /// The sink must outlive it.
     FrameChooser(RequestSink &, FrameNumbers wanted);
 
     void frameBegin(const SourceLocation &, int number) override;

@@ -18,7 +18,7 @@ void RequestDiagnostics::warning(const SourceLocation &where, const char *reques
 
 void RequestDiagnostics::warnOnce(const SourceLocation &where, const std::string &about,
                                   const std::string &message) {
-    if (warned_.insert(about).second)
+    if (isNew(about))
         policy_.warning(where, message);
 }
 

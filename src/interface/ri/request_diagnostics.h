@@ -20,7 +20,9 @@ public:
     ErrorPolicy &policy() { return policy_; }
     void error(const SourceLocation &, const char *request, const std::string &message);
     void warning(const SourceLocation &, const char *request, const std::string &message);
-    /// The first time that this `about` comes up; `message` names the request itself.
+    /// The first time that this `about` comes up, and never again.
+    bool isNew(const std::string &about) { return known_.insert(about).second; }
+    /// If `about` is new; `message` names the request itself.
     void warnOnce(const SourceLocation &, const std::string &about, const std::string &message);
 
     /// True if all are finite; reports it otherwise.
@@ -30,7 +32,7 @@ public:
 
 private:
     ErrorPolicy &policy_;
-    std::set<std::string> warned_;
+    std::set<std::string> known_; ///< What has come up.
 };
 
 } // namespace candela

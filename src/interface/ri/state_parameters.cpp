@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "interface/ri/state_parameters.h"
 
+#include "foundation/base/letters.h"
 #include "foundation/base/suggestion.h"
 
 #include <algorithm>
-#include <cctype>
 #include <fmt/format.h>
 #include <map>
-#include <set>
 #include <vector>
 
 namespace candela {
@@ -48,11 +47,6 @@ std::vector<std::string> words(std::string_view values) {
     return result;
 }
 
-bool isSameWord(std::string_view a, std::string_view b) {
-    return std::ranges::equal(
-        a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
-}
-
 std::string named(const StateParameter &row) {
     return fmt::format("\"{}\" \"{}\"", row.category, row.name);
 }
@@ -62,7 +56,7 @@ std::string flawOfChoice(const StateParameter &row, Parameter &parameter) {
     const std::vector<std::string> known = words(row.values);
     const std::string given = parameter.strings.empty() ? "" : parameter.strings.front();
     for (const std::string &word : known)
-        if (isSameWord(word, given)) {
+        if (inSmallLetters(word) == inSmallLetters(given)) {
             parameter.strings.front() = word;
             return {};
         }
@@ -127,11 +121,14 @@ bool checkStateParameter(RequestDiagnostics &diagnostics, const SourceLocation &
                          const char *request, const std::string &category, Parameter &parameter) {
     const StateParameter *row = find(request, category, parameter.name);
     if (!row) {
+        // Files give the same ones for each primitive: what they may have meant is asked once.
+        if (!diagnostics.isNew(fmt::format("{}:{}:{}", request, category, parameter.name)))
+            return true;
         const std::string slip = likelySlip(request, category, parameter.name);
         if (!slip.empty())
-            diagnostics.warnOnce(where, fmt::format("{}:{}:{}", request, category, parameter.name),
-                                 fmt::format("{}: there is no \"{}\" \"{}\"{}", request, category,
-                                             parameter.name, slip));
+            diagnostics.warning(
+                where, request,
+                fmt::format("there is no \"{}\" \"{}\"{}", category, parameter.name, slip));
         return true;
     }
     const std::string flaw = row->rule == Rule::Choice   ? flawOfChoice(*row, parameter)
