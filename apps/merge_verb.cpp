@@ -2,9 +2,9 @@
 #include "apps/verbs.h"
 
 #include "foundation/base/whole_file.h"
-#include "image/exr_file.h"
 #include "image/merge_pictures.h"
 #include "image/picture_file.h"
+#include "render/picture_output.h"
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -35,11 +35,8 @@ int mergeFiles(const Arguments &arguments) {
             return refuse(problem);
         pictures.push_back({file, std::move(*picture)});
     }
-    const std::optional<Picture> merged = mergePictures(pictures, problem);
-    if (!merged)
-        return refuse(problem);
-    const auto bytes = encodeExr(*merged, problem);
-    if (!bytes || !writeWholeFile(arguments.output, *bytes, problem))
+    std::optional<Picture> merged = mergePictures(pictures, problem);
+    if (!merged || !writePicture(*merged, arguments.output, std::nullopt, problem))
         return refuse(problem);
     std::printf("wrote %s, %s samples a pixel\n", arguments.output.c_str(),
                 merged->metadata.at("spp").c_str());
@@ -61,7 +58,7 @@ void addMerge(CLI::App &app, int &status) {
         "Exit status: 0 all went well, 1 nothing is written, and why has been said, 2 the command "
         "line cannot be understood.");
     merge->add_option("pictures", a.files, "EXR pictures")->required();
-    merge->add_option("-o,--output", a.output, "The EXR picture to write")
+    merge->add_option("-o,--output", a.output, "The picture to write: .png, else EXR")
         ->required()
         ->type_name("FILE");
     merge->callback([arguments, &status] { status = mergeFiles(*arguments); });

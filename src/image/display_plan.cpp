@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "image/display_plan.h"
 
+#include "foundation/base/letters.h"
 #include "foundation/base/whole_file.h"
 #include "image/output_path.h"
 #include "world/texture/module.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
@@ -39,12 +39,6 @@ std::string namesOfTypes() {
         if (known.type != std::exchange(last, known.type))
             names += ", " + std::string(known.type);
     return names;
-}
-
-std::string inSmallLetters(std::string text) {
-    std::ranges::transform(text, text.begin(),
-                           [](unsigned char c) { return char(std::tolower(c)); });
-    return text;
 }
 
 /// The type under the name that we have for it.
@@ -124,6 +118,23 @@ std::string formatDefect(const PlannedDisplay &display, const Options &options) 
     return {};
 }
 
+/// The name with each run of '#' as the number of the frame, with at least as many digits.
+std::string withFrameNumber(const std::string &name, int frame) {
+    std::string result;
+    for (std::size_t at = 0; at < name.size();) {
+        const std::size_t end = std::min(name.find_first_not_of('#', at), name.size());
+        if (end == at) {
+            result += name[at++];
+            continue;
+        }
+        std::string digits = std::to_string(std::abs(std::int64_t(frame)));
+        digits.insert(0, std::max(end - at, digits.size()) - digits.size(), '0');
+        result += (frame < 0 ? "-" : "") + digits;
+        at = end;
+    }
+    return result;
+}
+
 /// The display as the user wants it in place of what the RIB says.
 void redirect(DisplayRecord &record, const std::string &file) {
     record.name = file;
@@ -154,22 +165,6 @@ bool settle(PlannedDisplay &display, const Options &options, std::span<const Cha
 }
 
 } // namespace
-
-std::string withFrameNumber(const std::string &name, int frame) {
-    std::string result;
-    for (std::size_t at = 0; at < name.size();) {
-        const std::size_t end = std::min(name.find_first_not_of('#', at), name.size());
-        if (end == at) {
-            result += name[at++];
-            continue;
-        }
-        std::string digits = std::to_string(std::abs(std::int64_t(frame)));
-        digits.insert(0, std::max(end - at, digits.size()) - digits.size(), '0');
-        result += (frame < 0 ? "-" : "") + digits;
-        at = end;
-    }
-    return result;
-}
 
 bool holdsDepths(const DisplayRecord &display) {
     return display.type == "zfile" || display.type == "shadow";

@@ -25,9 +25,6 @@ struct OutputPolicy {
                                ///< extension; empty = where the RIB says.
 };
 
-/// The name with each run of '#' as the number of the frame, with at least as many digits.
-std::string withFrameNumber(const std::string &name, int frame);
-
 /// The displays of the options that can be written: their formats, planes and paths. Types that
 /// are not known become OpenEXR, with a warning. What cannot be written (an unknown mode, more than
 /// its format holds, a path that is not allowed, not writable or taken by a display before it) is

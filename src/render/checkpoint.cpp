@@ -13,8 +13,6 @@ namespace {
 
 constexpr std::string_view mark = "candela checkpoint 1\n";
 constexpr std::size_t hashSize = 32;
-/// More of anything is not in a checkpoint that we wrote.
-constexpr std::uint64_t most = std::uint64_t(1) << 32;
 
 std::string hashOf(std::string_view bytes) {
     ContentHash hash;
@@ -55,7 +53,7 @@ bool take(std::string_view &bytes, FramePosition &position) {
 bool take(std::string_view &bytes, Checkpoint &checkpoint) {
     std::uint64_t facts = 0;
     if (!takeRaw(bytes, checkpoint.frame) || !takeRaw(bytes, checkpoint.isDone) ||
-        !takeRaw(bytes, facts) || facts > most)
+        !takeRaw(bytes, facts))
         return false;
     for (; facts > 0; --facts) {
         auto &[name, value] = checkpoint.identity.emplace_back();

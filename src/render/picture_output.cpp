@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/picture_output.h"
 
+#include "foundation/base/letters.h"
 #include "foundation/base/whole_file.h"
 #include "image/exr_file.h"
 #include "image/imaging.h"
 #include "image/png_file.h"
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 
 namespace candela {
@@ -49,10 +48,7 @@ std::optional<std::string> pngBytes(const Picture &picture,
 } // namespace
 
 bool isPngName(const std::string &path) {
-    std::string extension = std::filesystem::path(path).extension().string();
-    std::ranges::transform(extension, extension.begin(),
-                           [](unsigned char c) { return char(std::tolower(c)); });
-    return extension == ".png";
+    return inSmallLetters(std::filesystem::path(path).extension().string()) == ".png";
 }
 
 bool isColorChannel(const std::string &channel) {

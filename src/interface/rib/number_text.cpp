@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "interface/rib/number_text.h"
 
-#include <algorithm>
+#include "foundation/base/letters.h"
+
 #include <array>
 #include <bit>
-#include <cctype>
 #include <charconv>
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
+#include <utility>
 
 namespace candela {
 
@@ -18,7 +19,7 @@ static std::optional<double> specialNumber(std::string text) {
         sign = text.front() == '-' ? -1 : 1;
         text.erase(0, 1);
     }
-    std::ranges::transform(text, text.begin(), [](char c) { return char(std::tolower(c)); });
+    text = inSmallLetters(std::move(text));
     if (text == "nan")
         return std::numeric_limits<double>::quiet_NaN();
     if (text == "inf" || text == "infinity")

@@ -541,34 +541,6 @@ void Lights::sample(LightGroup group, const LightQuery &query, LightSamples &sam
     answer(*state_, blockOf(query, source, probability, query.position[0], samples), own);
 }
 
-/// For some shape but its own; or there are no others.
-static bool isOnForOthers(const SceneState &state, int light) {
-    const PointTables &points = state.points;
-    bool areOthers = false;
-    for (std::size_t i = 0; i < points.appearances.size(); ++i) {
-        const auto &lamp = points.details[i].attributes->areaLight;
-        if (lamp && lamp->index == light)
-            continue;
-        if (state.lights.on(points.appearances[i].lightSet, light + 1))
-            return true;
-        areOthers = true;
-    }
-    return !areOthers;
-}
-
-LightFacts Lights::facts(int index) const {
-    const SceneLight &light = state_->lights.lights[index];
-    return {light.title,
-            light.where,
-            light.kind != LightKind::None,
-            light.kind == LightKind::None && light.shader.code != nullptr,
-            isOnForOthers(*state_, index),
-            light.isTurnedOff,
-            light.kind == LightKind::Ambient,
-            light.kind == LightKind::Emitter,
-            light.castsShadow};
-}
-
 void Lights::sampleOne(int index, const LightQuery &query, LightSamples &samples) const {
     if (query.count == 0)
         return;

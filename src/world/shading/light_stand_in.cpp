@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/shading/light_stand_in.h"
 
+#include "foundation/base/letters.h"
+
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <initializer_list>
 #include <iterator>
 
@@ -23,9 +24,7 @@ constexpr StandIn point{"pointlight", {"intensity", "lightcolor", "from"}};
 constexpr StandIn alike{"pointnofalloff", {"intensity", "lightcolor", "from"}};
 
 StandIn choose(const ShaderRecord &record) {
-    std::string name = record.name;
-    std::ranges::transform(name, name.begin(),
-                           [](unsigned char c) { return char(std::tolower(c)); });
+    const std::string name = inSmallLetters(record.name);
     const auto isCalled = [&](std::initializer_list<const char *> words) {
         return std::ranges::any_of(
             words, [&](const char *word) { return name.find(word) != std::string::npos; });

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// What messages tell of lights.
+#include "world/scene/scene_state.h"
+
+namespace candela {
+
+/// For some shape but its own; or there are no others.
+static bool isOnForOthers(const SceneState &state, int light) {
+    const PointTables &points = state.points;
+    bool areOthers = false;
+    for (std::size_t i = 0; i < points.appearances.size(); ++i) {
+        const auto &lamp = points.details[i].attributes->areaLight;
+        if (lamp && lamp->index == light)
+            continue;
+        if (state.lights.on(points.appearances[i].lightSet, light + 1))
+            return true;
+        areOthers = true;
+    }
+    return !areOthers;
+}
+
+LightFacts Lights::facts(int index) const {
+    const SceneLight &light = state_->lights.lights[index];
+    return {light.title,
+            light.where,
+            light.kind != LightKind::None,
+            light.kind == LightKind::None && light.shader.code != nullptr,
+            isOnForOthers(*state_, index),
+            light.isTurnedOff,
+            light.kind == LightKind::Ambient,
+            light.kind == LightKind::Emitter,
+            light.castsShadow};
+}
+
+} // namespace candela
