@@ -94,9 +94,10 @@ void addRender(CLI::App &app, int &status) {
         ->type_name("FILE");
     app.add_option("--output-dir", s.outputDirectory, "Folder for pictures; default: this one");
     addSearchPaths(app, s);
-    app.add_flag("--trust,--allow-programs", s.trust,
-                 "Trust the RIB: let it run programs (Procedural \"RunProgram\") and write outside "
-                 "the output folder");
+    app.add_flag(
+        "--trust,--allow-programs", s.trust,
+        "Trust the RIB: let it run programs (Procedural \"RunProgram\"), write outside the "
+        "output folder and replace files that are no pictures");
     app.add_flag("--quiet", s.quiet, "No progress, only messages");
     addTestingOptions(app, a.testing, s);
 

@@ -3,7 +3,6 @@
 
 #include "foundation/base/letters.h"
 #include "foundation/base/whole_file.h"
-#include "image/output_path.h"
 #include "world/texture/module.h"
 
 #include <algorithm>
@@ -156,8 +155,7 @@ bool settle(PlannedDisplay &display, const Options &options, std::span<const Cha
         return false;
     if (display.format == FileFormat::RadianceHdr)
         display.planes = colorPlanes(display.planes);
-    const auto path =
-        outputPath(display.record.name, policy.directory, policy.allowOutside, moved, problem);
+    const auto path = outputPath(display.record.name, policy.folder, moved, problem);
     if (!path || !canWriteFile(*path, problem))
         return false;
     display.path = *path;
@@ -186,7 +184,7 @@ std::vector<PlannedDisplay> planDisplays(const Options &options,
         OutputPolicy allowed = policy;
         if (!file.empty() && !holdsDepths(record)) {
             redirect(record, std::exchange(file, {}));
-            allowed = {".", true, {}};
+            allowed = {{".", true}, {}};
         }
         record.name = withFrameNumber(record.name, options.frame);
         const std::string about = "Display \"" + record.name + "\": ";

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "image/display_planes.h"
+#include "image/output_path.h"
 
 namespace candela {
 
@@ -19,10 +20,9 @@ struct PlannedDisplay {
 };
 
 struct OutputPolicy {
-    std::string directory = ".";
-    bool allowOutside = false; ///< --trust.
-    std::string firstFile{};   ///< -o: where the first display that holds no depths goes, by its
-                               ///< extension; empty = where the RIB says.
+    OutputFolder folder;
+    std::string firstFile{}; ///< -o: where the first display that holds no depths goes, by its
+                             ///< extension; empty = where the RIB says.
 };
 
 /// The displays of the options that can be written: their formats, planes and paths. Types that

@@ -25,7 +25,7 @@ protected:
     DisplaysTest() {
         std::string pattern = (fs::temp_directory_path() / "candela_display_XXXXXX").string();
         folder_ = ::mkdtemp(pattern.data());
-        policy_.directory = folder_;
+        policy_.folder.directory = folder_;
         options_.filter = {"box", 1, 1};
         frame_.metadata = {{"renderer", "candela test"}, {"spp", "1"}};
     }
@@ -389,8 +389,8 @@ TEST_F(DisplaysTest, PathsStayInTheOutputFolder) {
     for (const char *name : {"escaped.exr", "a.exr", "b.exr", "c.exr", "sub/folder/inside.exr"})
         EXPECT_TRUE(fs::exists(fs::path(folder_) / name)) << name;
 
-    policy_.directory = folder_ + "/sub";
-    policy_.allowOutside = true;
+    policy_.folder.directory = folder_ + "/sub";
+    policy_.folder.isTrusted = true;
     options_.displays.resize(1);
     EXPECT_EQ(writeAll().size(), 1u);
     EXPECT_TRUE(fs::exists(fs::path(folder_) / "escaped.exr"));
@@ -411,7 +411,7 @@ TEST_F(DisplaysTest, UnwritablePathsAreErrors) {
 
 TEST_F(DisplaysTest, FullDiskLeavesTheOldFileAndNothingElse) {
     std::string problem;
-    ASSERT_TRUE(writeWholeFile(folder_ + "/a.exr", "old", problem));
+    ASSERT_TRUE(writeWholeFile(folder_ + "/a.exr", "v/1\x01 old", problem));
     display("a.exr", "openexr", "rgb");
     display("b.png", "png", "rgb");
     fill();
@@ -426,7 +426,7 @@ TEST_F(DisplaysTest, FullDiskLeavesTheOldFileAndNothingElse) {
     EXPECT_EQ(written, 0u);
     EXPECT_EQ(list_.count(Severity::Error), 2);
     EXPECT_NE(list_.text().find("File too large"), std::string::npos) << list_.text();
-    EXPECT_EQ(readWholeFile(folder_ + "/a.exr", problem), "old");
+    EXPECT_EQ(readWholeFile(folder_ + "/a.exr", problem), "v/1\x01 old");
     EXPECT_EQ(fileCount(), 1);
 }
 

@@ -261,7 +261,7 @@ FrameEnd renderAndWrite(const Scene &scene, ShaderLibrary &library, const Render
                  integrator,
                  describeFrame(scene, integrator, file),
                  planDisplays(options, channelsToShow(scene, shaders.filters),
-                              {settings.outputDirectory, settings.trust, settings.outputFile},
+                              {{settings.outputDirectory, settings.trust}, settings.outputFile},
                               diagnostics)};
     const PixelFilterSampler filter(options.filter, diagnostics, options.places.pixelFilter);
     const Film::Settings wanted = filmSettings(scene, integrator.crop, filter, shaders.filters);

@@ -52,8 +52,8 @@ std::vector<std::string> textureFolders(const std::string &ribFile,
 GraphicsStateSettings stateSettings(const std::string &ribFile, const RenderSettings &settings,
                                     DiagnosticSink &diagnostics) {
     GraphicsStateSettings result;
-    const TextureOrderSettings orders{textureFolders(ribFile, settings), settings.outputDirectory,
-                                      settings.trust};
+    const TextureOrderSettings orders{textureFolders(ribFile, settings),
+                                      {settings.outputDirectory, settings.trust}};
     result.makeTexture = [=, &diagnostics](const TextureOrder &order, const Options &options) {
         makeOrderedTexture(order, options, orders, diagnostics);
     };

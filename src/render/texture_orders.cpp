@@ -2,7 +2,6 @@
 #include "render/texture_orders.h"
 
 #include "foundation/base/whole_file.h"
-#include "image/output_path.h"
 #include "interface/ri/search_path.h"
 #include "world/texture/texture_making.h"
 
@@ -31,8 +30,7 @@ void makeOrderedTexture(TextureOrder order, const Options &options,
     const std::string name = order.texture;
     const SourceLocation &where = order.parameters.where;
     std::string moved, problem;
-    const auto path =
-        outputPath(name, settings.outputDirectory, settings.allowOutside, moved, problem);
+    const auto path = outputPath(name, settings.output, moved, problem);
     if (!moved.empty())
         diagnostics.warning(where, order.request + ": \"" + name + "\": " + moved);
     if (path)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "foundation/base/diagnostics.h"
+#include "image/output_path.h"
 #include "interface/ri/options.h"
 #include "interface/ri/texture_order.h"
 
@@ -13,12 +14,11 @@ namespace candela {
 
 struct TextureOrderSettings {
     std::vector<std::string> folders; ///< Where pictures are, behind the RIB's search path.
-    std::string outputDirectory = ".";
-    bool allowOutside = false; ///< Textures may be made outside of the output folder.
+    OutputFolder output;              ///< Where textures are made.
 };
 
-/// Does what a request asks for, or reports why not. Textures are made in the output folder, as
-/// pictures are.
+/// Does what a request asks for, or reports why not. Textures are made where pictures
+/// are, under the same rules.
 void makeOrderedTexture(TextureOrder, const Options &, const TextureOrderSettings &,
                         DiagnosticSink &);
 

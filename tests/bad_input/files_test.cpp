@@ -99,15 +99,78 @@ TEST_F(BadInput, OutputOutsideTheFolderNeedsTrust) {
     EXPECT_TRUE(elsewhere.has("out.exr"));
 }
 
+// Pictures and textures of a stranger's file replace pictures alone. (image's own tests have the
+// table.)
+TEST_F(BadInput, WhatIsNoPictureIsNotReplacedWithoutTrust) {
+    folder_.write("ramp.exr", "P1 1 1 0");
+    const std::string notes = folder_.write("notes.txt", "the work of a year");
+    std::string rib = sceneWith("");
+    rib.replace(rib.find("out.exr"), 7, "notes.txt");
+    for (const std::string &orders :
+         {rib, "MakeTexture \"ramp.exr\" \"notes.txt\" \"black\" \"black\" \"box\" 1 1\n" +
+                   sceneWith("")}) {
+        Outcome run = render(orders);
+        EXPECT_EQ(run.status, 1) << run.text();
+        EXPECT_TRUE(run.says("notes.txt: it is there and no picture")) << run.text();
+        EXPECT_EQ(folder_.read("notes.txt"), "the work of a year");
+    }
+    EXPECT_EQ(render(rib, {"--trust"}).status, 0);
+    EXPECT_NE(folder_.read("notes.txt"), "the work of a year");
+    folder_.write("notes.txt", "the work of a year");
+    Outcome own = render(sceneWith(""), {"-o", notes}); // Who runs the program may do as they like.
+    EXPECT_EQ(own.status, 0) << own.text();
+    EXPECT_NE(folder_.read("notes.txt"), "the work of a year");
+}
+
+// Files that are named by a stranger's file are not shown to whoever reads the messages.
+TEST_F(BadInput, WhatIsNeitherRibNorShaderIsNotQuoted) {
+    const std::string word = "Tr0ub4dor";
+    const std::string secret =
+        folder_.write("secret", word + ":$6$" + word + ":" + word + "\n" + word);
+    const std::string list =
+        folder_.write("list.conf", "# " + word + "\n" + word + " = " + word + "\n");
+    const std::string numbers = folder_.write("numbers", "127.0.0.1" + word + "\n");
+    folder_.write("nosy.sl", "#include \"" + secret + "\"\nsurface nosy() { Ci = 1; }");
+    for (const std::string &line :
+         {"ReadArchive \"" + secret + "\"", "ReadArchive \"" + list + "\"",
+          "ReadArchive \"" + numbers + "\"",
+          "Procedural \"DelayedReadArchive\" [\"" + secret + "\"] [-1 1 -1 1 -1 1]"}) {
+        Outcome run = render(sceneWith(line));
+        EXPECT_EQ(run.status, 1) << run.text();
+        EXPECT_TRUE(run.says("this is no RIB")) << run.text();
+        EXPECT_FALSE(run.says(word)) << run.text();
+    }
+    Outcome run = render(sceneWith("Surface \"nosy\""), {"--shader-path", folder_.path()});
+    EXPECT_EQ(run.status, 1) << run.text();
+    EXPECT_FALSE(run.says("$6$")) << run.text();
+    folder_.write("slip.rib", "Color [1 0 0] Speher 1"); // Named as RIB is: its slips are told.
+    run = render(sceneWith("ReadArchive \"slip.rib\""));
+    EXPECT_TRUE(run.says("'Speher'")) << run.text();
+    folder_.write("bare", "# a comment\r\r\n Color [1 0 0]");
+    EXPECT_EQ(render(sceneWith("ReadArchive \"bare\"")).status, 0);
+}
+
+TEST_F(BadInput, WhatTheEnvironmentHoldsIsNotTold) {
+    ::setenv("CANDELA_TEST_SECRET", "Tr0ub4dor", 1);
+    Outcome run = render("Option \"searchpath\" \"string shader\" \"${CANDELA_TEST_SECRET}/a:@\"\n"
+                         "Option \"searchpath\" \"string archive\" \"%CANDELA_TEST_SECRET%\"\n" +
+                         sceneWith("Surface \"none\"\nReadArchive \"none.rib\""));
+    ::unsetenv("CANDELA_TEST_SECRET");
+    EXPECT_EQ(run.status, 1) << run.text();
+    EXPECT_TRUE(run.says("no shader \"none\"")) << run.text();
+    EXPECT_FALSE(run.says("Tr0ub4dor")) << run.text();
+}
+
 // Whole or not at all: a full disk leaves no broken picture, and an older one stays.
 TEST_F(BadInput, DiskFull) {
-    folder_.write("out.exr", "an older picture");
+    const std::string older = "v/1\x01 an older picture";
+    folder_.write("out.exr", older);
     RunSettings full;
     full.fileSizeLimit = 2048;
     Outcome run = render(sceneWith(""), {"--format", "200x200"}, full);
     EXPECT_EQ(run.status, 1) << run.text();
     EXPECT_TRUE(run.says("out.exr")) << run.text();
-    EXPECT_EQ(folder_.read("out.exr"), "an older picture");
+    EXPECT_EQ(folder_.read("out.exr"), older);
     auto files = std::filesystem::directory_iterator(folder_.path());
     EXPECT_EQ(std::distance(begin(files), end(files)), 2) << "something was left behind";
 }
@@ -151,9 +214,8 @@ TEST_F(BadInput, UnknownDisplayType) {
 
 // Said at once, and not after a night: a billion samples would take longer than a test may.
 TEST_F(BadInput, FramesWithoutAPictureAreNotRendered) {
-    for (const char *display :
-         {"\"../\" \"file\" \"rgb\"", "\"out.exr\" \"file\" \"nonsense\"",
-          "\"out.png\" \"png\" \"rgbaz\""}) {
+    for (const char *display : {"\"../\" \"file\" \"rgb\"", "\"out.exr\" \"file\" \"nonsense\"",
+                                "\"out.png\" \"png\" \"rgbaz\""}) {
         std::string rib = sceneWith("");
         rib.replace(rib.find("\"out.exr"), 26, display);
         Outcome run = render(rib, {"--spp", "16777216", "--format", "4000x4000"});

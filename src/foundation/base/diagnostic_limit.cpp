@@ -59,11 +59,16 @@ std::string kindOf(const Diagnostic &diagnostic) {
 }
 
 bool DiagnosticLimit::admits(const Diagnostic &diagnostic) {
+    if (toldBytes_ > mostBytes)
+        return ++untold_, false;
     auto [place, isNew] = kinds_.try_emplace(kindOf(diagnostic), Kind{int(kinds_.size()), 0, {}});
     Kind &kind = place->second;
     if (++kind.count == most + 1)
         kind.example = diagnostic.message;
-    return kind.count <= most;
+    if (kind.count > most)
+        return false;
+    toldBytes_ += format(diagnostic).size();
+    return true;
 }
 
 std::vector<Diagnostic> DiagnosticLimit::rest() {
@@ -79,7 +84,10 @@ std::vector<Diagnostic> DiagnosticLimit::rest() {
                          std::to_string(kind->count - most) + " more like this: " + kind->example,
                          {},
                          1});
+    if (untold_ > 0)
+        notes.push_back({Severity::Note, {}, std::to_string(untold_) + " more messages", {}, 1});
     kinds_.clear();
+    toldBytes_ = untold_ = 0;
     return notes;
 }
 

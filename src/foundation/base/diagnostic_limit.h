@@ -18,11 +18,13 @@ class DiagnosticLimit {
 public:
     /// So many of a kind are worth reading.
     static constexpr int most = 20;
+    /// So many bytes are, of all kinds: what a program writes can be wrong in ever new ways.
+    static constexpr std::size_t mostBytes = 256 << 10;
 
     /// True if it is still one of those to be told.
     bool admits(const Diagnostic &);
     /// A note for each kind that had more than were told: how many more, and the first of those
-    /// as an example. Starts counting anew.
+    /// as an example; one for all that came when enough had been told. Starts counting anew.
     std::vector<Diagnostic> rest();
 
 private:
@@ -32,6 +34,8 @@ private:
         std::string example;
     };
     std::map<std::string, Kind> kinds_;
+    std::size_t toldBytes_ = 0;
+    std::size_t untold_ = 0; ///< Of kinds that came too late to be told at all.
 };
 
 } // namespace candela

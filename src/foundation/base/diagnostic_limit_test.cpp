@@ -57,4 +57,24 @@ TEST(DiagnosticLimit, TellsTwentyOfAKindAndHowManyMore) {
     EXPECT_TRUE(limit.rest().empty());
 }
 
+TEST(DiagnosticLimit, EverNewMessagesEndToo) {
+    DiagnosticLimit limit;
+    std::size_t bytes = 0, told = 0;
+    constexpr std::size_t all = 100000;
+    for (std::size_t i = 0; i < all; ++i) {
+        std::string kindOfItsOwn = "unknown word ";
+        for (std::size_t rest = i; rest > 0; rest /= 26)
+            kindOfItsOwn += char('a' + rest % 26);
+        const Diagnostic next = message(kindOfItsOwn + std::string(1000, ' '));
+        if (limit.admits(next))
+            ++told, bytes += format(next).size();
+    }
+    EXPECT_GT(told, 100u);
+    EXPECT_LT(bytes, 300000u);
+    const std::vector<Diagnostic> rest = limit.rest();
+    ASSERT_EQ(rest.size(), 1u);
+    EXPECT_EQ(rest[0].message, std::to_string(all - told) + " more messages");
+    EXPECT_TRUE(limit.admits(message("something else"))) << "after the end of all";
+}
+
 } // namespace candela

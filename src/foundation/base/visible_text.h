@@ -19,8 +19,11 @@ inline bool continuesCharacter(char c) { return (c & 0xc0) == 0x80; }
 std::string visible(std::string_view text, std::string_view kept = {},
                     std::vector<std::size_t> *places = nullptr);
 
-/// The text with dots in the middle of words of more than 300 bytes, and in its own beyond 3000:
-/// what files hold may be of any length.
+/// True if there are control characters in it, or such that turn the direction of writing.
+bool hasControls(std::string_view text);
+
+/// The text with dots in the middle of words of more than 60 bytes, of paths of more than 300, and
+/// in its own beyond 3000: what files hold may be of any length.
 std::string shortened(std::string_view text);
 
 } // namespace candela

@@ -31,6 +31,16 @@ TEST(VisibleText, ControlsAndBrokenCharactersAreEscaped) {
     EXPECT_EQ(visible("a\tb\n", "\t"), "a\tb\\n");
 }
 
+TEST(VisibleText, ControlsAreFound) {
+    for (const char *text : {"a\nb", "\x1b[31m", "\x7f", "\xc2\x9b", "\u202egpj.exe"})
+        EXPECT_TRUE(hasControls(text)) << text;
+    for (const char *text : {"", "a b", "\u00e9\u4e2d",
+                             "b\xfc"
+                             "cher.tif",
+                             "\x80"}) // Latin 1 is none.
+        EXPECT_FALSE(hasControls(text)) << text;
+}
+
 TEST(VisibleText, TellsWhereBytesStand) {
     std::vector<std::size_t> places;
     EXPECT_EQ(visible("a\x1b\u00e9z", "", &places), "a\\x1b\u00e9z");
@@ -38,10 +48,12 @@ TEST(VisibleText, TellsWhereBytesStand) {
 }
 
 TEST(VisibleText, LongWordsAndTextsAreShortened) {
-    const std::string word(300, 'x'), longer(1 << 20, 'x');
-    EXPECT_EQ(shortened("no '" + word.substr(9) + "' here"), "no '" + word.substr(9) + "' here");
+    const std::string longest(60, 'x'), path = "/" + std::string(299, 'x'), longer(1 << 20, 'x');
+    for (const std::string &whole : {longest, path})
+        EXPECT_EQ(shortened("no " + whole + " here"), "no " + whole + " here");
     const std::string text = shortened("no '" + longer + "' here");
-    EXPECT_LT(text.size(), 320u);
+    EXPECT_LT(text.size(), 75u);
+    EXPECT_LT(shortened("no /" + longer + " here").size(), 315u);
     EXPECT_TRUE(text.starts_with("no 'xxx") && text.ends_with("xxx' here")) << text;
     EXPECT_NE(text.find("x...x"), std::string::npos);
     std::string words;

@@ -9,13 +9,19 @@ RibReader::RibReader(RequestSink &sink, DiagnosticSink &diagnostics,
                      const ProceduralSettings &procedurals)
     : diagnostics_(diagnostics),
       stream_(
-          sink, diagnostics, [this](const std::string &path) { readFile(path); }, procedurals) {}
+          sink, diagnostics, [this](const std::string &path) { readArchive(path); }, procedurals) {}
 
 bool RibReader::readFile(const std::string &path) {
     stream_.beginFile(path);
     const bool opened = readRibFile(path, stream_, diagnostics_);
     stream_.endFile();
     return opened;
+}
+
+void RibReader::readArchive(const std::string &path) {
+    stream_.beginFile(path);
+    readRibArchive(path, stream_, diagnostics_);
+    stream_.endFile();
 }
 
 void RibReader::readText(std::string text, const std::string &name) {

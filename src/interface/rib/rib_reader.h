@@ -21,6 +21,8 @@ public:
     StreamExpander &stream() { return stream_; }
 
 private:
+    void readArchive(const std::string &path);
+
     DiagnosticSink &diagnostics_;
     StreamExpander stream_;
 };

@@ -13,7 +13,11 @@ namespace candela {
 /// column, and the reading goes on with the next request. False if the file cannot be opened, which
 /// is reported too.
 bool readRibFile(const std::string &path, StreamSink &, DiagnosticSink &);
-/// The same from memory; `name` stands in locations in place of a file's.
+/// The same for a file that another one names. One that is not named so (.rib) and whose first
+/// word, comments apart, is no request is no RIB: it is left out, and nothing of what it holds is
+/// told.
+bool readRibArchive(const std::string &path, StreamSink &, DiagnosticSink &);
+/// The same as readRibFile() from memory; `name` stands in locations in place of a file's.
 void readRibText(std::string text, const std::string &name, StreamSink &, DiagnosticSink &);
 
 } // namespace candela

@@ -3,6 +3,8 @@
 
 #include "foundation/base/whole_file.h"
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <optional>
 
@@ -18,6 +20,13 @@ IncludeName includeName(const std::vector<Token> &line) {
     return result;
 }
 
+/// Lines of other files are nobody's business: a shader of unknown origin may name any.
+static bool isNamedAsSource(const std::filesystem::path &path) {
+    constexpr std::array<std::string_view, 8> extensions = {".h",   ".sl",  ".slh",  ".inc",
+                                                            ".rsl", ".hpp", ".slim", ".cpp"};
+    return std::ranges::find(extensions, path.extension().string()) != extensions.end();
+}
+
 std::unique_ptr<SourceFile> readInclude(const IncludeName &include, const Place &where,
                                         const std::vector<std::string> &folders,
                                         Reporter &reporter) {
@@ -27,14 +36,17 @@ std::unique_ptr<SourceFile> readInclude(const IncludeName &include, const Place 
     std::string list;
     for (const auto &folder : searched) {
         const auto path = folder / include.name;
-        if (std::error_code error; std::filesystem::is_regular_file(path, error)) {
+        std::error_code error;
+        if (std::filesystem::is_regular_file(path, error)) {
             std::string problem;
             if (auto text = readWholeFile(path.string(), problem, sourceSizeLimit))
-                return std::make_unique<SourceFile>(path.string(), *text);
+                return std::make_unique<SourceFile>(path.string(), *text, isNamedAsSource(path));
             reporter.error(where, problem);
             return nullptr;
         }
-        list += (list.empty() ? "" : ", ") + (folder.empty() ? "." : folder.string());
+        // What is not there may be named by what the environment holds.
+        if (folder.empty() || std::filesystem::is_directory(folder, error))
+            list += (list.empty() ? "" : ", ") + (folder.empty() ? "." : folder.string());
     }
     reporter.error(where, "cannot read \"" + include.name + "\"; searched: " + list);
     return nullptr;

@@ -29,8 +29,8 @@ static std::string withUnixLineEnds(std::string_view text) {
     return result;
 }
 
-SourceFile::SourceFile(std::string name, std::string_view text)
-    : name_(std::make_shared<const std::string>(std::move(name))),
+SourceFile::SourceFile(std::string name, std::string_view text, bool mayBeQuoted)
+    : name_(std::make_shared<const std::string>(std::move(name))), mayBeQuoted_(mayBeQuoted),
       text_(withUnixLineEnds(withoutMarks(text))) {
     lineStarts_.push_back(0);
     for (size_t i = 0; i < text_.size(); ++i)
@@ -52,7 +52,7 @@ SourceLocation Place::location() const {
 
 Diagnostic diagnosticAt(Severity severity, const Place &where, std::string message) {
     Diagnostic result{severity, where.location(), std::move(message), {}, 1};
-    if (!where.file)
+    if (!where.file || !where.file->mayBeQuoted())
         return result;
     result.sourceLine = where.file->line(where.line);
     int room = int(result.sourceLine.size()) - where.column + 1;

@@ -22,11 +22,13 @@ struct Comment {
 /// byte order mark before and Ctrl-Z behind the text are dropped.
 class SourceFile {
 public:
-    SourceFile(std::string name, std::string_view text);
+    SourceFile(std::string name, std::string_view text, bool mayBeQuoted = true);
 
     const std::string &name() const { return *name_; }
     const std::shared_ptr<const std::string> &sharedName() const { return name_; }
     const std::string &text() const { return text_; }
+    /// Whether diagnostics may show its lines.
+    bool mayBeQuoted() const { return mayBeQuoted_; }
     /// Line n, counted from 1, without its line end; empty beyond the file.
     std::string_view line(int n) const;
 
@@ -34,6 +36,7 @@ public:
 
 private:
     std::shared_ptr<const std::string> name_;
+    bool mayBeQuoted_;
     std::string text_;
     std::vector<size_t> lineStarts_;
 };

@@ -6,6 +6,7 @@
 #include "language/syntax/include.h"
 
 #include <algorithm>
+#include <filesystem>
 
 namespace candela {
 
@@ -24,9 +25,7 @@ sl::ShaderKind languageKind(ShaderKind kind) {
     return sl::ShaderKind::Surface;
 }
 
-std::string lastPart(const std::string &name) {
-    return name.substr(name.find_last_of("/\\") + 1);
-}
+std::string lastPart(const std::string &name) { return name.substr(name.find_last_of("/\\") + 1); }
 
 } // namespace
 
@@ -78,8 +77,11 @@ const sl::TypedShader *ShaderSources::lookFor(const std::vector<std::string> &fo
         path = findNamesake(plain + ".sl", folders);
     if (!path) {
         std::string looked;
-        for (const std::string &folder : folders)
-            looked += (looked.empty() ? "" : ", ") + folder;
+        std::error_code error;
+        for (const std::string &folder :
+             folders) // Others may be named by what the environment holds.
+            if (std::filesystem::is_directory(folder, error))
+                looked += (looked.empty() ? "" : ", ") + folder;
         reportOnce("no shader \"" + name + "\": there is no " + plain + ".sl in " + looked);
         return nullptr;
     }
