@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // The command line: `candela scene.rib` renders, verbs do the rest.
+#include "apps/command_line_facts.h"
 #include "apps/verbs.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <string>
+#include <vector>
 
 /// The exit status if what was written to standard output has got there; else `lost`, or what is
 /// worse.
@@ -18,6 +22,16 @@ static int afterOutput(int status, int lost) {
     std::fprintf(stderr, "candela: error: cannot write to standard output%s%s\n", errno ? ": " : "",
                  errno ? std::strerror(errno) : "");
     return status ? status : lost;
+}
+
+/// `candela help VERB` is `candela VERB --help`.
+static std::vector<std::string> argumentsOf(int argc, char **argv, const CLI::App &app) {
+    std::vector<std::string> arguments(argv + 1, argv + argc);
+    const std::vector<const CLI::App *> verbs = candela::verbsOf(app);
+    if (arguments.size() == 2 && arguments[0] == "help" &&
+        std::ranges::find(verbs, arguments[1], &CLI::App::get_name) != verbs.end())
+        arguments = {arguments[1], "--help"};
+    return arguments;
 }
 
 int main(int argc, char **argv) {
@@ -47,7 +61,9 @@ int main(int argc, char **argv) {
     candela::addCat(app, status);
     candela::addHelp(app, status);
     try {
-        app.parse(argc, argv);
+        std::vector<std::string> arguments = argumentsOf(argc, argv, app);
+        std::ranges::reverse(arguments); // As CLI11 wants them.
+        app.parse(std::move(arguments));
     } catch (const CLI::ParseError &error) {
         return afterOutput(app.exit(error) == 0 ? 0 : 2, 1);
     }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "apps/command_line_facts.h"
+#include "apps/manual.h"
 #include "apps/shader_text.h"
 #include "apps/verbs.h"
 
@@ -8,6 +10,7 @@
 #include "render/shader_folders.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -51,16 +54,49 @@ int tell(const std::string &word) {
     return 1;
 }
 
+int printManual(const CLI::App &program, const std::string &verb) {
+    std::vector<const CLI::App *> all = verbsOf(program);
+    const auto found = std::ranges::find(all, verb, &CLI::App::get_name);
+    if (found == all.end() && verb != "candela") {
+        std::fprintf(stderr, "candela help: there is no verb \"%s\"\n", verb.c_str());
+        return 1;
+    }
+    std::fputs(manualPage(found == all.end() ? program : **found).c_str(), stdout);
+    return 0;
+}
+
+/// `candela help` and what may follow.
+struct Asked {
+    std::string word, manual, shell;
+};
+
+int answer(const CLI::App &program, const Asked &asked) {
+    if (!asked.shell.empty()) {
+        std::fputs(completionScript(asked.shell, program, referenceWords()).c_str(), stdout);
+        return 0;
+    }
+    return asked.manual.empty() ? tell(asked.word) : printManual(program, asked.manual);
+}
+
 } // namespace
 
 void addHelp(CLI::App &app, int &status) {
-    auto word = std::make_shared<std::string>();
+    auto asked = std::make_shared<Asked>();
     CLI::App *help = app.add_subcommand(
         "help", "The reference entry of a request, option, attribute, function or shader");
     help->footer("Exit status: 0 all went well, 1 there is no such word, 2 the command line cannot "
                  "be understood.");
-    help->add_option("word", *word, "What to tell of; none: what there is");
-    help->callback([word, &status] { status = tell(*word); });
+    help->add_option("word", asked->word, "What to tell of; none: what there is");
+    CLI::Option *const manual =
+        help->add_option("--man", asked->manual,
+                         "The manual page of this verb, or of candela, for man -l -")
+            ->type_name("VERB");
+    help->add_option("--completion", asked->shell,
+                     "A script that makes a shell complete candela's command line: "
+                     "source <(candela help --completion bash)")
+        ->check(CLI::IsMember(completingShells()))
+        ->excludes(manual);
+    help->callback([asked, &app, &status] { status = answer(app, *asked); });
 }
 
 } // namespace candela

@@ -76,6 +76,21 @@ def complaints_of_links(page):
             yield f"{page}: there is no {link}"
 
 
+LIMIT = re.compile(r"^\|[^|]*\| ([0-9,]+) \|.*\| `(\S+): (\w+)` \|$", re.MULTILINE)
+NUMBER = re.compile(r"[0-9.e']+u?( *(<<|\*) *[0-9]+)?")
+
+
+def complaints_of_limits(page, root):
+    """Numbers of limits that are not those of the source."""
+    limits = LIMIT.findall(page.read_text())
+    assert limits, page
+    for number, path, name in limits:
+        found = re.search(rf"\b{name} *= *(0x[0-9a-f]+|{NUMBER.pattern})", (root / path).read_text())
+        value = found and eval(re.sub(r"['u]", "", found[1]))
+        if value != int(number.replace(",", "")):
+            yield f"{page}: {path} has {name} = {value}, not {number}"
+
+
 def complaints_of(page, program, root):
     for block in BLOCK.findall(page.read_text()):
         command, *shown = block.rstrip("\n").split("\n")
@@ -98,6 +113,7 @@ def main():
     complaints = [text for page in pages for text in complaints_of(page, program, root)]
     complaints += [text for page in pages for text in complaints_of_listings(page, program)]
     complaints += [text for page in pages for text in complaints_of_links(page)]
+    complaints += complaints_of_limits(root / "docs" / "limits.md", root)
     print("\n".join(complaints))
     print(f"{len(pages)} pages, {blocks} blocks, {len(complaints)} complaints")
     sys.exit(1 if complaints or not blocks else 0)

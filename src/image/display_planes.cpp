@@ -143,16 +143,16 @@ std::string tellApart(std::vector<DisplayPlane> &planes) {
     return renamed;
 }
 
-DisplayRecord defaultDisplay() {
+DisplayRecord defaultDisplay(const std::string &name) {
     DisplayRecord display;
-    display.name = "ri.exr";
+    display.name = name;
     display.type = "file";
     display.mode = "rgba";
     return display;
 }
 
 std::vector<DisplayRecord> displaysOf(const Options &options) {
-    return options.displays.empty() ? std::vector{defaultDisplay()} : options.displays;
+    return options.displays.empty() ? std::vector{defaultDisplay("ri.exr")} : options.displays;
 }
 
 std::vector<ChannelInfo> wantedChannels(std::span<const DisplayRecord> displays,

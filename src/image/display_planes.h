@@ -42,9 +42,9 @@ std::optional<std::vector<DisplayPlane>> displayPlanes(const std::string &mode,
 std::string tellApart(std::vector<DisplayPlane> &);
 
 /// RI's default where a scene names no display: all of the picture, in a float file.
-DisplayRecord defaultDisplay();
+DisplayRecord defaultDisplay(const std::string &name);
 
-/// The displays of the options, or the default one.
+/// The displays of the options, or the default one, "ri.exr".
 std::vector<DisplayRecord> displaysOf(const Options &);
 
 /// The channels that the displays want from the film beside Ci and Oi: what Film::Settings takes.

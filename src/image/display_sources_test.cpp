@@ -65,7 +65,7 @@ protected:
 
 TEST_F(FilteredDisplays, coloursAreFilteredAndAllElseIsRaw) {
     PlaneSettings settings;
-    settings.gain = 2;
+    settings.exposure.gain = 2;
     EXPECT_EQ(shown("rgbaz,radiance,N,Oi", "R", settings), 1); // Exposed behind the filters.
     EXPECT_EQ(shown("rgbaz,radiance,N,Oi", "radiance.R", settings), .25f);
     EXPECT_EQ(shown("rgbaz,radiance,N,Oi", "A"), .5f);
@@ -108,7 +108,7 @@ TEST_F(FilteredDisplays, anImagerHasTheLastWordOnColourAndAlpha) {
     imaged_ = ImagedPicture{{4, 2}, {}, std::vector<float>(8, 1)};
     imaged_->color.assign(3, std::vector<float>(8, .125f));
     PlaneSettings settings;
-    settings.gain = 2; // Has been applied before the imager.
+    settings.exposure.gain = 2; // Has been applied before the imager.
     EXPECT_EQ(shown("rgba,Oi", "R", settings), .125f);
     EXPECT_EQ(shown("rgba,Oi", "A", settings), 1);
     EXPECT_EQ(shown("rgba,Oi", "Oi.R", settings), .5f);

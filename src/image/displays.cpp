@@ -38,8 +38,9 @@ struct Job {
 PlaneSettings planeSettings(const Job &job) {
     const auto usable = [](float value) { return value > 0 && std::isfinite(value); };
     PlaneSettings settings;
-    settings.gain = job.options.exposureGain;
-    settings.gamma = usable(job.options.exposureGamma) ? job.options.exposureGamma : 1;
+    settings.exposure = job.options.exposure.value_or(ExposureRecord{});
+    if (!usable(settings.exposure.gamma))
+        settings.exposure.gamma = 1;
     settings.halves = wantsHalves(job.display);
     settings.channels = job.options.channelQuantize;
     settings.own = job.display.quantize;
@@ -70,10 +71,14 @@ void describe(const Job &job, Picture &picture) {
     if (std::ranges::any_of(
             job.planes, [&](const DisplayPlane &plane) { return isFiltered(job.sources, plane); }))
         picture.metadata["filters"] = job.sources.filtered->filters;
-    picture.metadata["units"] = "W m^-2 sr^-1";
-    picture.metadata["luminousEfficacy"] = shortNumber(luminousEfficacy) + " lm/W";
-    picture.metadata["exposure"] =
-        shortNumber(options.exposureGain) + " " + shortNumber(options.exposureGamma);
+    if (options.named.string("radiometry:units", "classic") == "si") {
+        picture.metadata["units"] = "W m^-2 sr^-1";
+        picture.metadata["luminousEfficacy"] = shortNumber(luminousEfficacy) + " lm/W";
+    } else {
+        picture.metadata["units"] = "relative"; // To lights of intensity 1, as RI has them.
+    }
+    const ExposureRecord exposure = options.exposure.value_or(ExposureRecord{});
+    picture.metadata["exposure"] = shortNumber(exposure.gain) + " " + shortNumber(exposure.gamma);
     picture.metadata["pixelFilter"] = options.filter.name + " " +
                                       shortNumber(options.filter.xWidth) + " " +
                                       shortNumber(options.filter.yWidth);
@@ -105,6 +110,12 @@ std::optional<std::string> pngBytes(Job &job) {
     PlaneSettings settings = planeSettings(job);
     settings.quantizeAll = true;
     settings.halves = false;
+    settings.straightAlpha = true;
+    const auto shows = [&](Source source) {
+        return std::ranges::find(job.planes, source, &DisplayPlane::source) != job.planes.end();
+    };
+    settings.srgbCurve = shows(Source::Color) && !job.options.exposure && !job.display.quantize &&
+                         !job.options.colorQuantize;
     settings.own.reset();
     std::erase_if(settings.channels, [](const auto &named) { return named.second.one == 0; });
     settings.color =
@@ -118,10 +129,10 @@ std::optional<std::string> pngBytes(Job &job) {
     Picture picture = developPicture(job.sources, job.planes, settings);
     describe(job, picture);
     noteQuantize(picture, settings.color);
-    const bool depth = std::ranges::any_of(
-        job.planes, [](const DisplayPlane &plane) { return plane.source == Source::Depth; });
-    const float largest = std::max(settings.color.maximum, depth ? settings.depth.maximum : 0);
-    return encodePng(picture, largest > 255 ? 16 : 8, settings.gamma, job.problem);
+    const float largest =
+        std::max(settings.color.maximum, shows(Source::Depth) ? settings.depth.maximum : 0);
+    const auto gamma = settings.srgbCurve ? std::nullopt : std::optional(settings.exposure.gamma);
+    return encodePng(picture, largest > 255 ? 16 : 8, gamma, job.problem);
 }
 
 /// What stands in a header that knows one text alone.
@@ -190,19 +201,42 @@ bool write(Job &job, const PlannedDisplay &display) {
     return bytes && writeWholeFile(display.path, *bytes, job.problem);
 }
 
+/// Light as the display has it. That which an imager has given is exposed, its share of the pixel
+/// too.
+float developedColor(float value, bool isExposed, float alpha, const PlaneSettings &settings) {
+    if (settings.straightAlpha)
+        value =
+            straightColor(value, isExposed ? exposed(alpha, {1, settings.exposure.gamma}) : alpha);
+    if (!isExposed)
+        value = exposed(value, settings.exposure);
+    return settings.srgbCurve ? srgbCurve(value) : value;
+}
+
+/// `alpha`: of all pixels, or empty.
 void develop(SourcePlane &from, const DisplayPlane &plane, int planeNumber, const FrameWindow &w,
-             const PlaneSettings &settings) {
+             const std::vector<float> &alpha, const PlaneSettings &settings) {
     const bool color = plane.source == Source::Color;
     const QuantizeRecord quantize = quantizeOf(plane, settings);
     std::vector<float> &values = from.values;
     for (std::size_t i = 0; i < values.size(); ++i) {
-        if (color && !from.exposed)
-            values[i] = exposed(values[i], settings.gain, settings.gamma);
+        if (color)
+            values[i] =
+                developedColor(values[i], from.exposed, alpha.empty() ? 1 : alpha[i], settings);
         if (quantize.one != 0) {
             const int x = w.x0 + int(i % w.columns()), y = w.y0 + int(i / w.columns());
             values[i] = quantized(values[i], quantize, ditherNoise(x, y, planeNumber));
         }
     }
+}
+
+/// Of the file's own pixels; empty if it has none, or none of their size.
+std::vector<float> alphaOf(const DisplaySources &sources, const std::vector<DisplayPlane> &planes,
+                           std::size_t pixels) {
+    const auto alpha = std::ranges::find(planes, Source::Alpha, &DisplayPlane::source);
+    if (alpha == planes.end())
+        return {};
+    auto from = sourcePlane(sources, *alpha, FilmHalf::Both);
+    return from && from->values.size() == pixels ? std::move(from->values) : std::vector<float>();
 }
 
 /// A picture whose size a filter has changed is a frame of its own.
@@ -251,6 +285,9 @@ Picture developPicture(const DisplaySources &sources, const std::vector<DisplayP
                        const PlaneSettings &settings) {
     Picture picture;
     picture.window = windowOf(sources, planes);
+    const std::vector<float> alpha = settings.straightAlpha
+                                         ? alphaOf(sources, planes, picture.window.pixels())
+                                         : std::vector<float>();
     const auto add = [&](const std::string &layer, FilmHalf half) {
         for (std::size_t k = 0; k < planes.size(); ++k) {
             const DisplayPlane &plane = planes[k];
@@ -260,7 +297,7 @@ Picture developPicture(const DisplaySources &sources, const std::vector<DisplayP
             std::optional<SourcePlane> from = sourcePlane(sources, plane, half);
             if (!from || from->values.size() != picture.window.pixels())
                 continue;
-            develop(*from, plane, int(k), picture.window, settings);
+            develop(*from, plane, int(k), picture.window, alpha, settings);
             picture.channels.push_back({layer + plane.name, std::move(from->values)});
         }
     };

@@ -30,7 +30,9 @@ std::vector<std::string> writeDisplays(const DisplaySources &, std::span<const P
 
 /// How a display wants its planes.
 struct PlaneSettings {
-    float gain = 1, gamma = 1;
+    ExposureRecord exposure;
+    bool srgbCurve = false;     ///< Behind it.
+    bool straightAlpha = false; ///< Colors are those of what covers the pixel.
     QuantizeRecord color, depth;
     std::map<std::string, QuantizeRecord> channels; ///< Of other channels, by name.
     std::optional<QuantizeRecord> own;              ///< The display's, of all others.

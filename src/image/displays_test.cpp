@@ -101,7 +101,8 @@ protected:
 
 TEST_F(DisplaysTest, ExrHoldsChannelsWindowAndDescription) {
     display("a.exr", "openexr", "rgbaz,N,radiance");
-    options_.exposureGain = 2;
+    options_.exposure = {2, 1};
+    options_.named["radiometry:units"] = {"units", {}, {}, {"si"}};
     frame_.worldToCamera = translation(1, 2, 3);
     fill();
     ASSERT_EQ(writeAll().size(), 1u) << list_.text();
@@ -132,12 +133,13 @@ TEST_F(DisplaysTest, ExrHoldsChannelsWindowAndDescription) {
 
 TEST_F(DisplaysTest, PngQuantisesWithTheDocumentedDither) {
     display("a.png", "png", "rgb");
-    options_.exposureGamma = 2;
+    options_.exposure = {1, 2};
     fill();
     ASSERT_EQ(writeAll().size(), 1u) << list_.text();
     const Picture picture = readPng("a.png");
     ASSERT_EQ(picture.channels.size(), 3u);
-    EXPECT_EQ(picture.metadata.at("units"), "W m^-2 sr^-1");
+    EXPECT_EQ(picture.metadata.at("units"), "relative");
+    EXPECT_FALSE(picture.metadata.contains("luminousEfficacy"));
     std::size_t i = 0;
     for (int y = 2; y < 5; ++y)
         for (int x = 1; x < 5; ++x, ++i)
@@ -145,9 +147,86 @@ TEST_F(DisplaysTest, PngQuantisesWithTheDocumentedDither) {
                 const double exact = 255 * std::sqrt(valueAt(x, y, c));
                 const int level = int(std::lround(picture.channels[c].values[i] * 255));
                 EXPECT_NEAR(level, exact, 1.001);
-                EXPECT_EQ(level, int(quantized(exposed(valueAt(x, y, c), 1, 2), eightBitQuantize,
+                EXPECT_EQ(level, int(quantized(exposed(valueAt(x, y, c), {1, 2}), eightBitQuantize,
                                                ditherNoise(x, y, c))));
             }
+}
+
+/// The bytes of a chunk of a PNG file; none if it has no such chunk.
+std::string chunkOf(const std::string &png, const std::string &type) {
+    const std::size_t at = png.find(type);
+    const auto byte = [&](std::size_t i) { return std::size_t((unsigned char)png[i]); };
+    return at == std::string::npos || at < 4 ? ""
+                                             : png.substr(at + 4, byte(at - 2) << 8 | byte(at - 1));
+}
+
+TEST_F(DisplaysTest, PngIsSrgbWhereNobodySaysOtherwise) {
+    const QuantizeRecord plain{255, 0, 255, 0};
+    const struct {
+        const char *type, *mode;
+        std::optional<ExposureRecord> exposure;
+        std::optional<QuantizeRecord> own, all;
+        bool isSrgb;
+        std::uint32_t gamma;
+    } table[] = {
+        {"png", "rgb", {}, {}, {}, true, 45455},
+        {"file", "rgb", {}, {}, {}, true, 45455},
+        {"png", "rgba", {}, {}, {}, true, 45455},
+        {"png", "rgb", ExposureRecord{1, 1}, {}, {}, false, 100000},
+        {"png", "rgb", ExposureRecord{1, 2.2f}, {}, {}, false, 45455},
+        {"png", "rgb", ExposureRecord{2, 1.8f}, {}, {}, false, 55556},
+        {"png", "rgb", {}, plain, {}, false, 100000},
+        {"png", "rgb", {}, {}, plain, false, 100000},
+        {"png", "albedo", {}, {}, {}, false, 100000}, // No light.
+    };
+    for (const auto &row : table) {
+        options_ = {};
+        options_.filter = {"box", 1, 1};
+        display("a.png", row.type, row.mode);
+        options_.displays[0].quantize = row.own;
+        options_.colorQuantize = row.all;
+        options_.exposure = row.exposure;
+        fill();
+        ASSERT_EQ(writeAll().size(), 1u) << list_.text();
+        std::string problem;
+        const std::string bytes = *readWholeFile(folder_ + "/a.png", problem);
+        EXPECT_EQ(!chunkOf(bytes, "sRGB").empty(), row.isSrgb);
+        const std::string gamma = chunkOf(bytes, "gAMA");
+        ASSERT_EQ(gamma.size(), 4u);
+        std::uint32_t stored = 0;
+        for (const char byte : gamma)
+            stored = stored << 8 | (unsigned char)byte;
+        EXPECT_EQ(stored, row.gamma);
+    }
+}
+
+TEST_F(DisplaysTest, PngHasTheColorOfWhatCoversThePixel) {
+    const QuantizeRecord fine{65535, 0, 65535, 0};
+    for (const float gamma : {1.0f, 2.0f}) {
+        options_ = {};
+        options_.filter = {"box", 1, 1};
+        display("a.png", "png", "rgba");
+        display("a.exr", "openexr", "rgba");
+        options_.displays[0].quantize = fine;
+        options_.exposure = {.25f, gamma};
+        fill();
+        ASSERT_EQ(writeAll().size(), 2u) << list_.text();
+        const Picture straight = readPng("a.png"), whole = readExr("a.exr");
+        EXPECT_EQ(straight.hasDisplayValues, gamma != 1);
+        int compared = 0;
+        for (std::size_t i = 0; i < whole.window.pixels(); ++i) {
+            const float alpha = whole.find("A")->values[i];
+            ASSERT_GT(alpha, 0);
+            // Where the file says that it holds light, the reader has made it that of whole pixels.
+            const float share = gamma == 1 ? 1 : std::pow(alpha, 1 / gamma);
+            const float expected = whole.find("G")->values[i] / share;
+            if (expected > .99f) // Clamped, perhaps.
+                continue;
+            ++compared;
+            EXPECT_NEAR(straight.find("G")->values[i], expected, 2e-5f);
+        }
+        EXPECT_GT(compared, 3);
+    }
 }
 
 TEST_F(DisplaysTest, SixteenBitsAndAlpha) {
@@ -442,11 +521,11 @@ TEST_F(DisplaysTest, SpecialFilesAreNotReplaced) {
 }
 
 TEST(Imaging, Exposure) {
-    EXPECT_EQ(exposed(0.25f, 2, 1), 0.5f);
-    EXPECT_FLOAT_EQ(exposed(0.25f, 1, 2), 0.5f);
-    EXPECT_FLOAT_EQ(exposed(0.125f, 8, 2.2f), 1);
-    EXPECT_EQ(exposed(-0.25f, 2, 1), -0.5f);
-    EXPECT_FLOAT_EQ(exposed(-0.25f, 1, 2), -0.5f);
+    EXPECT_EQ(exposed(0.25f, {2, 1}), 0.5f);
+    EXPECT_FLOAT_EQ(exposed(0.25f, {1, 2}), 0.5f);
+    EXPECT_FLOAT_EQ(exposed(0.125f, {8, 2.2f}), 1);
+    EXPECT_EQ(exposed(-0.25f, {2, 1}), -0.5f);
+    EXPECT_FLOAT_EQ(exposed(-0.25f, {1, 2}), -0.5f);
 }
 
 /// IEC 61966-2-1: a line below 0.0031308, 1.055 l^(1/2.4) - 0.055 above.

@@ -33,7 +33,7 @@ struct PixelPlanes {
     std::vector<std::vector<float>> planes;
 };
 
-PixelPlanes exposedPixels(const DisplaySources &sources, float gain, float gamma,
+PixelPlanes exposedPixels(const DisplaySources &sources, const ExposureRecord &exposure,
                           const std::array<int, 2> &frame) {
     PixelPlanes pixels;
     pixels.size = sizeOfPlane(sources, {Source::Color, "Ci", 0, ""}).value_or(PlaneSize{});
@@ -44,7 +44,7 @@ PixelPlanes exposedPixels(const DisplaySources &sources, float gain, float gamma
     for (int c = 0; c < colorSamples; ++c) {
         pixels.planes.push_back(planeOf(sources, {Source::Color, "Ci", c, ""}, pixels.size));
         for (float &value : pixels.planes.back())
-            value = exposed(value, gain, gamma);
+            value = exposed(value, exposure);
     }
     for (int c = 0; c < colorSamples; ++c)
         pixels.planes.push_back(planeOf(sources, {Source::Channel, "Oi", c, ""}, pixels.size));
@@ -131,7 +131,7 @@ std::optional<Imager> Imager::of(const Options &options, ShaderLibrary &library,
 }
 
 ImagedPicture Imager::run(const DisplaySources &sources, DiagnosticSink &diagnostics) const {
-    PixelPlanes pixels = exposedPixels(sources, gain_, gamma_, frame_);
+    PixelPlanes pixels = exposedPixels(sources, exposure_, frame_);
     const QuestionCode &question = instance_.code->question(ir::Question::Imager);
     const std::size_t count = pixels.planes[0].size();
     parallelFor((count + batch - 1) / batch, [&](std::size_t k) {

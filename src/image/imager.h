@@ -27,12 +27,12 @@ public:
 
 private:
     Imager(ShaderInstance instance, const Options &options)
-        : instance_(std::move(instance)), gain_(options.exposureGain),
-          gamma_(options.exposureGamma), time_(options.camera.shutterOpen),
-          frame_(options.format.effectiveResolution()) {}
+        : instance_(std::move(instance)), exposure_(options.exposure.value_or(ExposureRecord{})),
+          time_(options.camera.shutterOpen), frame_(options.format.effectiveResolution()) {}
 
     ShaderInstance instance_;
-    float gain_, gamma_, time_;
+    ExposureRecord exposure_;
+    float time_;
     std::array<int, 2> frame_; ///< Pixels of the whole frame.
 };
 

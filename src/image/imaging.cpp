@@ -8,9 +8,11 @@
 
 namespace candela {
 
-float exposed(float value, float gain, float gamma) {
-    const float light = value * gain;
-    return gamma == 1 ? light : std::copysign(std::pow(std::abs(light), 1 / gamma), light);
+float exposed(float value, const ExposureRecord &exposure) {
+    const float light = value * exposure.gain;
+    return exposure.gamma == 1
+               ? light
+               : std::copysign(std::pow(std::abs(light), 1 / exposure.gamma), light);
 }
 
 float srgbCurve(float value) {

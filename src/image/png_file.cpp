@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "image/png_file.h"
 
+#include "image/imaging.h"
+
 #include <png.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 namespace candela {
@@ -23,6 +26,7 @@ struct Reading {
     std::string message;
     png_uint_32 width = 0, height = 0;
     int colorType = 0, bits = 0;
+    bool isLight = false; ///< The file says gamma 1.
     std::vector<png_byte> pixels;
     std::vector<png_bytep> rows;
     std::map<std::string, std::string> texts;
@@ -51,7 +55,7 @@ void takeBytes(png_structp png, png_bytep data, std::size_t size) {
 
 struct Layout {
     int columns, rows, bits, colorType;
-    double fileGamma;
+    std::optional<float> gamma; ///< Of the values; none: the curve of sRGB.
 };
 
 bool writeStructure(png_structp png, png_infop info, const Layout &layout,
@@ -60,7 +64,10 @@ bool writeStructure(png_structp png, png_infop info, const Layout &layout,
         return false;
     png_set_IHDR(png, info, layout.columns, layout.rows, layout.bits, layout.colorType,
                  PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    png_set_gAMA(png, info, layout.fileGamma);
+    if (layout.gamma)
+        png_set_gAMA_fixed(png, info, png_fixed_point(std::lround(1e5 / *layout.gamma)));
+    else
+        png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
     png_set_text(png, info, texts.data(), int(texts.size()));
     png_write_info(png, info);
     png_write_image(png, rows.data());
@@ -111,6 +118,10 @@ bool readHeader(png_structp png, png_infop info, Reading &reading) {
     reading.height = png_get_image_height(png, info);
     reading.colorType = png_get_color_type(png, info);
     reading.bits = png_get_bit_depth(png, info);
+    double gamma = 0;
+    int intent = 0;
+    reading.isLight = !png_get_sRGB(png, info, &intent) && png_get_gAMA(png, info, &gamma) &&
+                      std::abs(gamma - 1) < .01;
     if (double(reading.width) * reading.height * png_get_channels(png, info) > largestValueCount)
         png_error(png, "it is too large to be read");
     // Deflate packs at most 1032 to 1: a header that promises more lies.
@@ -148,6 +159,14 @@ bool readAll(png_structp png, png_infop info, Reading &reading) {
     return true;
 }
 
+/// Light is that of whole pixels, not of what covers them.
+void spreadOverPixels(Picture &picture) {
+    const std::vector<float> &alpha = picture.channels.back().values;
+    for (std::size_t c = 0; c + 1 < picture.channels.size(); ++c)
+        for (std::size_t i = 0; i < alpha.size(); ++i)
+            picture.channels[c].values[i] = wholeColor(picture.channels[c].values[i], alpha[i]);
+}
+
 Picture unpack(const Reading &reading) {
     const bool color = reading.colorType & PNG_COLOR_MASK_COLOR;
     const bool alpha = reading.colorType & PNG_COLOR_MASK_ALPHA;
@@ -159,7 +178,7 @@ Picture unpack(const Reading &reading) {
     Picture picture;
     picture.window = {width, height, 0, width, 0, height};
     picture.metadata = reading.texts;
-    picture.hasDisplayValues = true;
+    picture.hasDisplayValues = !reading.isLight;
     const png_byte *at = reading.pixels.data();
     for (const std::string &name : names)
         picture.channels.push_back({name, std::vector<float>(picture.window.pixels())});
@@ -169,12 +188,14 @@ Picture unpack(const Reading &reading) {
             channel.values[i] =
                 reading.bits == 16 ? float((high << 8) + *at++) / 65535.0f : float(high) / 255.0f;
         }
+    if (reading.isLight && alpha)
+        spreadOverPixels(picture);
     return picture;
 }
 
 } // namespace
 
-std::optional<std::string> encodePng(const Picture &picture, int bits, float gamma,
+std::optional<std::string> encodePng(const Picture &picture, int bits, std::optional<float> gamma,
                                      std::string &problem) {
     constexpr int colorTypes[] = {PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA,
                                   PNG_COLOR_TYPE_RGB, PNG_COLOR_TYPE_RGB_ALPHA};
@@ -190,7 +211,7 @@ std::optional<std::string> encodePng(const Picture &picture, int bits, float gam
         rows.push_back(pixels.data() + pixels.size() / picture.window.rows() * y);
     std::vector<png_text> texts = textsOf(picture);
     const Layout layout{picture.window.columns(), picture.window.rows(), bits,
-                        colorTypes[channels - 1], 1.0 / gamma};
+                        colorTypes[channels - 1], gamma};
 
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &writing.message, keepMessage,
                                               ignoreWarning);

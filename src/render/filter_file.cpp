@@ -23,12 +23,14 @@ namespace candela {
 
 namespace {
 
-/// Filters want light.
+/// Filters want light, that of whole pixels.
 void makeLinear(Picture &picture) {
+    const PictureChannel *const alpha = picture.find("A");
     for (PictureChannel &channel : picture.channels)
         if (isColorChannel(channel.name) || channel.name == "Y")
-            for (float &value : channel.values)
-                value = linearOfSrgb(value);
+            for (std::size_t i = 0; i < channel.values.size(); ++i)
+                channel.values[i] =
+                    wholeColor(linearOfSrgb(channel.values[i]), alpha ? alpha->values[i] : 1);
     picture.hasDisplayValues = false;
 }
 

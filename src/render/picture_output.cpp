@@ -17,14 +17,22 @@ void expose(Picture &picture, const std::array<float, 2> &exposure) {
     for (PictureChannel &channel : picture.channels)
         if (isColorChannel(channel.name))
             for (float &value : channel.values)
-                value = exposed(value, exposure[0], exposure[1]);
+                value = exposed(value, {exposure[0], exposure[1]});
+}
+
+/// Colors of what covers the pixels: before the exposure, which is not linear.
+void separateAlpha(Picture &picture) {
+    const PictureChannel *const alpha = picture.find("A");
+    for (PictureChannel &channel : picture.channels)
+        for (std::size_t i = 0; alpha && isColorChannel(channel.name) && i < channel.values.size();
+             ++i)
+            channel.values[i] = straightColor(channel.values[i], alpha->values[i]);
 }
 
 /// Whole numbers of R, G, B and alpha, and what else is there left out.
 std::optional<std::string> pngBytes(const Picture &picture,
                                     const std::optional<std::array<float, 2>> &exposure,
                                     std::string &problem) {
-    constexpr float gammaOfSrgb = 2.2f; // What the file says of a curve that is nearly that.
     Picture shown = picture;
     shown.channels.clear();
     for (const char *name : {"R", "G", "B", "A"})
@@ -41,7 +49,7 @@ std::optional<std::string> pngBytes(const Picture &picture,
             value = quantized(value, eightBitQuantize, ditherNoise(x, y, c));
         }
     }
-    const float gamma = exposure ? (*exposure)[1] : gammaOfSrgb;
+    const auto gamma = exposure ? std::optional((*exposure)[1]) : std::nullopt;
     return encodePng(shown, 8, gamma, problem);
 }
 
@@ -57,6 +65,8 @@ bool isColorChannel(const std::string &channel) {
 
 bool writePicture(Picture &picture, const std::string &path,
                   const std::optional<std::array<float, 2>> &exposure, std::string &problem) {
+    if (isPngName(path) && !picture.hasDisplayValues)
+        separateAlpha(picture);
     if (exposure)
         expose(picture, *exposure);
     const auto bytes =

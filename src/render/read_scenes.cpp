@@ -2,6 +2,7 @@
 #include "render/read_scenes.h"
 
 #include "foundation/base/parallel.h"
+#include "image/display_planes.h"
 #include "interface/ri/graphics_state.h"
 #include "interface/rib/fingerprint_sink.h"
 #include "interface/rib/rib_reader.h"
@@ -17,6 +18,14 @@
 namespace candela {
 
 namespace {
+
+/// What a scene that names no display is written as: its own name; RI's for one that has none.
+std::string pictureName(const std::string &ribFile) {
+    std::filesystem::path name = std::filesystem::path(ribFile).filename();
+    if (name.extension() == ".gz")
+        name = name.stem();
+    return name.empty() || name == "-" ? "ri.exr" : name.stem().string() + ".exr";
+}
 
 /// The last word on the options is the command line's.
 void overrideOptions(const RenderSettings &settings, Options &options) {
@@ -59,7 +68,11 @@ GraphicsStateSettings stateSettings(const std::string &ribFile, const RenderSett
     };
     result.searchPaths = {joinFolders(settings.shaderPath), joinFolders(settings.texturePath),
                           joinFolders(settings.archivePath)};
-    result.overrideOptions = [&](Options &options) { overrideOptions(settings, options); };
+    result.overrideOptions = [&settings, picture = pictureName(ribFile)](Options &options) {
+        overrideOptions(settings, options);
+        if (options.displays.empty())
+            options.displays.push_back(defaultDisplay(picture));
+    };
     return result;
 }
 

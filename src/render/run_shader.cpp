@@ -222,7 +222,6 @@ private:
     }
 
     static std::optional<std::string> pngOf(const Picture &picture, std::string &problem) {
-        constexpr float gammaOfSrgb = 2.2f;
         Picture shown = picture;
         shown.channels.clear();
         for (const char *name : {"R", "G", "B"})
@@ -230,7 +229,7 @@ private:
         for (PictureChannel &channel : shown.channels)
             for (float &value : channel.values)
                 value = quantized(srgbCurve(value), eightBitQuantize, 0);
-        return encodePng(shown, 8, gammaOfSrgb, problem);
+        return encodePng(shown, 8, std::nullopt, problem);
     }
 
     const RunSettings &settings_;

@@ -176,8 +176,23 @@ TEST_F(CommandLine, IntegratorOfTheOptionWins) {
 
 TEST_F(CommandLine, UnitsStandInTheFile) {
     render(scene(exr));
+    EXPECT_EQ(read("out.exr").metadata["units"], "relative");
+    EXPECT_FALSE(read("out.exr").metadata.contains("luminousEfficacy"));
+    render(scene(exr + "Option \"radiometry\" \"string units\" \"si\"\n"));
     EXPECT_EQ(read("out.exr").metadata["units"], "W m^-2 sr^-1");
     EXPECT_EQ(read("out.exr").metadata["luminousEfficacy"], "179 lm/W");
+}
+
+TEST_F(CommandLine, AScenesOwnNameIsItsPicturesWhereItNamesNone) {
+    render(scene(""));
+    EXPECT_TRUE(folder_.has("scene.exr"));
+    for (const char *name : {"two.words.rib", "packed.rib.gz", "none"}) {
+        const Outcome run =
+            runCandela({folder_.write(name, scene("")), "--output-dir", folder_.path()});
+        EXPECT_EQ(run.status, 0) << run.text();
+    }
+    for (const char *picture : {"two.words.exr", "packed.exr", "none.exr"})
+        EXPECT_TRUE(folder_.has(picture)) << picture;
 }
 
 TEST_F(CommandLine, PicturesGoToTheCurrentFolderUnlessToldOtherwise) {

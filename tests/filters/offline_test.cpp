@@ -89,7 +89,7 @@ TEST_F(Filtered, aPngPictureIsReadAsLight) {
         ASSERT_TRUE(plain.find(name) && light.find(name) && second.find(name)) << name;
         for (std::size_t k = 0; k < plain.find(name)->values.size(); ++k) {
             const float value = plain.find(name)->values[k];
-            if (value <= 1) {
+            if (first.find(name)->values[k] < .99f) { // Else it is brighter than what covers it.
                 EXPECT_NEAR(light.find(name)->values[k], value, .02f * value + .002f) << name << k;
             }
             EXPECT_NEAR(second.find(name)->values[k], first.find(name)->values[k], 1.01f / 255);

@@ -165,7 +165,7 @@ TEST_F(LongRuns, DoNotGoOnWithAnothersCheckpoint) {
 TEST_F(LongRuns, SayWhatIsWrongWithACheckpoint) {
     folder_.write("scene.rib", world(16));
     ASSERT_EQ(run({"scene.rib", "--checkpoint", "c"}).status, 0);
-    std::filesystem::remove(folder_.path("ri.exr"));
+    std::filesystem::remove(folder_.path("scene.exr"));
     std::string bytes = folder_.read("c");
     folder_.write("short", bytes.substr(0, bytes.size() / 2));
     bytes[bytes.size() / 2] ^= 1;
@@ -180,7 +180,7 @@ TEST_F(LongRuns, SayWhatIsWrongWithACheckpoint) {
         const Outcome refused = run({"scene.rib", "--resume", file, "--checkpoint", "d"});
         EXPECT_EQ(refused.status, 1) << file;
         EXPECT_TRUE(refused.says(says)) << refused.text();
-        EXPECT_FALSE(folder_.has("ri.exr"));
+        EXPECT_FALSE(folder_.has("scene.exr"));
     }
     const Outcome begun = run({"scene.rib", "--resume", "nothing"});
     EXPECT_EQ(begun.status, 0);

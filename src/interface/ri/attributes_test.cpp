@@ -204,11 +204,19 @@ TEST_F(State, displaysThatAreAddedBeforeTheFirstOneStay) {
     EXPECT_EQ(names, (std::vector<std::string>{"a", "w", "z"}));
 }
 
+TEST_F(State, cropWindowsAreTakenInOrderAndWithinTheFrame) {
+    state.cropWindow(at, .75f, .25f, -1, 1.5f);
+    EXPECT_EQ(errors(), 0);
+    EXPECT_TRUE(says("its edges are taken in order"));
+    state.worldBegin(at);
+    EXPECT_EQ(builder.worlds[0].options.format.cropWindow, (std::array{.25f, .75f, 0.0f, 1.0f}));
+}
+
 TEST_F(State, nonsenseInOptionsIsReportedAndHasNoEffect) {
     state.format(at, 0, 10, 1);
     state.frameAspectRatio(at, -1);
     state.screenWindow(at, 0, 0, 0, 1);
-    state.cropWindow(at, 0.5f, 0.25f, 0, 1);
+    state.cropWindow(at, 0.5f, 0.5f, 0, 1);
     state.cropWindow(at, NAN, 1, 0, 1);
     state.projection(at, "perspective", numbers("fov", {180}));
     state.clipping(at, 2, 1);

@@ -92,8 +92,8 @@ TEST_F(State, framesAreIndependent) {
     EXPECT_EQ(builder.worlds[0].options.frame, 1);
     EXPECT_EQ(builder.worlds[1].options.frame, 2);
     EXPECT_EQ(builder.worlds[1].options.format.xResolution, 200);
-    EXPECT_EQ(builder.worlds[0].options.exposureGain, 2);
-    EXPECT_EQ(builder.worlds[1].options.exposureGain, 1);
+    EXPECT_EQ(builder.worlds[0].options.exposure->gain, 2);
+    EXPECT_FALSE(builder.worlds[1].options.exposure);
     EXPECT_EQ(builder.worlds[0].lights.size(), 1u);
     EXPECT_EQ(builder.worlds[1].lights.size(), 0u);
     EXPECT_EQ(builder.worlds[1].options.camera.cameraFromWorld, Matrix4{});

@@ -32,11 +32,13 @@ std::array<int, 2> FrameFormat::effectiveResolution() const {
     return {std::clamp(int(std::lround(columns)), 1, xResolution), yResolution};
 }
 
-/// Tiles that share an edge of the window share this number, so they join without overlap. In
-/// single precision on purpose: there 0.1 * 640 is 64, as the user means it.
+/// Tiles that share an edge of the window share this number, so they join without overlap. What the
+/// edge lost as a float counts for nothing: 0.1 * 640 is 64 and 0.6 * 100 is 60, as the user means
+/// it.
 static int firstPixelFrom(float edge, int resolution) {
-    float pixel = std::ceil(edge * float(resolution));
-    return int(std::clamp(pixel, 0.0f, float(resolution)));
+    constexpr double withoutRounding = 1 - 1.0 / (1 << 23);
+    const double pixel = std::ceil(double(edge) * resolution * withoutRounding);
+    return int(std::clamp(pixel, 0.0, double(resolution)));
 }
 
 std::array<int, 4> FrameFormat::cropPixels() const {

@@ -29,6 +29,11 @@ struct QuantizeRecord {
 /// More samples of a pixel would do no good and are not counted.
 inline constexpr int maximumSamplesPerPixel = 1 << 24;
 
+/// RiExposure: (light * gain)^(1 / gamma).
+struct ExposureRecord {
+    float gain = 1, gamma = 1;
+};
+
 struct DisplayRecord {
     std::string name;                       ///< File name, without the leading '+'.
     std::string type;                       ///< "file", "openexr", "png", ...
@@ -83,7 +88,9 @@ struct Options {
     std::optional<float> pixelVariance;
     PixelFilterRecord filter;
     std::vector<ShaderRecord> filters; ///< PushFilter, in the order in which they run.
-    float exposureGain = 1, exposureGamma = 1;
+    /// Unset: light as it is; PNG pictures that nobody quantises either show it by the curve of
+    /// sRGB.
+    std::optional<ExposureRecord> exposure;
     std::optional<ShaderRecord> imager;          ///< Unset = none.
     std::optional<QuantizeRecord> colorQuantize; ///< RiQuantize "rgba"; unset = display's default.
     std::optional<QuantizeRecord> depthQuantize; ///< RiQuantize "z".

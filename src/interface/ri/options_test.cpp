@@ -50,6 +50,11 @@ TEST(FrameFormat, cropPixelsAreRoundedUp) {
     EXPECT_EQ(format.cropPixels(), (std::array{64, 320, 120, 336}));
     format.cropWindow = {0.001f, 1, 0, 0.001f};
     EXPECT_EQ(format.cropPixels(), (std::array{1, 640, 0, 1}));
+    for (int hundredths = 0; hundredths <= 100; ++hundredths) { // Whatever float makes of them.
+        FrameFormat square = withFormat(100, 1000, 1);
+        square.cropWindow = {float(hundredths) / 100, 1, float(hundredths / 100.0), 1};
+        EXPECT_EQ(square.cropPixels(), (std::array{hundredths, 100, 10 * hundredths, 1000}));
+    }
 }
 
 TEST(FrameFormat, cropTilesJoinWithoutGapOrOverlap) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "interface/ri/primitive_checks.h"
 
+#include "interface/ri/bad_faces.h"
 #include "interface/ri/declarations.h"
 #include "interface/ri/variable_counts.h"
 
@@ -92,6 +93,9 @@ std::shared_ptr<const PrimitiveRecord> checkedPrimitive(const char *request, Sha
     const Parameter *position = positionOf(shape, variables);
     if (needsPosition(shape) && !position)
         return leaveOut("it has no \"P\"");
+    if (auto *const polygons = std::get_if<PolygonsRecord>(&shape))
+        if (const std::string found = leaveOutBadFaces(*polygons, variables); !found.empty())
+            diagnostics.error(where, request, found);
     if (std::string defect = defectOf(shape, attributes); !defect.empty())
         return leaveOut(defect);
     std::int64_t vertices = verticesNeeded(shape, attributes);

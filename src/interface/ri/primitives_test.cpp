@@ -360,6 +360,51 @@ TEST_F(State, indicesBeyondThePointsAreNamed) {
     EXPECT_TRUE(primitives().empty());
 }
 
+TEST_F(State, aBadFaceCostsThatFaceAlone) {
+    state.worldBegin(at);
+    const Floats square{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+    const struct {
+        Integers loops, counts, vertices;
+        Floats points;
+        const char *says;
+    } table[] = {
+        {{1, 1, 1}, {3, 4, 3}, {0, 1, 2, 0, 1, 2, 99, 0, 2, 3}, square, "face 1 has the vertex 99"},
+        {{1, 1, 1}, {3, 4, 3}, {0, 1, 2, 0, 1, -2, 3, 0, 2, 3}, square, "face 1 has the negative"},
+        {{1, 1, 1}, {3, 2, 3}, {0, 1, 2, 0, 1, 0, 2, 3}, square, "face 1 has fewer than three"},
+        {{1, 1, 1}, {3, 0, 3}, {0, 1, 2, 0, 2, 3}, square, "face 1 has fewer than three"},
+        {{1, 2, 1}, {3, 4, 2, 3}, {0, 1, 2, 0, 1, 2, 3, 0, 1, 0, 2, 3}, square, "face 1 has fewer"},
+        {{1, 1, 1},
+         {3, 3, 3},
+         {0, 1, 2, 0, 1, 4, 0, 2, 3},
+         {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, NAN, 0},
+         "face 1 has the vertex 4, which is not"},
+    };
+    for (const auto &[loops, counts, vertices, points, words] : table) {
+        const std::size_t before = primitives().size();
+        TokenList variables = numbers("P", points);
+        variables.all.push_back(numbers("uniform float number", {0, 1, 2}).all[0]);
+        Floats corners;
+        for (std::size_t i = 0; i < vertices.size(); ++i)
+            corners.push_back(float(i));
+        variables.all.push_back(numbers("facevarying float corner", corners).all[0]);
+        state.pointsGeneralPolygons(at, loops, counts, vertices, variables);
+        EXPECT_TRUE(says(words)) << words;
+        ASSERT_EQ(primitives().size(), before + 1) << words;
+        const PrimitiveRecord &record = *primitives().back().record;
+        EXPECT_EQ(std::get<PolygonsRecord>(record.shape).vertices, (Integers{0, 1, 2, 0, 2, 3}));
+        EXPECT_EQ(record.variables.find("number")->floats, (Floats{0, 2})) << words;
+        const float last = float(vertices.size());
+        EXPECT_EQ(record.variables.find("corner")->floats,
+                  (Floats{0, 1, 2, last - 3, last - 2, last - 1}))
+            << words;
+    }
+    EXPECT_EQ(errors(), int(std::size(table)));
+    // Points that no face uses do no harm.
+    state.pointsPolygons(at, {3}, {0, 1, 2}, numbers("P", {0, 0, 0, 1, 0, 0, 0, 1, 0, NAN, 0, 0}));
+    EXPECT_EQ(errors(), int(std::size(table)));
+    EXPECT_EQ(primitives().size(), std::size(table) + 1);
+}
+
 TEST_F(State, widthsOfTheWrongNumberAreFitted) {
     struct {
         const char *token;

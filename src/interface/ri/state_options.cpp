@@ -5,6 +5,7 @@
 #include "interface/ri/state_parameters.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace candela {
@@ -41,12 +42,22 @@ void StateHandlers::screenWindow(const SourceLocation &where, float left, float 
 
 void StateHandlers::cropWindow(const SourceLocation &where, float x0, float x1, float y0,
                                float y1) {
-    auto ordered = [](float low, float high) { return 0 <= low && low < high && high <= 1; };
-    if (!ordered(x0, x1) || !ordered(y0, y1))
+    std::array<float, 4> window{x0, x1, y0, y1};
+    for (float &edge : window)
+        edge = std::clamp(edge, 0.0f, 1.0f);
+    for (const int low : {0, 2})
+        if (window[low] > window[low + 1])
+            std::swap(window[low], window[low + 1]);
+    if (!(window[0] < window[1] && window[2] < window[3])) // NaN, too.
         return diagnostics_.error(where, "CropWindow",
                                   "expected 0 <= xmin < xmax <= 1 and the same for y; "
                                   "the request is left out");
-    state_.options.format.cropWindow = {x0, x1, y0, y1};
+    if (window != std::array<float, 4>{x0, x1, y0, y1})
+        diagnostics_.warning(
+            where, "CropWindow",
+            "expected 0 <= xmin < xmax <= 1 and the same for y; its edges are taken "
+            "in order, and within the frame");
+    state_.options.format.cropWindow = window;
     state_.options.places.cropWindow = where;
 }
 
@@ -177,8 +188,7 @@ void StateHandlers::exposure(const SourceLocation &where, float gain, float gamm
     if (!(gain >= 0 && gamma > 0) || !diagnostics_.finite(where, "Exposure", {gain, gamma}))
         return diagnostics_.error(where, "Exposure",
                                   "expected a gain from 0 up and a gamma above 0");
-    state_.options.exposureGain = gain;
-    state_.options.exposureGamma = gamma;
+    state_.options.exposure = {gain, gamma};
 }
 
 void StateHandlers::quantize(const SourceLocation &where, const std::string &type, int one,

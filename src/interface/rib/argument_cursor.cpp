@@ -79,7 +79,11 @@ bool ArgumentCursor::expected(const std::string &what) {
     if (argument_ >= 0 && argument_ < int(request_->argumentNames.size()))
         argument = " for '" + std::string(request_->argumentNames[argument_]) + "' (argument " +
                    std::to_string(argument_ + 1) + ")";
+    const bool follows = argument_ > 0 && argument_ < int(request_->argumentNames.size());
+    const bool lacksHandle = follows && request_->argumentNames[argument_ - 1] == "handle" &&
+                             !at(TokenKind::String) && !atRequestOrEnd();
     error(token_.where, "expected " + what + argument + ", found " + describe(token_) +
+                            (lacksHandle ? " (is the handle before the parameters missing?)" : "") +
                             "; the request is left out");
     return false;
 }

@@ -59,6 +59,9 @@ template <class Values> static bool takeAll(ArgumentCursor &cursor, Values &&val
 static bool takeAll(ArgumentCursor &cursor, std::span<float> values) {
     cursor.openBracket();
     for (std::size_t i = 0; i < values.size();) {
+        if (!cursor.at(TokenKind::Number) && values.size() > 1)
+            return cursor.expected(std::to_string(values.size()) + " numbers, not " +
+                                   std::to_string(i) + ",");
         if (!valueHere(cursor, values[i]))
             return false;
         ++i;

@@ -94,7 +94,12 @@ const sl::TypedShader *ShaderSources::lookFor(const std::vector<std::string> &fo
         if (shader->kind == languageKind(kind) &&
             (shader->name == lastPart(plain) || front->shaders.size() == 1))
             return shader.get();
-    reportOnce(*path + " holds no " + kindName + " shader \"" + plain + "\"");
+    std::string others;
+    for (const auto &shader : front->shaders)
+        others += (others.empty() ? "" : ", ") + std::string("the ") + sl::nameOf(shader->kind) +
+                  " shader \"" + shader->name + "\"";
+    reportOnce(*path + " holds " + (others.empty() ? "no shader" : others) + ", and no " +
+               kindName + " shader \"" + plain + "\"");
     return nullptr;
 }
 
