@@ -14,7 +14,8 @@ import subprocess
 import sys
 import tempfile
 
-LISTING = re.compile(r"^```rib\n# (\S+\.rib)\n(.*?)^```", re.MULTILINE | re.DOTALL)
+LISTING = re.compile(r"^```(?:rib|sl)\n(?:#|//) (\S+\.(?:rib|sl))\n(.*?)^```",
+                     re.MULTILINE | re.DOTALL)
 BLOCK = re.compile(r"^```\w*\n(\$ candela .*?)^```", re.MULTILINE | re.DOTALL)
 
 
@@ -51,20 +52,20 @@ def test_the_test():
 
 
 def complaints_of_listings(page, program):
-    """The RIB files of a page, rendered as they stand: in silence, unless the page says "black"."""
+    """The files of a page, rendered as they stand: in silence, unless the page says "black"."""
     listings = LISTING.findall(page.read_text())
     with tempfile.TemporaryDirectory() as folder:
-        for name, rib in listings:
-            pathlib.Path(folder, name).write_text(rib)
-        for name, rib in listings:
-            if "WorldBegin" not in rib:
-                continue # An archive.
-            run = subprocess.run([program, name, "--spp", "1", "--format", "32x24"], cwd=folder,
-                                 capture_output=True, text=True)
+        for name, text in listings:
+            pathlib.Path(folder, name).write_text(text)
+        for name, text in listings:
+            if "WorldBegin" not in text:
+                continue # An archive or a shader.
+            run = subprocess.run([program, name, "--spp", "1", "--format", "32x24", "--quiet"],
+                                 cwd=folder, capture_output=True, text=True)
             silent = not run.stderr or run.stderr.startswith("warning: the picture is black")
             if run.returncode != 0 or not silent:
                 yield f"{page}: {name}\n  exit status {run.returncode} {run.stderr}"
-            for picture in re.findall(r'Display "\+?(\S+)"', rib):
+            for picture in re.findall(r'Display "\+?(\S+)"', text):
                 if not pathlib.Path(folder, picture).is_file():
                     yield f"{page}: {name} makes no {picture}"
 
