@@ -50,6 +50,13 @@ int writeDifference(const Arguments &arguments, Picture values, Picture shown, i
     return status;
 }
 
+/// By RiExposure: values that are no light any more.
+bool hasGamma(const Picture &picture) {
+    const auto exposure = picture.metadata.find("exposure");
+    return exposure != picture.metadata.end() && !picture.hasDisplayValues &&
+           !exposure->second.ends_with(" 1");
+}
+
 int compareTwo(const Arguments &arguments, const Picture &a, const Picture &b) {
     const Comparison comparison = comparePictures(a, b, arguments.settings);
     const int status = exitCodeOf(comparison);
@@ -68,6 +75,11 @@ int compareTwo(const Arguments &arguments, const Picture &a, const Picture &b) {
     }
     if (!arguments.quiet)
         std::fputs(report.c_str(), stdout);
+    if (hasGamma(a) && hasGamma(b))
+        std::fputs(
+            "candela diff: note: the colors have gone through Exposure with a gamma, and are no "
+            "light any more; give Exposure 1 1 to compare light\n",
+            stderr);
     if (arguments.output.empty() || status == 2)
         return status;
     return writeDifference(arguments, differenceOf(a, b, flip),

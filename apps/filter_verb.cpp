@@ -34,8 +34,7 @@ int run(Arguments &a) {
         return listFilters(settings);
     const std::string flaw = settings.input.empty() || settings.output.empty()
                                  ? "expected two pictures: in.exr out.exr"
-                             : settings.filters.empty() ? "expected a filter: -f NAME"
-                                                        : flawOfExposure(a.exposure);
+                                 : flawOfExposure(a.exposure);
     if (!flaw.empty()) {
         std::fprintf(stderr, "candela filter: %s\nRun with --help for more information.\n",
                      flaw.c_str());
@@ -67,7 +66,7 @@ void addFilter(CLI::App &app, int &status) {
     filter
         ->add_option("-f,--filter", s.filters,
                      "A filter, and its parameters: -f ward94 L_dmax=80 tint=1,0.9,0.8; several "
-                     "run in their order")
+                     "run in their order; none: the picture in another format")
         ->type_name("NAME [PARAMETER=VALUE]");
     filter
         ->add_option("--exposure", a.exposure,

@@ -24,6 +24,7 @@ constexpr const char *topics =
     "  requests     all requests of the RenderMan Interface\n"
     "  options      what Option sets\n"
     "  attributes   what Attribute sets\n"
+    "  statements   those of the Shading Language that ask for light and give it\n"
     "  functions    all functions of the Shading Language\n\n"
     "candela filter --list tells of filters, candela --help and candela VERB --help of verbs\n";
 

@@ -77,7 +77,7 @@ def complaints_of_links(page):
             yield f"{page}: there is no {link}"
 
 
-LIMIT = re.compile(r"^\|[^|]*\| ([0-9,]+) \|.*\| `(\S+): (\w+)` \|$", re.MULTILINE)
+LIMIT = re.compile(r"^\|[^|]*\| ([0-9,.]+) \|.*\| `(\S+): (\w+)` \|$", re.MULTILINE)
 NUMBER = re.compile(r"[0-9.e']+u?( *(<<|\*) *[0-9]+)?")
 
 
@@ -88,7 +88,7 @@ def complaints_of_limits(page, root):
     for number, path, name in limits:
         found = re.search(rf"\b{name} *= *(0x[0-9a-f]+|{NUMBER.pattern})", (root / path).read_text())
         value = found and eval(re.sub(r"['u]", "", found[1]))
-        if value != int(number.replace(",", "")):
+        if value != float(number.replace(",", "")):
             yield f"{page}: {path} has {name} = {value}, not {number}"
 
 

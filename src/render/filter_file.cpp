@@ -35,6 +35,8 @@ void makeLinear(Picture &picture) {
 }
 
 void note(Picture &picture, const FilterStack &stack) {
+    if (stack.records().empty())
+        return;
     std::string &text = picture.metadata["filters"]; // Of a picture that has been filtered before,
     text += (text.empty() ? "" : "; ") + textOf(stack.records(), int(stack.records().size()));
 }

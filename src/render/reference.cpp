@@ -52,6 +52,20 @@ std::string entryOf(const StateParameter &row) {
     return text;
 }
 
+struct Statement {
+    std::string_view word, forms, meaning;
+};
+constexpr Statement statements[] = {
+#define STATEMENT(word, forms, meaning) {#word, forms, meaning},
+#include "render/statements.def"
+#undef STATEMENT
+};
+
+std::string entryOf(const Statement &statement) {
+    return fmt::format("statement {}\n    {}\n    {}", statement.word, statement.forms,
+                       statement.meaning);
+}
+
 std::string entryOf(const sl::Builtin &function) {
     std::string text = fmt::format("function {}", function.name);
     for (const sl::BuiltinOverload &overload : function.overloads)
@@ -76,6 +90,9 @@ std::vector<std::string> referenceOf(const std::string &word) {
     for (const StateParameter &row : stateParameters())
         if (isOf(row, word))
             entries.push_back(entryOf(row));
+    for (const Statement &statement : statements)
+        if (word == "statements" || statement.word == word)
+            entries.push_back(entryOf(statement));
     for (const sl::Builtin &function : sl::builtins())
         if (word == "functions" || function.name == word)
             entries.push_back(entryOf(function));
@@ -91,6 +108,8 @@ std::vector<std::string> referenceWords() {
         if (row.name != "*")
             words.emplace_back(row.name);
     }
+    for (const Statement &statement : statements)
+        words.emplace_back(statement.word);
     for (const sl::Builtin &function : sl::builtins())
         words.emplace_back(function.name);
     return words;

@@ -8,8 +8,8 @@
 namespace candela {
 
 /// What there is of that name, whatever it is: requests, options and attributes (by category or
-/// name), functions of the Shading Language; an entry each. The name of a kind ("requests",
-/// "options", "attributes", "functions") has all of its kind.
+/// name), statements and functions of the Shading Language; an entry each. The name of a kind
+/// ("requests", "options", "attributes", "statements", "functions") has all of its kind.
 std::vector<std::string> referenceOf(const std::string &word);
 
 /// All words that have an entry.

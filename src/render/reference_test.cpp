@@ -25,6 +25,7 @@ TEST(Reference, ToldOfAKindTellsOfAllOfIt) {
     EXPECT_EQ(referenceOf("options").size() + referenceOf("attributes").size(),
               stateParameters().size());
     EXPECT_GT(referenceOf("functions").size(), 100u);
+    EXPECT_EQ(referenceOf("statements").size(), 4u);
     EXPECT_TRUE(referenceOf("no such word").empty());
 }
 

@@ -76,6 +76,17 @@ TEST_F(Filtered, allChannelsAndMetadataGoThrough) {
     EXPECT_EQ(at("out.exr", "R", 0, 0), 1);
 }
 
+TEST_F(Filtered, withoutAFilterThePictureIsWrittenAsItIs) {
+    run(frameWith(""), {"--spp", "1"});
+    EXPECT_EQ(filter("raw.exr", "copy.exr", {}).status, 0);
+    const Picture before = read("raw.exr"), after = read("copy.exr");
+    EXPECT_EQ(after.metadata, before.metadata);
+    for (const PictureChannel &channel : before.channels)
+        EXPECT_EQ(after.find(channel.name)->values, channel.values) << channel.name;
+    EXPECT_EQ(filter("raw.exr", "copy.png", {}).status, 0);
+    EXPECT_TRUE(read("copy.png").hasDisplayValues);
+}
+
 /// A PNG picture holds display values by the curve of sRGB: filters are given light.
 TEST_F(Filtered, aPngPictureIsReadAsLight) {
     run(frameWith(""), {"--spp", "4"});
@@ -172,7 +183,6 @@ TEST_F(Filtered, commandLinesThatMakeNoSenseAreTwo) {
     for (const Names &words :
          std::vector<Names>{{"filter"},
                             {"filter", "a.exr"},
-                            {"filter", "a.exr", "b.exr"},
                             {"filter", "a.exr", "b.exr", "-f"},
                             {"filter", "a.exr", "b.exr", "-x"},
                             {"filter", "a", "b", "-f", "x", "--exposure", "1"},

@@ -13,8 +13,10 @@
 namespace candela {
 
 static constexpr int maximumArchiveDepth = 64;
-/// Archives that read archives twice each grow fast.
-static constexpr int maximumNestedReadings = 100000;
+/// Archives that read archives twice each grow fast, all the more the deeper they go. What is
+/// refused counts too: it has been looked for.
+static constexpr int maximumNestedReadings = 100000, maximumDeepReadings = 10000;
+static constexpr std::size_t deepFrom = 8;
 
 /// The same text for all names of a file.
 static std::string identityOf(const std::string &path) {
@@ -89,6 +91,8 @@ void StreamExpander::readArchive(const SourceLocation &where, const std::string 
 /// The archive of that name, in this place.
 void StreamExpander::read(const SourceLocation &where, const char *request,
                           const std::string &name) {
+    if (hasReadTooMany(where, request, name))
+        return;
     if (const auto calls = archives_.find(name)) {
         if (!mayRead(where, request, name, identityOfInline(name)))
             return;
@@ -109,6 +113,26 @@ void StreamExpander::read(const SourceLocation &where, const char *request,
         readFile_(*path);
 }
 
+/// Reported if so, once: millions may follow.
+bool StreamExpander::hasReadTooMany(const SourceLocation &where, const char *request,
+                                    const std::string &name) {
+    if (open_.size() < 2)
+        return false;
+    const bool isDeep = open_.size() > deepFrom;
+    const int most = isDeep ? maximumDeepReadings : maximumNestedReadings;
+    int &readings = isDeep ? deepReadings_ : nestedReadings_;
+    if (readings < most)
+        return ++readings, false;
+    if (readings++ == most)
+        diagnostics_.error(where,
+                           std::string(request) + ": '" + name +
+                               "' and others behind it are left out: archives have asked for " +
+                               std::to_string(most) + " others already" +
+                               (isDeep ? ", " + std::to_string(deepFrom) + " deep and more" : ""));
+    readings = most + 1;
+    return true;
+}
+
 /// Reported if not.
 bool StreamExpander::mayRead(const SourceLocation &where, const char *request,
                              const std::string &name, const std::string &identity) {
@@ -118,9 +142,6 @@ bool StreamExpander::mayRead(const SourceLocation &where, const char *request,
     else if (int(open_.size()) > maximumArchiveDepth)
         diagnostics_.error(where, what + " is left out: archives are nested more than " +
                                       std::to_string(maximumArchiveDepth) + " deep");
-    else if (open_.size() > 1 && ++nestedReadings_ > maximumNestedReadings)
-        diagnostics_.error(where, what + " is left out: archives read " +
-                                      std::to_string(maximumNestedReadings) + " others already");
     else
         return true;
     return false;

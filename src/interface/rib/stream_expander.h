@@ -55,6 +55,7 @@ public:
 private:
     bool holds(const SourceLocation &, const char *request, const std::string &expression);
     void read(const SourceLocation &, const char *request, const std::string &name);
+    bool hasReadTooMany(const SourceLocation &, const char *request, const std::string &name);
     bool mayRead(const SourceLocation &, const char *request, const std::string &name,
                  const std::string &identity);
     void expand(const SourceLocation &, const std::string &generator, const Strings &arguments,
@@ -73,6 +74,7 @@ private:
     };
     std::vector<Reading> open_; ///< Files and archives that are being read, one in the other.
     int nestedReadings_ = 0;    ///< Archives that archives have asked for so far.
+    int deepReadings_ = 0;      ///< Those of them that are far down.
 };
 
 } // namespace candela

@@ -22,8 +22,9 @@ std::string commentBefore(const Place &where) {
     return {};
 }
 
-/// Gives each variable the comment on its line, or else the one above it.
-void attachComments(std::vector<ast::Variable> &list) {
+/// Gives each variable of a list that begins in that line the comment on its own line, or else the
+/// one above it.
+void attachComments(std::vector<ast::Variable> &list, int firstLine) {
     auto onLine = [&](int line) {
         return std::ranges::any_of(list, [&](auto &v) { return v.where.line == line; });
     };
@@ -31,7 +32,8 @@ void attachComments(std::vector<ast::Variable> &list) {
         const SourceFile *file = variable.where.file;
         for (const Comment &comment : file->comments) {
             bool same = comment.firstLine == variable.where.line;
-            bool above = comment.lastLine == variable.where.line - 1 && !onLine(comment.firstLine);
+            bool above = comment.lastLine == variable.where.line - 1 &&
+                         comment.firstLine >= firstLine && !onLine(comment.firstLine);
             if (same || (above && variable.doc.empty()))
                 variable.doc = comment.text;
         }
@@ -101,7 +103,7 @@ ast::Shader FileParser::shader() {
     result.where = tokens_.peek().where;
     result.name = tokens_.take().spelling;
     result.parameters = declarations_.formals(result.name);
-    attachComments(result.parameters);
+    attachComments(result.parameters, result.where.line);
     result.body = statements_.body("shader " + result.name);
     return result;
 }

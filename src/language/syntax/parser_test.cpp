@@ -104,6 +104,10 @@ TEST(Parser, CommentsDocumentParameters) {
     EXPECT_EQ(parsed.shader().parameters.at(0).doc, "first");
     EXPECT_EQ(parsed.shader().parameters.at(1).doc, "second");
     EXPECT_EQ(parsed.shader().parameters.at(2).doc, "");
+    Parsed oneLine("// A thing.\nsurface s(float a = 1, b = 2) {}");
+    EXPECT_EQ(oneLine.shader().doc, "A thing.");
+    for (const ast::Variable &parameter : oneLine.shader().parameters)
+        EXPECT_EQ(parameter.doc, "") << "that is the shader's";
 }
 
 TEST(Parser, Statements) {

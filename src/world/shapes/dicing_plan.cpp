@@ -2,6 +2,7 @@
 #include "world/shapes/dicing_plan.h"
 
 #include "foundation/base/parallel.h"
+#include "world/shapes/dice_rate.h"
 #include "world/shapes/displaced_dicing.h"
 
 #include <algorithm>
@@ -20,7 +21,9 @@ constexpr float partChord = 5e-3f;
 constexpr float lightChord = 2e-4f;
 
 float squareRootOf(float shadingRate) {
-    return shadingRate > 0 && std::isfinite(shadingRate) ? std::sqrt(shadingRate) : 1;
+    return shadingRate > 0 && std::isfinite(shadingRate)
+               ? std::sqrt(std::max(shadingRate, finestShadingRate))
+               : 1;
 }
 
 bool touch(const Box3 &a, const Box3 &b) {
