@@ -92,6 +92,13 @@ void addRender(CLI::App &app, int &status) {
                    "Goes on from this checkpoint of the same scene and settings; it goes on being "
                    "written unless --checkpoint names another")
         ->type_name("FILE");
+    app.add_option("--solution", s.solutionFile,
+                   "Radiosity: begins with the solution in this file, of whatever view of the same "
+                   "scene; written if it is not there")
+        ->type_name("FILE");
+    app.add_option("--solution-mesh", s.solutionMesh,
+                   "Radiosity: writes the solution's elements and their radiance, PLY")
+        ->type_name("FILE");
     app.add_option("--output-dir", s.outputDirectory, "Folder for pictures; default: this one");
     addSearchPaths(app, s);
     app.add_flag(

@@ -5,18 +5,13 @@
 
 #include "image/resumable_sink.h"
 #include "light/frame/frame_progress.h"
+#include "render/frame_identity.h"
 
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 namespace candela {
-
-/// All that a picture depends on, by name: the scene's requests and shaders (as fingerprints),
-/// seed, samples, version and so on.
-using FrameIdentity = std::vector<std::pair<std::string, std::string>>;
 
 struct Checkpoint {
     int frame = 0;       ///< The worlds before it have been rendered.
@@ -32,9 +27,5 @@ std::string encodeCheckpoint(const Checkpoint &, const ResumableSink *);
 
 /// Nothing, and `problem`, if the bytes are not those of a whole checkpoint.
 std::optional<Checkpoint> decodeCheckpoint(std::string_view bytes, std::string &problem);
-
-/// What keeps a frame of the second identity from going on from a checkpoint of the first, in
-/// words; empty if nothing does.
-std::string differenceOf(const FrameIdentity &saved, const FrameIdentity &now);
 
 } // namespace candela

@@ -12,6 +12,7 @@
 #include "render/frame_film.h"
 #include "render/frame_settings.h"
 #include "render/interrupt.h"
+#include "render/solution_keeping.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -255,6 +256,8 @@ FrameEnd renderAndWrite(const Scene &scene, ShaderLibrary &library, const Render
                                  Imager::of(options, library, diagnostics)};
     IntegratorSettings integrator = integratorSettings(scene, settings);
     integrator.progress = [&](double done) { listeners.console.progress(done); };
+    if (!keepSolution(scene, settings, keeping.solution, integrator, diagnostics))
+        return FrameEnd::Refused;
     FrameJob job{scene,
                  listeners,
                  keeping,

@@ -27,6 +27,7 @@ struct FrameKeeping {
     int frame = 0;                    ///< As Checkpoint has it.
     FrameIdentity identity{};         ///< Of the frame.
     std::optional<Checkpoint> from{}; ///< Where it goes on.
+    FrameIdentity solution{};         ///< What radiosity's solution is of; see solution_keeping.h.
 };
 
 class FrameKeeper {

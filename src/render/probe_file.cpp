@@ -227,7 +227,7 @@ int probeFile(const ProbeFileSettings &settings) {
     }
     int worlds = 0;
     readScenes({settings.scene}, render, listeners,
-               [&](const Scene &scene, ShaderLibrary &shaders, const std::string &) {
+               [&](const Scene &scene, ShaderLibrary &shaders, const SceneFingerprints &) {
                    if (worlds++ > 0)
                        return;
                    try {

@@ -6,6 +6,7 @@
 #include "interface/ri/graphics_state.h"
 #include "interface/rib/fingerprint_sink.h"
 #include "interface/rib/rib_reader.h"
+#include "interface/rib/world_fingerprint.h"
 #include "light/frame/light_warnings.h"
 #include "light/frame/shader_warnings.h"
 #include "render/shader_folders.h"
@@ -95,6 +96,11 @@ std::unique_ptr<FingerprintSink> makeFingerprint(const RenderSettings &settings,
     return isWanted ? std::make_unique<FingerprintSink>(sink) : nullptr;
 }
 
+std::unique_ptr<WorldFingerprint> makeWorldFingerprint(const RenderSettings &settings,
+                                                       RequestSink &sink) {
+    return settings.solutionFile.empty() ? nullptr : std::make_unique<WorldFingerprint>(sink);
+}
+
 /// Where requests go that pass `before`, if there is one, on their way to `sink`.
 RequestSink &firstOf(RequestSink *before, RequestSink &sink) { return before ? *before : sink; }
 
@@ -110,16 +116,20 @@ struct SceneReading::State {
           graphics(world, shaders, listeners.diagnostics,
                    stateSettings(name, settings, listeners.diagnostics)),
           chooser(makeChooser(settings, graphics)),
-          fingerprint(makeFingerprint(settings, firstOf(chooser.get(), graphics))),
-          reader(firstOf(fingerprint.get(), firstOf(chooser.get(), graphics)),
-                 listeners.diagnostics, {settings.trust, {}}) {}
+          ofWorld(makeWorldFingerprint(settings, firstOf(chooser.get(), graphics))),
+          fingerprint(
+              makeFingerprint(settings, firstOf(ofWorld.get(), firstOf(chooser.get(), graphics)))),
+          reader(
+              firstOf(fingerprint.get(), firstOf(ofWorld.get(), firstOf(chooser.get(), graphics))),
+              listeners.diagnostics, {settings.trust, {}}) {}
 
     void take(const Scene &scene) {
         sawWorld = true;
         shaderWarnings.look(scene);
         warnOfLights(scene, listeners.diagnostics);
         if (!listeners.diagnostics.stopped())
-            receive(scene, shaders, fingerprint ? fingerprint->text() : std::string());
+            receive(scene, shaders,
+                    {fingerprint ? fingerprint->text() : "", ofWorld ? ofWorld->text() : ""});
     }
 
     const std::string name;
@@ -130,6 +140,7 @@ struct SceneReading::State {
     SceneCompiler world;
     GraphicsState graphics;
     std::unique_ptr<FrameChooser> chooser;        ///< Null where all frames are wanted.
+    std::unique_ptr<WorldFingerprint> ofWorld;    ///< Null unless a solution is to be kept.
     std::unique_ptr<FingerprintSink> fingerprint; ///< Null unless there are to be checkpoints.
     RibReader reader;
     bool sawWorld = false;

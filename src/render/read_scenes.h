@@ -12,10 +12,15 @@
 
 namespace candela {
 
-/// Gets the scenes in their order, each for as long as the call lasts, with the fingerprint of all
-/// requests up to its end (empty unless there are to be checkpoints).
+/// What a scene has been made of.
+struct SceneFingerprints {
+    std::string requests; ///< All up to its end; empty unless there are to be checkpoints.
+    std::string world;    ///< See WorldFingerprint; empty unless a solution is to be kept.
+};
+
+/// Gets the scenes in their order, each for as long as the call lasts.
 using SceneReceiver =
-    std::function<void(const Scene &, ShaderLibrary &, const std::string &requests)>;
+    std::function<void(const Scene &, ShaderLibrary &, const SceneFingerprints &)>;
 
 /// Makes scenes of requests, with the settings' options, folders and code generation.
 class SceneReading {

@@ -18,10 +18,11 @@ int renderFiles(const std::vector<std::string> &paths, const RenderSettings &set
     RenderRun run(paths.front(), settings, listeners);
     if (!run.begin())
         return 1;
-    readScenes(paths, settings, listeners,
-               [&](const Scene &scene, ShaderLibrary &shaders, const std::string &requests) {
-                   run.take(scene, shaders, requests);
-               });
+    readScenes(
+        paths, settings, listeners,
+        [&](const Scene &scene, ShaderLibrary &shaders, const SceneFingerprints &fingerprints) {
+            run.take(scene, shaders, fingerprints);
+        });
     run.finish();
     if (!settings.statisticsFile.empty())
         statistics.write(settings.statisticsFile, diagnostics);

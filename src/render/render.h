@@ -28,8 +28,10 @@ struct RenderSettings {
     double timeLimit = 0;       ///< Seconds; 0 = none.
     std::string checkpointFile; ///< Empty = none.
     double secondsBetweenCheckpoints = 60;
-    std::string resumeFile; ///< A checkpoint to go on from; empty = none.
-    bool trust = false;     ///< The RIB may run programs and write outside the output directory.
+    std::string resumeFile;   ///< A checkpoint to go on from; empty = none.
+    std::string solutionFile; ///< Where radiosity's solution is kept; empty = nowhere.
+    std::string solutionMesh; ///< Where it goes as PLY; empty = nowhere.
+    bool trust = false;       ///< The RIB may run programs and write outside the output directory.
     std::vector<std::string> shaderPath, archivePath, texturePath;
     bool quiet = false;
 

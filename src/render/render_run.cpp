@@ -3,6 +3,7 @@
 
 #include "foundation/base/whole_file.h"
 #include "render/frame_settings.h"
+#include "render/solution_keeping.h"
 
 #include <filesystem>
 #include <fmt/format.h>
@@ -69,13 +70,14 @@ void RenderRun::noteDone(const FrameIdentity &identity) {
         listeners_.diagnostics.error({}, "the checkpoint cannot be written: " + problem);
 }
 
-void RenderRun::take(const Scene &scene, ShaderLibrary &shaders, const std::string &requests) {
+void RenderRun::take(const Scene &scene, ShaderLibrary &shaders,
+                     const SceneFingerprints &fingerprints) {
     ++worlds_;
     if (end_ != FrameEnd::Whole)
         return;
     FrameIdentity identity;
     if (!settings_.checkpointFile.empty() || from_)
-        identity = identityOf(scene, settings_, requests, shaders.fingerprint());
+        identity = identityOf(scene, settings_, fingerprints.requests, shaders.fingerprint());
     if (frames_ == 1 && !settings_.outputFile.empty() &&
         settings_.outputFile.find('#') == std::string::npos)
         listeners_.diagnostics.warning({}, "all frames are written to " + settings_.outputFile +
@@ -85,6 +87,9 @@ void RenderRun::take(const Scene &scene, ShaderLibrary &shaders, const std::stri
         keeping_.frame = frames_;
         keeping_.identity = identity;
         keeping_.from.swap(from_);
+        if (!settings_.solutionFile.empty())
+            keeping_.solution =
+                solutionIdentity(scene, settings_, fingerprints.world, shaders.fingerprint());
         end_ = renderFrame(scene, shaders, settings_, name_, listeners_, keeping_);
         keeping_.from.reset();
         if (end_ == FrameEnd::Whole)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "render/frame.h"
+#include "render/read_scenes.h"
 
 #include <optional>
 #include <string>
@@ -17,8 +18,8 @@ public:
     /// Before the first request. False if --resume names what is no checkpoint: nothing is
     /// rendered.
     bool begin();
-    /// A world that has been read; `requests` is the fingerprint of all up to its end.
-    void take(const Scene &, ShaderLibrary &, const std::string &requests);
+    /// A world that has been read.
+    void take(const Scene &, ShaderLibrary &, const SceneFingerprints &);
     /// After the last one.
     void finish();
 

@@ -13,11 +13,12 @@ struct RenderSession::State {
         : settings(given),
           console(given.quiet ? Console::Words::Messages : Console::Words::Progress),
           diagnostics(heard), threads(given.threads), listeners{diagnostics, console, statistics},
-          scenes(name, settings, listeners,
-                 [this, name](const Scene &scene, ShaderLibrary &shaders, const std::string &) {
-                     if (end == FrameEnd::Whole)
-                         end = renderFrame(scene, shaders, settings, name, listeners);
-                 }) {}
+          scenes(
+              name, settings, listeners,
+              [this, name](const Scene &scene, ShaderLibrary &shaders, const SceneFingerprints &) {
+                  if (end == FrameEnd::Whole)
+                      end = renderFrame(scene, shaders, settings, name, listeners);
+              }) {}
 
     const RenderSettings settings;
     Console console;

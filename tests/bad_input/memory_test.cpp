@@ -33,8 +33,8 @@ TEST_F(Memory, IsEnoughForASmallScene) {
 
 // Dicing, on all threads.
 TEST_F(Memory, MayNotSufficeForTriangles) {
-    std::string spheres = "ShadingRate .0001\nTranslate 0 0 3\n";
-    for (int i = 0; i < 60; ++i)
+    std::string spheres = "ShadingRate .01\nTranslate 0 0 3\n";
+    for (int i = 0; i < 900; ++i)
         spheres += "Sphere 1 -1 .99 360\n"; // Whole ones are not diced.
     expectNotEnough(spheres);
 }

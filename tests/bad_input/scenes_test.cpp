@@ -271,7 +271,7 @@ TEST_F(BadInput, MissingShaderNamesEachFolderOnce) {
     folder_.write("scene.rib", sceneWith("Surface \"nosuchshader\""));
     beside.folder = folder_.path();
     Outcome run = runCandela({"scene.rib", "--shader-path", "."}, beside);
-    EXPECT_TRUE(run.says("no nosuchshader.sl in .")) << run.text();
+    EXPECT_TRUE(run.says("no \"nosuchshader.sl\" in .")) << run.text();
     EXPECT_FALSE(run.says("., .")) << run.text();
 }
 

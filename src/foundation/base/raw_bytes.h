@@ -2,11 +2,13 @@
 // Numbers as the bytes of this machine, for files that only it reads again.
 #pragma once
 
+#include <cstdint>
 #include <cstring>
 #include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <vector>
 
 namespace candela {
 
@@ -29,6 +31,33 @@ template <class Value> bool takeRaw(std::string_view &bytes, std::span<Value> va
 }
 template <class Value> bool takeRaw(std::string_view &bytes, Value &value) {
     return takeRaw(bytes, std::span<Value>(&value, 1));
+}
+
+/// With its length.
+inline void appendText(std::string &bytes, std::string_view text) {
+    appendRaw(bytes, std::uint64_t(text.size()));
+    bytes += text;
+}
+inline bool takeText(std::string_view &bytes, std::string &text) {
+    std::uint64_t size = 0;
+    if (!takeRaw(bytes, size) || size > bytes.size())
+        return false;
+    text = bytes.substr(0, size);
+    bytes.remove_prefix(size);
+    return true;
+}
+
+/// With their number.
+template <class Value> void appendList(std::string &bytes, const std::vector<Value> &values) {
+    appendRaw(bytes, std::uint64_t(values.size()));
+    appendRaw(bytes, std::span<const Value>(values));
+}
+template <class Value> bool takeList(std::string_view &bytes, std::vector<Value> &values) {
+    std::uint64_t count = 0;
+    if (!takeRaw(bytes, count) || count > bytes.size() / sizeof(Value))
+        return false;
+    values.resize(count);
+    return takeRaw(bytes, std::span<Value>(values));
 }
 
 } // namespace candela

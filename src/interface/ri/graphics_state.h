@@ -54,8 +54,8 @@ private:
     /// True if the request is to be done.
     bool admit(RequestId, const SourceLocation &);
     bool isLegal(RequestId, const SourceLocation &);
-    /// Frames and worlds of archives that are read in a world are attribute blocks: opens and closes
-    /// these, and is true then.
+    /// Frames and worlds of archives that are read in a world are attribute blocks: opens and
+    /// closes these, and is true then.
     bool nestsInWorld(RequestId, const SourceLocation &);
     void reportScope(RequestId, const SourceLocation &, unsigned place);
     bool isMotionSample(RequestId) const;

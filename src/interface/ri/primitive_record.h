@@ -105,10 +105,10 @@ struct BlobbyRecord {
     std::vector<std::string> strings;
 };
 
-using ShapeRecord = std::variant<SphereRecord, ConeRecord, CylinderRecord, HyperboloidRecord,
-                                 ParaboloidRecord, DiskRecord, TorusRecord, PolygonsRecord,
-                                 PatchMeshRecord, NuPatchRecord, SubdivisionRecord, GeometryRecord,
-                                 PointsRecord, CurvesRecord, BlobbyRecord>;
+using ShapeRecord =
+    std::variant<SphereRecord, ConeRecord, CylinderRecord, HyperboloidRecord, ParaboloidRecord,
+                 DiskRecord, TorusRecord, PolygonsRecord, PatchMeshRecord, NuPatchRecord,
+                 SubdivisionRecord, GeometryRecord, PointsRecord, CurvesRecord, BlobbyRecord>;
 
 /// The highest order of splines; their polynomials are of one degree less.
 inline constexpr int mostSplineOrder = 24;

@@ -49,7 +49,8 @@ std::string expandSearchPath(std::string_view text, std::string_view previous,
     std::vector<std::string> folders;
     auto add = [&](std::string_view list) {
         for (std::string &folder : splitSearchPath(list))
-            if (std::ranges::find(folders, folder) == folders.end())
+            if (folders.size() < mostSearchFolders &&
+                std::ranges::find(folders, folder) == folders.end())
                 folders.push_back(std::move(folder));
     };
     for (const std::string &entry : splitSearchPath(text))

@@ -11,10 +11,13 @@
 
 namespace candela {
 
+/// A path has so many folders at most: each name that is not found is looked for in all of them.
+inline constexpr std::size_t mostSearchFolders = 256;
+
 /// The folders of a path as a flat list "a:b:c", with '&' replaced by the previous value of the
 /// path, '@' by the default one, %NAME% and ${NAME} by the environment variable of that name
-/// (nothing if it is not set) and a leading ~ by the home folder. Empty and repeated entries vanish;
-/// ';' parts entries as ':' does.
+/// (nothing if it is not set) and a leading ~ by the home folder. Empty and repeated entries
+/// vanish, and those behind the first mostSearchFolders; ';' parts entries as ':' does.
 std::string expandSearchPath(std::string_view text, std::string_view previous,
                              std::string_view standard);
 /// The entries of an expanded path.

@@ -31,6 +31,10 @@ TEST(SearchPath, expands) {
 
 TEST(SearchPath, variablesMayHoldSeveralFolders) {
     setenv("CANDELA_TEST_FOLDER", "/a:/b", 1);
+    std::string many;
+    for (std::size_t i = 0; i < 2 * mostSearchFolders; ++i)
+        many += "/f" + std::to_string(i) + ":";
+    EXPECT_EQ(splitSearchPath(expandSearchPath(many, "", "")).size(), mostSearchFolders);
     EXPECT_EQ(splitSearchPath(expandSearchPath("%CANDELA_TEST_FOLDER%:/c", "", "")),
               (std::vector<std::string>{"/a", "/b", "/c"}));
 }

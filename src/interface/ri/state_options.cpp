@@ -296,8 +296,14 @@ void StateHandlers::option(const SourceLocation &where, const std::string &categ
     for (Parameter &parameter : parameters_.ofCategory(tokens, "Option", category)) {
         if (!checkStateParameter(diagnostics_, where, "Option", category, parameter))
             continue;
-        if (category == "searchpath" && !parameter.strings.empty())
+        if (category == "searchpath" && !parameter.strings.empty()) {
             expandSearchPath(parameter, settings_.searchPaths, state_.options, where);
+            if (splitSearchPath(parameter.strings[0]).size() >= mostSearchFolders)
+                diagnostics_.warning(where, "Option",
+                                     "a search path has at most " +
+                                         std::to_string(mostSearchFolders) +
+                                         " folders; those behind them are left out");
+        }
         std::string name = category + ":" + parameter.name;
         state_.options.named[std::move(name)] = std::move(parameter);
     }

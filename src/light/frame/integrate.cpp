@@ -190,6 +190,23 @@ private:
     std::vector<std::unique_ptr<Worker>> workers_; ///< One a thread.
 };
 
+/// The solution that the settings bring, or else one that is made now.
+std::unique_ptr<radiosity::Solution>
+solutionFor(const Scene &scene, const IntegratorSettings &settings, DiagnosticSink &diagnostics) {
+    std::unique_ptr<radiosity::Solution> solution;
+    if (settings.solved)
+        solution = radiosity::Solution::restored(scene, *settings.solved);
+    if (settings.solved && !solution)
+        diagnostics.warning({}, "the solution that has been kept is of other faces than this view "
+                                "has (levels of detail go by the camera): it is solved anew");
+    if (!solution)
+        solution = std::make_unique<radiosity::Solution>(scene, settings.solver, diagnostics,
+                                                         settings.solving);
+    if (settings.whenSolved)
+        settings.whenSolved(*solution);
+    return solution;
+}
+
 } // namespace
 
 void integrate(const Scene &scene, const IntegratorSettings &settings,
@@ -206,8 +223,7 @@ void integrate(const Scene &scene, const IntegratorSettings &settings,
         taken.kind = IntegratorKind::Path;
     std::unique_ptr<radiosity::Solution> solution;
     if (settings.kind == IntegratorKind::Radiosity) {
-        solution = std::make_unique<radiosity::Solution>(scene, settings.solver, diagnostics,
-                                                         settings.solving);
+        solution = solutionFor(scene, settings, diagnostics);
         statistics.solver = solution->statistics();
         frame.solution = solution.get();
     }

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 
 namespace candela {
@@ -21,6 +22,11 @@ inline int passEnd(int first) {
     constexpr int looked = 16, whole = 64;
     return first < looked ? looked : (first / whole + 1) * whole;
 }
+
+namespace radiosity {
+class Solution;
+struct SolutionData;
+} // namespace radiosity
 
 enum class IntegratorKind { Classic, Path, Bidirectional, Radiosity };
 
@@ -87,6 +93,10 @@ struct IntegratorSettings {
     BidirectionalWishes bidirectional;
     FinalPass finalPass = FinalPass::Elements;
     radiosity::SolverSettings solver;
+    /// A solution that need not be made again; null: it is made.
+    std::shared_ptr<const radiosity::SolutionData> solved;
+    /// Called with the solution before the first tile.
+    std::function<void(const radiosity::Solution &)> whenSolved;
     std::array<int, 4> crop{}; ///< x0, x1, y0, y1: the pixels to render.
     bool atPoints = false;     ///< Paths begin at numbered points (PathResults::x), not in pixels.
     /// Called after each tile, from any thread, with the share done in [0,1].

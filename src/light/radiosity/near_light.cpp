@@ -25,22 +25,39 @@ std::array<float, mostNodes> sharesOf(const Mesh &mesh, const Link &link, const 
 
 } // namespace
 
-NearLight::NearLight(const Mesh &mesh, const Links &links, const std::vector<Color> &sent)
-    : first_(std::size_t(mesh.size()) + 1, 0) {
+std::vector<NearRecord> nearRecords(const Mesh &mesh, const Links &links) {
+    std::vector<NearRecord> records;
     for (const Link &link : links.links) // By receiver.
         if (link.isRough) {
-            Source source{Sender(mesh, link.sender), link.isNear, link.visibility, {}, {}};
+            NearRecord record{link.receiver, link.sender, link.isNear, link.visibility, {}};
             const bool isClear = *std::ranges::min_element(link.visibility) >= 1;
-            source.share.fill(1);
+            record.share.fill(1);
             if (!isClear)
-                source.share = sharesOf(mesh, link, links.kernels.data() + link.kernel);
-            const std::size_t at = std::size_t(link.sender) * std::size_t(mesh.stride());
-            std::copy_n(sent.begin() + std::ptrdiff_t(at), mesh.stride(), source.sent.begin());
-            sources_.push_back(source);
-            ++first_[std::size_t(link.receiver) + 1];
+                record.share = sharesOf(mesh, link, links.kernels.data() + link.kernel);
+            records.push_back(record);
         }
+    return records;
+}
+
+NearLight::NearLight(const Mesh &mesh, std::span<const NearRecord> records,
+                     const std::vector<Color> &sent)
+    : first_(std::size_t(mesh.size()) + 1, 0) {
+    for (const NearRecord &record : records) {
+        Source source{record, Sender(mesh, record.sender), {}};
+        const std::size_t at = std::size_t(record.sender) * std::size_t(mesh.stride());
+        std::copy_n(sent.begin() + std::ptrdiff_t(at), mesh.stride(), source.sent.begin());
+        sources_.push_back(source);
+        ++first_[std::size_t(record.receiver) + 1];
+    }
     for (std::size_t e = 1; e < first_.size(); ++e)
         first_[e] += first_[e - 1];
+}
+
+std::vector<NearRecord> NearLight::records() const {
+    std::vector<NearRecord> records;
+    for (const Source &source : sources_)
+        records.push_back(source.link);
+    return records;
 }
 
 void NearLight::add(const Mesh &mesh, int element, Place at, Vec3 P, Vec3 N,
@@ -52,12 +69,12 @@ void NearLight::add(const Mesh &mesh, int element, Place at, Vec3 P, Vec3 N,
     for (std::size_t s = first_[std::size_t(element)]; s < first_[std::size_t(element) + 1]; ++s) {
         const Source &source = sources_[s];
         float missed = 0, share = 0;
-        source.sender.factor(P, N, source.isNear, row.data(), missed);
+        source.sender.factor(P, N, source.link.isNear != 0, row.data(), missed);
         for (std::size_t i = 0; i < mesh.nodes(element).size(); ++i)
-            share += value[i] * source.share[i];
+            share += value[i] * source.link.share[i];
         for (int j = 0; j < source.sender.count; ++j)
             for (std::size_t k = 0; k < colorSamples; ++k)
-                irradiance[k] += share * source.visibility[k] * row[std::size_t(j)] *
+                irradiance[k] += share * source.link.visibility[k] * row[std::size_t(j)] *
                                  source.sent[std::size_t(j)][k];
     }
 }

@@ -8,11 +8,24 @@
 
 namespace candela::radiosity {
 
+/// A link whose light is gathered so.
+struct NearRecord {
+    std::int32_t receiver = 0, sender = 0;
+    std::int32_t isNear = 0; ///< See Transfer.
+    Color visibility{};
+    std::array<float, mostNodes> share{}; ///< Of the mean visibility, at the receiver's nodes.
+};
+
+/// The rough ones of the links, by receiver.
+std::vector<NearRecord> nearRecords(const Mesh &, const Links &);
+
 class NearLight {
 public:
     NearLight() = default;
-    /// The rough ones of the links, and what their senders send.
-    NearLight(const Mesh &, const Links &, const std::vector<Color> &sent);
+    /// `sent`: what the senders send. The records are by receiver.
+    NearLight(const Mesh &, std::span<const NearRecord>, const std::vector<Color> &sent);
+
+    std::vector<NearRecord> records() const;
 
     /// Adds what rough links bring of the element's own, irradiance at a point of it with the unit
     /// normal N; `at` is its place in the element.
@@ -20,10 +33,8 @@ public:
 
 private:
     struct Source {
+        NearRecord link;
         Sender sender;
-        bool isNear;
-        Color visibility;
-        std::array<float, mostNodes> share; ///< Of the mean, at the receiver's nodes.
         std::array<Color, mostNodes> sent;
     };
     std::vector<std::uint32_t> first_; ///< By element: its sources are first_[e] to first_[e + 1].

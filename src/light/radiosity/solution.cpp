@@ -18,9 +18,11 @@ constexpr double smallestResidual = 1e-4;
 
 } // namespace
 
+Solution::Solution(const Scene &scene, int order) : mesh_(scene, order), tree_(mesh_) {}
+
 Solution::Solution(const Scene &scene, const SolverSettings &settings, DiagnosticSink &diagnostics,
                    const Progress &progress)
-    : mesh_(scene, settings.order), tree_(mesh_) {
+    : Solution(scene, settings.order) {
     const auto start = std::chrono::steady_clock::now();
     solve(settings, diagnostics, progress);
     statistics_.seconds =
@@ -109,7 +111,7 @@ Solution::Answering Solution::answering(const Links &links, const std::vector<Co
     gather(links, sent, Which::Smooth);
     answer.smooth.resize(sent.size());
     pushAll(answer.smooth);
-    answer.near = NearLight(mesh_, links, sent);
+    answer.near = NearLight(mesh_, nearRecords(mesh_, links), sent);
     return answer;
 }
 

@@ -6,10 +6,12 @@
 #include "light/radiosity/links.h"
 #include "light/radiosity/near_light.h"
 #include "light/radiosity/settings.h"
+#include "light/radiosity/solution_data.h"
 #include "light/vertex/surface_vertices.h"
 
 #include <functional>
 #include <initializer_list>
+#include <memory>
 
 namespace candela::radiosity {
 
@@ -18,6 +20,12 @@ class Solution {
 public:
     using Progress = std::function<void(double done)>;
     Solution(const Scene &, const SolverSettings &, DiagnosticSink &, const Progress & = {});
+
+    /// From data(), which may be of another view of the same scene. Null if they are of no such
+    /// scene: it has other faces.
+    static std::unique_ptr<Solution> restored(const Scene &, const SolutionData &);
+    /// What its answers stand on.
+    SolutionData data() const;
 
     /// Irradiance at points that rays have met, on the side that they came from and on the other,
     /// W m^-2; direct light is that of light sources. Null planes are not wanted.
@@ -34,6 +42,7 @@ public:
     const SolverStatistics &statistics() const { return statistics_; }
 
 private:
+    Solution(const Scene &, int order);
     void solve(const SolverSettings &, DiagnosticSink &, const Progress &);
     void linkLamps(LinkSettings, double epsilon, double contrast);
     double iterate();

@@ -406,12 +406,24 @@ void ShaderLibrary::bindRays(const RayAnswers *rays) { state_->answers->bindRays
 
 std::vector<std::shared_ptr<ShaderCode>> ShaderLibrary::all() const { return state_->inOrder; }
 
+/// What instances have that scenes do not say.
+static void addDefaults(ContentHash &hash, const ir::ShaderParameter &parameter) {
+    hash.add(parameter.name);
+    hash.add(parameter.defaultSpace);
+    hash.add({reinterpret_cast<const char *>(parameter.defaults.data()),
+              parameter.defaults.size() * sizeof(float)});
+    for (const std::string &text : parameter.stringDefaults)
+        hash.add(text);
+}
+
 std::string ShaderLibrary::fingerprint() const {
     std::vector<std::string> texts;
     for (const std::shared_ptr<ShaderCode> &code : state_->inOrder) {
         ContentHash hash;
         hash.add(code->name());
         addFunction(hash, code->shader().whole);
+        for (const ir::ShaderParameter &parameter : code->shader().parameters)
+            addDefaults(hash, parameter);
         texts.push_back(hash.text());
     }
     std::ranges::sort(texts);

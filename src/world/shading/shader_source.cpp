@@ -62,6 +62,18 @@ const sl::TypedShader *ShaderSources::findIn(const std::vector<std::string> &fol
     return shader;
 }
 
+/// Those that are there: others may be named by what the environment holds.
+static std::string listOf(const std::vector<std::string> &folders) {
+    constexpr std::size_t most = 10;
+    std::string list;
+    std::size_t count = 0;
+    std::error_code error;
+    for (const std::string &folder : folders)
+        if (std::filesystem::is_directory(folder, error) && ++count <= most)
+            list += (list.empty() ? "" : ", ") + folder;
+    return count > most ? list + " and " + std::to_string(count - most) + " others" : list;
+}
+
 const sl::TypedShader *ShaderSources::lookFor(const std::vector<std::string> &folders,
                                               ShaderKind kind, const std::string &name,
                                               const SourceLocation &where) {
@@ -76,13 +88,8 @@ const sl::TypedShader *ShaderSources::lookFor(const std::vector<std::string> &fo
     if (!path)
         path = findNamesake(plain + ".sl", folders);
     if (!path) {
-        std::string looked;
-        std::error_code error;
-        for (const std::string &folder :
-             folders) // Others may be named by what the environment holds.
-            if (std::filesystem::is_directory(folder, error))
-                looked += (looked.empty() ? "" : ", ") + folder;
-        reportOnce("no shader \"" + name + "\": there is no " + plain + ".sl in " + looked);
+        reportOnce("no shader \"" + name + "\": there is no \"" + plain + ".sl\" in " +
+                   listOf(folders));
         return nullptr;
     }
     const sl::CompiledFront *front = load(*path);
