@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Renders that do not run from their first sample to their last in one go: killed and gone on with,
 // interrupted, out of time, of chosen frames, joined from several.
+#include "foundation/base/campaign.h"
 #include "image/picture_file.h"
 #include "tests/support/program.h"
 #include "tests/support/scratch_folder.h"
@@ -84,7 +85,8 @@ TEST_P(Killed, AtAnyMomentGivesTheBytesOfOneGo) {
     std::mt19937 random(7);
     render.insert(render.end(), {"--resume", "at.checkpoint", "--every", "0.03"});
     int kills = 0;
-    for (int round = 0; round < 3; ++round) {
+    const int rounds = 3 * int(campaignFactor());
+    for (int round = 0; round < rounds; ++round) {
         std::filesystem::remove(folder_.path("out.exr"));
         std::filesystem::remove(folder_.path("at.checkpoint"));
         for (int time = 0; time < 2; ++time) {
@@ -206,6 +208,22 @@ TEST_F(LongRuns, ThatAreInterruptedWriteWhatThereIs) {
         EXPECT_LT(samples, 200000);
         std::filesystem::remove(folder_.path("out.exr"));
     }
+}
+
+/// A shader that does not come back is left behind; what there is of the picture is written.
+TEST_F(LongRuns, EndInSpiteOfAShaderThatDoesNot) {
+    folder_.write("endless.sl",
+                  "surface endless() { float x = s; while (x < 2) x = sin(x); Ci = x; }");
+    folder_.write("scene.rib", "Display \"out.exr\" \"openexr\" \"rgb\"\nFormat 64 64 1\n"
+                               "Option \"shading\" \"integer loopturns\" [2147483647]\nWorldBegin\n"
+                               "Translate 0 0 5\nSurface \"endless\"\nDisk 0 1 360\nWorldEnd\n");
+    constexpr double until = 2;
+    const auto start = std::chrono::steady_clock::now();
+    const Outcome ended = run({"scene.rib", "--spp", "4"},
+                              {.sentSignal = SIGTERM, .signalAfter = until * timeScale()});
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+    EXPECT_EQ(ended.status, 130) << ended.text();
+    EXPECT_LT(taken.count(), (until + 2) * timeScale());
 }
 
 TEST_F(LongRuns, EndWhenTheirTimeIsUp) {
