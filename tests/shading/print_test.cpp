@@ -101,6 +101,23 @@ TEST(Print, LightIsToldWhereAllOfItIsThere) {
     EXPECT_EQ(errors, "");
 }
 
+TEST(Print, WhatIsPrintedHasAnEnd) {
+    ScratchFolder folder;
+    folder.write("floods.sl",
+                 "surface floods() { float k;\n"
+                 "for (k = 0; k < 1000; k += 1) printf(\"%f of very much\\n\", k); Ci = 1; }");
+    const Outcome run = runCandela(
+        {folder.write("scene.rib",
+                      "Format 64 64 1\nPixelFilter \"box\" 1 1\nPixelSamples 2 1\nWorldBegin\n"
+                      "Surface \"floods\"\nPolygon \"P\" [-9 -9 1 9 -9 1 9 9 1 -9 9 1]\n"
+                      "WorldEnd\n"),
+         "--quiet", "--integrator", "classic", "--output-dir", folder.path()});
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_GT(run.out.size(), 16u << 20);
+    EXPECT_LT(run.out.size(), (16u << 20) + 4096u);
+    EXPECT_NE(run.err.find("shaders have printed 16777216 bytes"), std::string::npos) << run.err;
+}
+
 /// Which lights there are to choose from is found out in silence: lines come from the plane that is
 /// lit alone.
 TEST(Print, LightsThatAreProbedAreSilent) {

@@ -16,13 +16,8 @@ namespace candela {
 
 namespace {
 
-/// Lines of points that are shaded side by side come in any order but whole: POSIX locks the
-/// stream for the time of a call.
-void print(void *, const ServiceCall &call) {
-    for (int lane = 0; lane < call.laneCount; ++lane)
-        if (call.asks(lane))
-            std::fputs(ir::printedText(call, lane).c_str(), stdout);
-}
+/// printf() in a loop at every point could fill a disk.
+constexpr std::size_t mostPrintedBytes = 16 << 20;
 
 /// Options that have requests of their own: floats, as many as there are; empty for other names.
 std::vector<float> standardOption(const Options &options, std::string_view name) {
@@ -70,9 +65,11 @@ template <auto answer> void ShaderAnswers::letTexturesAnswer(Service service) {
 }
 
 ShaderAnswers::ShaderAnswers(std::vector<std::string> textureFolders, DiagnosticSink &diagnostics)
-    : textures_(std::move(textureFolders), diagnostics) {
+    : diagnostics_(diagnostics), textures_(std::move(textureFolders), diagnostics) {
     services_.context = this;
-    services_[Service::print] = print;
+    services_[Service::print] = [](void *context, const ServiceCall &call) {
+        static_cast<ShaderAnswers *>(context)->print(call);
+    };
     services_[Service::option] = [](void *context, const ServiceCall &call) {
         static_cast<const ShaderAnswers *>(context)->option(call);
     };
@@ -105,6 +102,22 @@ ShaderAnswers::ShaderAnswers(std::vector<std::string> textureFolders, Diagnostic
     };
     silent_ = services_;
     silent_[Service::print] = [](void *, const ServiceCall &) {};
+}
+
+/// Lines of points that are shaded side by side come in any order but whole: POSIX locks the
+/// stream for the time of a call.
+void ShaderAnswers::print(const ServiceCall &call) {
+    for (int lane = 0; lane < call.laneCount && printedBytes_ <= mostPrintedBytes; ++lane) {
+        if (!call.asks(lane))
+            continue;
+        const std::string text = ir::printedText(call, lane);
+        const std::size_t before = printedBytes_.fetch_add(text.size());
+        if (before <= mostPrintedBytes)
+            std::fputs(text.c_str(), stdout);
+        if (before <= mostPrintedBytes && before + text.size() > mostPrintedBytes)
+            diagnostics_.warning({}, "shaders have printed " + std::to_string(mostPrintedBytes) +
+                                         " bytes by printf(); the rest is left out");
+    }
 }
 
 void ShaderAnswers::transmission(const ServiceCall &call) const {

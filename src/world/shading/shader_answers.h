@@ -8,6 +8,7 @@
 #include "world/shading/ray_answers.h"
 #include "world/texture/textures.h"
 
+#include <atomic>
 #include <utility>
 #include <vector>
 
@@ -35,11 +36,14 @@ public:
     void bindLights(std::vector<std::vector<ToldParameter>> lights) { lights_ = std::move(lights); }
 
 private:
+    void print(const ServiceCall &);
     void transmission(const ServiceCall &) const;
     void option(const ServiceCall &) const;
     void lightsource(const ServiceCall &) const;
     template <auto answer> void letTexturesAnswer(Service);
 
+    DiagnosticSink &diagnostics_;
+    std::atomic<std::size_t> printedBytes_{0};
     ShaderServices services_, silent_; ///< silent_ hears print and says nothing.
     Options options_;
     const RayAnswers *rays_ = nullptr;
