@@ -150,13 +150,40 @@ TEST(Lookups, ThatGoWrongAreZeroAndSaidOnce) {
           "scene.rib:1:1: error: MakeTexture: there is no picture \"nothing.tif\"",
           "scene.rib:2:1: error: MakeTexture: there is no wrap mode \"wavy\"",
           "scene.rib:3:1: error: MakeShadow: ", "need --trust",
-          "huge.tga cannot be read: it claims more pixels",
+          "huge.tga cannot be read: it claims more than can be",
           "scene.rib:5:1: error: MakeTexture: the texture would take the place of "})
         EXPECT_TRUE(run.says(words)) << words << "\n" << run.err;
     const auto first = run.err.find("\"missing.tx\"");
     EXPECT_EQ(run.err.find("\"missing.tx\"", first + 1), std::string::npos) << run.err;
     const std::string line = run.err.substr(first, run.err.find('\n', first) - first);
     EXPECT_EQ(line.find(folder.path()), line.rfind(folder.path())) << line;
+}
+
+/// Readers believe headers, and throw; or take what these claim.
+TEST(Lookups, OfFilesThatClaimWhatTheyHaveNot) {
+    ScratchFolder folder;
+    writePictures(folder);
+    folder.write("large.gif", std::string("GIF89a\xff\xff\xff\xff\x80\0\0\0\0\0\0\0\0"
+                                          "\x2c\0\0\0\0\xff\xff\xff\xff\0\2",
+                                          30) +
+                                  std::string(5000, '\0'));
+    std::string exr = folder.read("grey.exr"); // One more entry, of two gigabytes, it says.
+    exr.insert(8, std::string("note\0string\0\xff\xff\xff\x7f", 16));
+    folder.write("large.exr", exr);
+    const Told told = tell(
+        folder, {{"float texture(\"large.gif\", .5, .5)", "float texture(\"large.exr\", .5, .5)",
+                  "float texture(\"grey.exr\", .5, .5)"},
+                 "",
+                 "MakeTexture \"large.gif\" \"no.tx\" \"black\" \"black\" \"box\" 1 1\n"
+                 "MakeTexture \"large.exr\" \"no.tx\" \"black\" \"black\" \"box\" 1 1\n"});
+    ASSERT_EQ(told.values.size(), 3u) << told.run.text();
+    EXPECT_EQ(told.values[0], 0);
+    EXPECT_EQ(told.values[1], 0);
+    EXPECT_NEAR(told.values[2], .3f, 1e-3f);
+    EXPECT_EQ(told.run.status, 1);
+    EXPECT_TRUE(told.run.says("large.gif cannot be read: ")) << told.run.err;
+    EXPECT_TRUE(told.run.says("large.exr cannot be read: it claims more")) << told.run.err;
+    EXPECT_FALSE(folder.has("no.tx"));
 }
 
 /// Names are known where a loop's turns are: from a table, put together, with breaks.

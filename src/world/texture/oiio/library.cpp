@@ -3,6 +3,7 @@
 #include "world/texture/oiio/encode.h"
 #include "world/texture/oiio/facts.h"
 #include "world/texture/oiio/files.h"
+#include "world/texture/oiio/guard.h"
 #include "world/texture/oiio/linear_input.h"
 #include "world/texture/oiio/lookups.h"
 
@@ -29,6 +30,35 @@ public:
 
     const Opened *open(const std::string &path, PictureFacts &facts,
                        std::string &problem) override {
+        return guarded(problem, [&] { return openForLookups(path, facts, problem); });
+    }
+    bool look(const Opened &picture, const LookupRow &row, std::string &problem) override {
+        return guarded(problem, [&] {
+            const bool good = lookUp(*system_, picture, row);
+            if (!good)
+                problem = system_->geterror();
+            return good;
+        });
+    }
+    void forget() override { system_->invalidate_all(true); }
+    void limitMemory(int megabytes) override {
+        system_->attribute("max_memory_MB", float(megabytes));
+    }
+    bool read(const std::string &path, PictureCurve curve, PictureData &picture,
+              std::string &problem) override {
+        return guarded(problem, [&] { return readPicture(path, curve, picture, problem); });
+    }
+    bool write(const PictureData &picture, const TextureRecipe &recipe, const std::string &path,
+               std::string &problem) override {
+        return guarded(problem, [&] { return writePicture(picture, recipe, path, problem); });
+    }
+    bool encode(const PictureToEncode &picture, std::string &bytes, std::string &problem) override {
+        return guarded(problem, [&] { return encodePicture(picture, bytes, problem); });
+    }
+
+private:
+    const Opened *openForLookups(const std::string &path, PictureFacts &facts,
+                                 std::string &problem) {
         const auto file = openPicture(path, problem);
         if (!file)
             return nullptr;
@@ -48,29 +78,7 @@ public:
         }
         return &opened_.emplace_back(opened);
     }
-    bool look(const Opened &picture, const LookupRow &row, std::string &problem) override {
-        if (lookUp(*system_, picture, row))
-            return true;
-        problem = system_->geterror();
-        return false;
-    }
-    void forget() override { system_->invalidate_all(true); }
-    void limitMemory(int megabytes) override {
-        system_->attribute("max_memory_MB", float(megabytes));
-    }
-    bool read(const std::string &path, PictureCurve curve, PictureData &picture,
-              std::string &problem) override {
-        return readPicture(path, curve, picture, problem);
-    }
-    bool write(const PictureData &picture, const TextureRecipe &recipe, const std::string &path,
-               std::string &problem) override {
-        return writePicture(picture, recipe, path, problem);
-    }
-    bool encode(const PictureToEncode &picture, std::string &bytes, std::string &problem) override {
-        return encodePicture(picture, bytes, problem);
-    }
 
-private:
     OIIO::ImageCache *const cache_;
     OIIO::TextureSystem *const system_;
     std::mutex mutex_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/texture/oiio/linear_input.h"
 
-#include <filesystem>
+#include "world/texture/oiio/claims.h"
 
 namespace candela {
 
@@ -9,22 +9,19 @@ static const std::string prefix = "candela-linear:";
 
 std::string linearName(const std::string &path) { return prefix + path; }
 
-/// More than any codec packs, so that the pixels that are missing are not waited for.
-static bool claimsTooMuch(const OIIO::ImageSpec &spec, const std::string &path) {
-    constexpr double mostPacked = 1 << 14;
-    std::error_code error;
-    const auto bytes = std::filesystem::file_size(path, error);
-    return !error && double(spec.image_bytes(true)) > mostPacked * double(bytes) + (1 << 20);
-}
-
 std::unique_ptr<OIIO::ImageInput> openPicture(const std::string &path, std::string &problem) {
+    constexpr const char *tooMuch = "it claims more than can be in so small a file";
+    if (hasImpossibleHeader(path)) {
+        problem = tooMuch;
+        return nullptr;
+    }
     OIIO::ImageSpec asItStands;
     asItStands.attribute("oiio:UnassociatedAlpha", 1);
     auto file = OIIO::ImageInput::open(path, &asItStands);
     if (!file)
         problem = OIIO::geterror();
-    else if (claimsTooMuch(file->spec(), path)) {
-        problem = "it claims more pixels than can be in so small a file";
+    else if (claimsTooMuch(*file, path)) {
+        problem = tooMuch;
         file.reset();
     }
     return file;
