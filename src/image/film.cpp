@@ -89,6 +89,7 @@ double varianceOfEstimate(const FilmMoments &m, double squaredWeights, double sq
 
 Film::Film(Settings settings)
     : settings_(std::move(settings)), channels_(withColorAndOpacity(settings_.channels)) {
+    settings_.keepHalves |= settings_.pairsHalves;
     for (const ChannelInfo &channel : channels_) {
         layout_.firstComponent.push_back(layout_.components);
         layout_.components += channel.components;
@@ -229,11 +230,20 @@ FilmMoments Film::moments(const double *pixel, int component, FilmHalf half) con
             all.plain - even.plain};
 }
 
+float Film::meanOfMoments(const FilmMoments &m) const {
+    return float(settings_.signedWeights ? estimate(m) : m.count > 0 ? m.weighted / m.count : 0);
+}
+
 float Film::value(const double *pixel, int slot, FilmHalf half) const {
     if (layout_.merge[slot] != Merge::Mean)
         return float(pixel[2 + slot]);
-    const FilmMoments m = moments(pixel, slot, half);
-    return float(settings_.signedWeights ? estimate(m) : m.count > 0 ? m.weighted / m.count : 0);
+    if (settings_.pairsHalves && half == FilmHalf::Both) {
+        const FilmMoments even = moments(pixel, slot, FilmHalf::Even);
+        const FilmMoments odd = moments(pixel, slot, FilmHalf::Odd);
+        if (even.count > 0 && odd.count > 0)
+            return 0.5f * meanOfMoments(even) + 0.5f * meanOfMoments(odd);
+    }
+    return meanOfMoments(moments(pixel, slot, half));
 }
 
 std::vector<float> Film::mean(int channel, int component, FilmHalf half) const {
@@ -287,6 +297,12 @@ bool Film::restore(std::string_view &bytes) {
     return whole;
 }
 
+/// What the variance of the mean of two halves' means is to that of the mean of all samples.
+double Film::shareOfHalves(const double *pixel) const {
+    const double all = pixel[0], even = pixel[layout_.block], odd = all - even;
+    return even > 0 && odd > 0 ? all * (1 / even + 1 / odd) / 4 : 1;
+}
+
 std::vector<float> Film::varianceOfMean(int component) const {
     std::vector<float> plane(settings_.window.pixels());
     for (std::size_t i = 0; i < plane.size(); ++i) {
@@ -296,8 +312,9 @@ std::vector<float> Film::varianceOfMean(int component) const {
             plane[i] = std::numeric_limits<float>::infinity();
             continue;
         }
-        plane[i] = float(
-            varianceOfEstimate(m, squares[0], squares[1 + component], settings_.signedWeights));
+        const double variance =
+            varianceOfEstimate(m, squares[0], squares[1 + component], settings_.signedWeights);
+        plane[i] = float(variance * (settings_.pairsHalves ? shareOfHalves(pixel) : 1));
     }
     return plane;
 }

@@ -35,7 +35,10 @@ public:
         std::vector<ChannelInfo> channels;
         bool signedWeights = false; ///< The pixel filter has negative lobes.
         bool keepHalves = false;    ///< Even and odd samples are wanted on their own, too.
-        bool splats = false;        ///< Splats will come, too; else they are ignored.
+        /// Even and odd samples know nothing of each other and may differ in number
+        /// (light/frame/adaptive_sampling.h): a mean is that of the means of both.
+        bool pairsHalves = false;
+        bool splats = false; ///< Splats will come, too; else they are ignored.
         SplatUnits splatUnits{commonSplatUnit, commonSplatUnit, commonSplatUnit};
     };
     explicit Film(Settings);
@@ -94,6 +97,8 @@ private:
     static Merge mergeOf(const ChannelInfo &);
     static double addSingle(Merge, double value, const Run &, int component);
     FilmMoments moments(const double *pixel, int slot, FilmHalf) const;
+    double shareOfHalves(const double *pixel) const;
+    float meanOfMoments(const FilmMoments &) const;
     float value(const double *pixel, int slot, FilmHalf) const;
     float meanOfPixel(std::size_t pixel, int channel, int component, FilmHalf) const;
 

@@ -109,6 +109,23 @@ TEST(Film, KeepingHalvesChangesNoBit) {
     EXPECT_EQ(plain.varianceOfMean(0), halves.varianceOfMean(0));
 }
 
+TEST(Film, PairedHalvesCountAlikeWhateverTheirNumbers) {
+    Film::Settings settings = settingsOf({1, 1, 0, 1, 0, 1});
+    settings.pairsHalves = true;
+    Film film(settings);
+    const auto sample = [](int index, float value) {
+        return Sample{0, 0, index, 1, std::vector<float>(10, value)};
+    };
+    addTo(film, {sample(0, 1)});
+    EXPECT_EQ(film.mean(0, 0)[0], 1) << "one half alone";
+    addTo(film, {sample(1, 5), sample(2, 2), sample(4, 3)});
+    EXPECT_EQ(film.mean(0, 0)[0], .5 * 2 + .5 * 5);
+    EXPECT_EQ(film.mean(2, 0)[0], 1) << "depths are none of both";
+    EXPECT_EQ(film.mean(0, 0, FilmHalf::Even)[0], 2);
+    // A sample's variance is 35 / 12; the halves have 3 and 1.
+    EXPECT_NEAR(film.varianceOfMean(0)[0], 35 / 12. * (1 / 3. + 1) / 4, 1e-6);
+}
+
 TEST(Film, BatchesThreadsAndCropsJoinedChangeNoBit) {
     constexpr int width = 37, height = 23, count = 19;
     Film whole(settingsOf({width, height, 0, width, 0, height}, true));

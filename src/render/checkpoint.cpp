@@ -10,17 +10,18 @@ namespace candela {
 
 namespace {
 
-constexpr std::string_view mark = "candela checkpoint 1\n";
+constexpr std::string_view mark = "candela checkpoint 2\n";
 
 void put(std::string &bytes, const FramePosition &position) {
     appendRaw(bytes, position.firstSample);
     appendRaw(bytes, position.hasLightPaths);
     appendList(bytes, position.tilesTaken);
+    appendList(bytes, position.wishes);
 }
 
 bool take(std::string_view &bytes, FramePosition &position) {
     return takeRaw(bytes, position.firstSample) && takeRaw(bytes, position.hasLightPaths) &&
-           takeList(bytes, position.tilesTaken);
+           takeList(bytes, position.tilesTaken) && takeList(bytes, position.wishes);
 }
 
 bool take(std::string_view &bytes, Checkpoint &checkpoint) {

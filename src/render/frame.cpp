@@ -6,6 +6,7 @@
 #include "image/film_maps.h"
 #include "image/imager.h"
 #include "image/kept_samples.h"
+#include "light/frame/adaptive_sampling.h"
 #include "light/frame/darkness.h"
 #include "light/frame/light_warnings.h"
 #include "render/filtering.h"
@@ -99,12 +100,21 @@ bool filterFrame(const FrameJob &job, const FilterStack &filters, const Film &fi
     return !outcome.interrupted;
 }
 
-/// Says how far a frame has come that has been ended, and has its files say it too. False if that
-/// is nowhere.
-bool tellOfEnd(const FrameJob &job, FrameEnd end, const Film &film, FrameDescription &description) {
+std::string rangeOf(const SampleCounts &counts) {
+    return counts.least == counts.most ? std::to_string(counts.most)
+                                       : fmt::format("{} to {}", counts.least, counts.most);
+}
+
+/// Has a frame's files say what samples there are, and says how far it has come if it has been
+/// ended. False if that is nowhere.
+bool tellOfEnd(const FrameJob &job, FrameEnd end, const FrameProgress &progress, const Film &film,
+               FrameDescription &description) {
     const SampleCounts counts = film.sampleCounts();
     const int wanted = job.integrator.lastSample;
-    if (counts.least == wanted)
+    description.metadata["spp"] = fmt::format("{:.6g}", counts.mean);
+    if (counts.least < counts.most)
+        description.metadata["sppRange"] = rangeOf(counts);
+    if (end == FrameEnd::Whole || progress.firstSample() >= wanted)
         return true;
     const std::string why = end == FrameEnd::OutOfTime ? "the time is up" : "interrupted";
     DiagnosticSink &diagnostics = job.listeners.diagnostics;
@@ -112,16 +122,10 @@ bool tellOfEnd(const FrameJob &job, FrameEnd end, const Film &film, FrameDescrip
         diagnostics.error({}, why + " before there was any sample: no picture is written");
         return false;
     }
-    const std::string range = counts.least == counts.most
-                                  ? std::to_string(counts.most)
-                                  : fmt::format("{} to {}", counts.least, counts.most);
     diagnostics.warning({}, fmt::format("{} after {} of {} samples a pixel: the picture is written "
                                         "as it is{}",
-                                        why, range, wanted,
+                                        why, rangeOf(counts), wanted,
                                         counts.least == 0 ? ", black where there are none" : ""));
-    description.metadata["spp"] = fmt::format("{:.6g}", counts.mean);
-    if (counts.least < counts.most)
-        description.metadata["sppRange"] = range;
     return true;
 }
 
@@ -159,10 +163,10 @@ void writePictures(const FrameJob &job, const PictureShaders &shaders,
 
 /// Writes what there is, without filters, and ends the program: threads are still at work that
 /// cannot be called back.
-[[noreturn]] void writeAndEnd(const FrameJob &job, const PictureShaders &shaders, const Film &film,
-                              FrameEnd end) {
+[[noreturn]] void writeAndEnd(const FrameJob &job, const PictureShaders &shaders,
+                              const FrameProgress &progress, const Film &film, FrameEnd end) {
     FrameDescription description = job.description;
-    if (tellOfEnd(job, end, film, description)) {
+    if (tellOfEnd(job, end, progress, film, description)) {
         if (!shaders.filters.empty())
             job.listeners.diagnostics.warning({}, "the filters have not been run");
         writePictures(job, shaders, description, film, nullptr);
@@ -208,7 +212,7 @@ FrameEnd makePicture(const FrameJob &job, const PictureShaders &shaders,
             interrupt.emplace();
         FrameKeeper keeper(keeping, progress, sinks.first(),
                            {[&] { return interrupt && interrupt->asked(); },
-                            [&](FrameEnd why) { writeAndEnd(job, shaders, film, why); }},
+                            [&](FrameEnd why) { writeAndEnd(job, shaders, progress, film, why); }},
                            diagnostics);
         integrateFrame(job, filter, sinks.film, sinks.first(), progress);
         keeper.leave();
@@ -217,7 +221,7 @@ FrameEnd makePicture(const FrameJob &job, const PictureShaders &shaders,
             keeper.save();
     }
     FrameDescription description = job.description;
-    if (!tellOfEnd(job, end, film, description))
+    if (!tellOfEnd(job, end, progress, film, description))
         return end;
     explainBlack(job, film);
     FilteredPicture filtered;
@@ -247,6 +251,22 @@ double bytesOfSamples(FrameJob &job, const FilterStack &filters, const FrameWind
     return 0;
 }
 
+/// Decides whether pixels may differ in their numbers of samples.
+void settleVariance(FrameJob &job) {
+    double &variance = job.integrator.variance;
+    if (job.keepsSamples)
+        variance = 0;
+    const float asked = job.scene.options().pixelVariance.value_or(0);
+    if (variance > 0)
+        job.description.metadata["pixelVariance"] = fmt::format("{:g}", asked);
+    else if (asked > 0)
+        job.listeners.diagnostics.warning(
+            {}, fmt::format("PixelVariance does nothing {}: all pixels take as many samples as "
+                            "PixelSamples says",
+                            job.keepsSamples ? "for filters that read every sample"
+                                             : "under the integrator \"bidir\" or \"vcm\""));
+}
+
 FrameEnd renderAndWrite(const Scene &scene, ShaderLibrary &library, const RenderSettings &settings,
                         const std::string &file, const FrameListeners &listeners,
                         const FrameKeeping &keeping) {
@@ -267,9 +287,11 @@ FrameEnd renderAndWrite(const Scene &scene, ShaderLibrary &library, const Render
                               {{settings.outputDirectory, settings.trust}, settings.outputFile},
                               diagnostics)};
     const PixelFilterSampler filter(options.filter, diagnostics, options.places.pixelFilter);
-    const Film::Settings wanted = filmSettings(scene, integrator.crop, filter, shaders.filters);
+    Film::Settings wanted = filmSettings(scene, integrator.crop, filter, shaders.filters);
     double maps = shaders.filters.empty() ? 0 : bytesOfMaps(mapNames(shaders.filters), wanted);
     maps += bytesOfSamples(job, shaders.filters, wanted.window);
+    settleVariance(job);
+    wanted.pairsHalves = AdaptiveSampling(job.integrator).isOn();
     if (job.displays.empty() || !canHold(wanted, maps, options, diagnostics) ||
         diagnostics.stopped())
         return FrameEnd::Whole;

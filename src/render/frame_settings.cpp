@@ -46,6 +46,13 @@ radiosity::SolverSettings solverSettings(const NamedParameters &named, std::uint
     return solver;
 }
 
+/// PixelVariance is said of pixels as displays show them, before gamma: here, of radiance.
+double varianceOf(const Options &options) {
+    const double gain = options.exposure.value_or(ExposureRecord{}).gain;
+    const double variance = options.pixelVariance.value_or(0);
+    return variance > 0 ? variance / (gain * gain) : 0;
+}
+
 } // namespace
 
 int maxDepthOf(const Options &options) {
@@ -65,6 +72,8 @@ IntegratorSettings integratorSettings(const Scene &scene, const RenderSettings &
     const double samples =
         std::round(double(std::max(1.0f, options.xSamples)) * std::max(1.0f, options.ySamples));
     result.lastSample = int(std::min<double>(samples, maximumSamplesPerPixel));
+    if (result.kind != IntegratorKind::Bidirectional)
+        result.variance = varianceOf(options);
     result.seed = settings.seed;
     result.maxDepth = maxDepthOf(options);
     result.hemisphereOnly = settings.hemisphereOnly;

@@ -2,11 +2,9 @@
 // A frame that is rendered in parts, pass by pass, is the frame that is rendered at once.
 #include "foundation/base/parallel.h"
 #include "image/film.h"
-#include "interface/ri/graphics_state.h"
-#include "interface/rib/rib_reader.h"
 #include "light/frame/integrate.h"
 #include "light/path/first_hit.h"
-#include "render/shader_folders.h"
+#include "render/scene_test_support.h"
 
 #include <gtest/gtest.h>
 
@@ -52,27 +50,12 @@ void expectSame(const Film &a, const Film &b) {
         EXPECT_EQ(a.varianceOfMean(c), b.varianceOfMean(c));
 }
 
-void forScene(const std::string &options, const std::function<void(const Scene &)> &look) {
-    DiagnosticList diagnostics;
-    ErrorPolicy policy(diagnostics);
-    const std::string file = CANDELA_SOURCE_DIR "/tests/determinism/everything.rib";
-    ShaderFolders folders =
-        shaderFolders(file, {CANDELA_SOURCE_DIR "/tests/determinism/shaders"}, policy);
-    ShaderLibrary shaders({folders.all, folders.library, {}}, policy);
-    bool seen = false;
-    SceneCompiler world(shaders, policy, [&](const Scene &scene) { seen = true, look(scene); });
-    GraphicsState state(world, shaders, policy, {});
-    RibReader reader(state, policy);
-    reader.readText(options, "options");
-    reader.readFile(file);
-    state.finish();
-    EXPECT_TRUE(seen);
-}
+constexpr const char *everything = CANDELA_SOURCE_DIR "/tests/determinism/everything.rib";
 
 class Passes : public testing::TestWithParam<const char *> {};
 
 TEST_P(Passes, SixteenSamplesAndThenFortyEightGiveTheBytesOfSixtyFour) {
-    forScene(GetParam(), [](const Scene &scene) {
+    forScene(GetParam(), everything, [](const Scene &scene) {
         DiagnosticList list;
         const auto whole = rendered(scene, {{0, 64}}, list);
         expectSame(*rendered(scene, {{0, 16}, {16, 64}}, list), *whole);
@@ -80,7 +63,7 @@ TEST_P(Passes, SixteenSamplesAndThenFortyEightGiveTheBytesOfSixtyFour) {
 }
 
 TEST_P(Passes, CarryOnFromAnyOfThem) {
-    forScene(GetParam(), [](const Scene &scene) {
+    forScene(GetParam(), everything, [](const Scene &scene) {
         DiagnosticList list;
         expectSame(*rendered(scene, {{0, 16}, {16, 64}, {64, 128}, {128, 150}}, list),
                    *rendered(scene, {{0, 150}}, list));
@@ -88,7 +71,7 @@ TEST_P(Passes, CarryOnFromAnyOfThem) {
 }
 
 TEST_P(Passes, TheLastMayTakeFewerSamples) {
-    forScene(GetParam(), [](const Scene &scene) {
+    forScene(GetParam(), everything, [](const Scene &scene) {
         DiagnosticList list;
         expectSame(*rendered(scene, {{0, 16}, {16, 21}}, list), *rendered(scene, {{0, 21}}, list));
     });

@@ -15,10 +15,15 @@ namespace {
 /// The pictures of a run, with any options.
 class Rendering {
 public:
-    explicit Rendering(const std::vector<std::string> &options) {
+    /// `before` is RIB that stands before the scene's.
+    explicit Rendering(const std::vector<std::string> &options, const std::string &before = "") {
         const std::string here = CANDELA_SOURCE_DIR "/tests/determinism";
-        std::vector<std::string> arguments{here + "/everything.rib", "--shader-path",
-                                           here + "/shaders", "--output-dir", folder_.path()};
+        std::vector<std::string> arguments{folder_.write("before.rib", before),
+                                           here + "/everything.rib",
+                                           "--shader-path",
+                                           here + "/shaders",
+                                           "--output-dir",
+                                           folder_.path()};
         arguments.insert(arguments.end(), options.begin(), options.end());
         Outcome run = runCandela(arguments);
         EXPECT_EQ(run.status, 0) << run.text();
@@ -110,6 +115,20 @@ TEST(Determinism, CropsJoin) {
 TEST(Determinism, CropsJoinAtOneLaneAndOneThread) {
     expectSame(Rendering({"--crop", "0.21,0.68,0.33,0.71", "--lanes", "1", "--threads", "1"}),
                reference());
+}
+
+// Pixels take different numbers of samples, and look at those around them, beyond the crop too.
+TEST(Determinism, AdaptiveSampling) {
+    const auto rendered = [](std::vector<std::string> options) {
+        options.insert(options.end(), {"--spp", "128"});
+        return Rendering(options, "PixelVariance 2e-3\n");
+    };
+    const Rendering whole = rendered({"--threads", "2", "--lanes", "16"});
+    ASSERT_TRUE(whole.color.metadata.contains("sppRange"));
+    EXPECT_EQ(whole.color.metadata.at("sppRange"), "16 to 128");
+    expectSame(rendered({"--threads", "1", "--lanes", "1"}), whole);
+    for (const char *crop : {"0,0.3,0,0.55", "0.21,0.68,0.33,0.71", "0.77,1,0.55,1"})
+        expectSame(rendered({"--crop", crop}), whole);
 }
 
 } // namespace candela::test

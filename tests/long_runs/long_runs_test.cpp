@@ -106,8 +106,49 @@ INSTANTIATE_TEST_SUITE_P(
                     Company{"Bidir", "bidir", "", 100}, Company{"Vcm", "vcm", "", 100},
                     Company{"Radiosity", "radiosity", "", 200},
                     Company{"Lobes", "path", "PixelFilter \"catmull-rom\" 4 4\n", 200},
+                    Company{"Adaptive", "path", "PixelVariance 5e-5\n", 400},
+                    Company{"AdaptiveLobes", "classic",
+                            "PixelVariance 1e-4\nPixelFilter \"catmull-rom\" 4 4\n", 800},
                     Company{"Filtered", "path", "PushFilter \"everythird\"\n", 200}),
     [](const auto &info) { return std::string(info.param.name); });
+
+TEST_F(LongRuns, SayHowManySamplesPixelsHave) {
+    folder_.write("counts.sl", "filter counts() { float x, y;\n"
+                               "for (y = 0; y < ysize; y += 1) for (x = 0; x < xsize; x += 1)\n"
+                               "setimage(\"Ci\", x, y, color image(\"samples\", x, y)); }\n");
+    struct Row {
+        const char *integrator, *options, *spp, *range, *says;
+    };
+    for (const Row &row :
+         {Row{"path", "", "200", "", ""}, Row{"path", "PixelVariance 0\n", "200", "", ""},
+          Row{"path", "PixelVariance 1e9\n", "16", "", ""},
+          Row{"path", "PixelVariance 1e9\nExposure 1e-9 1\n", "16", "", ""},
+          Row{"path", "PixelVariance 1e-3\nExposure 1e9 1\n", "", "16 to 200", ""},
+          Row{"path", "PixelVariance 1e-4\n", "", "16 to 200", ""},
+          Row{"classic", "PixelVariance 1e-4\n", "", "16 to 200", ""},
+          Row{"radiosity", "PixelVariance 1e-5\n", "", "16 to 200", ""},
+          Row{"bidir", "PixelVariance 1e-4\n", "200", "",
+              "PixelVariance does nothing under the integrator \"bidir\""},
+          Row{"path", "PixelVariance 1e-4\nPushFilter \"counts\"\n", "200", "",
+              "PixelVariance does nothing for filters that read every sample"},
+          Row{"path", "PixelVariance -1\n", "200", "", "expected a number from 0 up"}}) {
+        folder_.write("scene.rib",
+                      "Display \"out.exr\" \"openexr\" \"rgb\"\n" + world(200, row.options));
+        const Outcome outcome = run({"scene.rib", "--integrator", row.integrator});
+        const std::string named = std::string(row.integrator) + " " + row.options;
+        EXPECT_TRUE(outcome.says(row.says)) << named << outcome.text();
+        if (!*row.says) {
+            EXPECT_EQ(outcome.err, "") << named;
+        }
+        const std::string spp = told("out.exr", "spp");
+        EXPECT_EQ(told("out.exr", "sppRange"), row.range) << named;
+        if (*row.spp) {
+            EXPECT_EQ(spp, row.spp) << named;
+        } else {
+            EXPECT_TRUE(std::stod(spp) > 17 && std::stod(spp) < 180) << named << spp;
+        }
+    }
+}
 
 TEST_F(LongRuns, GoOnWithTheFrameThatWasUnderWay) {
     folder_.write("scene.rib", frames(300));

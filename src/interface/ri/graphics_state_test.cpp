@@ -249,9 +249,6 @@ TEST_F(State, optionsWithoutEffectAreWarnedAboutOnce) {
     for (const char *type : {"paint", "zbuffer", "zbuffer"})
         state.hider(at, type, {});
     EXPECT_EQ(warnings(), 2);
-    state.pixelVariance(at, .01f);
-    state.pixelVariance(at, .02f);
-    EXPECT_EQ(warnings(), 3);
 }
 
 TEST_F(State, integratorsAreChecked) {

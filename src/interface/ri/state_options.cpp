@@ -161,9 +161,6 @@ void StateHandlers::pixelVariance(const SourceLocation &where, float variation) 
     if (!(variation >= 0))
         return diagnostics_.error(where, "PixelVariance", "expected a number from 0 up");
     state_.options.pixelVariance = variation;
-    diagnostics_.warnOnce(
-        where, "PixelVariance",
-        "PixelVariance: this version takes as many samples as PixelSamples says everywhere");
 }
 
 void StateHandlers::pixelSamples(const SourceLocation &where, float x, float y) {

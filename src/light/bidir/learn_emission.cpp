@@ -69,7 +69,7 @@ public:
         const int together = PathWave::capacity;
         for (int first = 0; first < int(x.size()); first += together) {
             const int count = std::min(together, int(x.size()) - first);
-            startCamera(wave, count, x.data() + first, y.data() + first, 0, 1);
+            startCamera(wave, {count, x.data() + first, y.data() + first, 0, 1});
             trace(wave);
             const RayBatch &rays = wave.active.rays;
             for (int i = 0; i < count; ++i) {

@@ -164,7 +164,7 @@ private:
         FrameContext frame = pilotFrame(statistics, middle_);
         PathWave wave(frame);
         const int count = std::min(PathWave::capacity, int(x_.size()));
-        startCamera(wave, count, x_.data(), y_.data(), 0, 1);
+        startCamera(wave, {count, x_.data(), y_.data(), 0, 1});
         trace(wave);
         std::vector<float> widths;
         for (int i = 0; i < count; ++i)
@@ -222,7 +222,7 @@ private:
         const int together = PathWave::capacity / (2 * samplesOfPixel);
         for (int first = 0; first < int(x_.size()); first += together) {
             const int count = std::min(together, int(x_.size()) - first);
-            startCamera(wave, count, x_.data() + first, y_.data() + first, 0, samplesOfPixel);
+            startCamera(wave, {count, x_.data() + first, y_.data() + first, 0, samplesOfPixel});
             follow(wave);
             for (int k = 0; k < count; ++k) {
                 double sum = 0, squares = 0;

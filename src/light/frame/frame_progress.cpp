@@ -11,7 +11,8 @@ void FrameProgress::close() {
 void FrameProgress::beginPass(int firstSample, std::size_t tiles) {
     std::unique_lock lock(mutex_);
     if (firstSample != position_.firstSample || tiles != position_.tilesTaken.size())
-        position_ = {firstSample, false, std::vector<std::uint8_t>(tiles)};
+        position_ = {firstSample, false, std::vector<std::uint8_t>(tiles),
+                     std::move(position_.wishes)};
 }
 
 void FrameProgress::beginLightPaths() {

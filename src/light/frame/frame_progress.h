@@ -18,6 +18,9 @@ struct FramePosition {
     int firstSample = 0;                  ///< Of the pass under way, where passes begin.
     bool hasLightPaths = false;           ///< The light that its light paths bring has come.
     std::vector<std::uint8_t> tilesTaken; ///< 1 for each of its tiles whose samples have come.
+    /// How many samples the halves of pixels shall have, where they may differ
+    /// (frame/adaptive_sampling.h).
+    std::vector<std::int32_t> wishes{};
 };
 
 /// Integrators bring their samples through it; others may look, stop or close it at any time.
@@ -46,6 +49,10 @@ public:
     bool hasLightPaths() const { return position_.hasLightPaths; }
     void beginLightPaths();
     void endLightPaths();
+    /// Before the first pass, by the integrator alone; those that are there stay.
+    void makeRoomForWishes(std::size_t count) { position_.wishes.resize(count); }
+    /// Those of a tile are written where its samples are brought.
+    std::vector<std::int32_t> &wishes() { return position_.wishes; }
     bool isTaken(std::size_t tile) const { return position_.tilesTaken[tile] != 0; }
     /// bring() hands a tile's samples on; from any thread.
     template <class Bring> void bringTile(std::size_t tile, const Bring &bring) {

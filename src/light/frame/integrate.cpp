@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The frame as passes, passes as tiles, a tile of a pass as a wave. Tiles are squares aligned to
-// absolute pixels and traced whole even where the crop window cuts them, so that ray packets, and
-// with them the picture, do not depend on the crop.
+// The frame as passes, passes as tiles, a tile of a pass as a wave, or as several where pixels
+// differ in their numbers of samples.
 #include "light/frame/integrate.h"
 #include "foundation/base/parallel.h"
 #include "light/bidir/light_pass.h"
 #include "light/bidir/plan.h"
+#include "light/frame/adaptive_sampling.h"
 #include "light/path/split.h"
-#include "light/path/stages.h"
 #include "light/radiosity/solution.h"
 
 #include <algorithm>
@@ -18,43 +17,6 @@
 namespace candela {
 
 namespace {
-
-struct Tile {
-    int x, y, size;
-};
-
-int roundDown(int value, int step) { return value - ((value % step) + step) % step; }
-
-/// Tiles so large that the branches of a pass over a tile's pixels fill a wave, and no larger.
-int tileSize(int samples) {
-    int size = 64;
-    while (size > 1 && size * size * samples * cameraDirections > PathWave::capacity)
-        size /= 2;
-    return size;
-}
-
-std::vector<Tile> tilesOver(const std::array<int, 4> &crop, int size) {
-    std::vector<Tile> tiles;
-    for (int y = roundDown(crop[2], size); y < crop[3]; y += size)
-        for (int x = roundDown(crop[0], size); x < crop[1]; x += size)
-            tiles.push_back({x, y, size});
-    return tiles;
-}
-
-/// The tile's pixels in Morton order: neighbours in the wave are neighbours in the picture.
-void pixelsOf(const Tile &tile, std::vector<int> &x, std::vector<int> &y) {
-    x.clear();
-    y.clear();
-    for (int code = 0; code < tile.size * tile.size; ++code) {
-        int dx = 0, dy = 0;
-        for (int bit = 0; bit < 8; ++bit) {
-            dx |= ((code >> (2 * bit)) & 1) << bit;
-            dy |= ((code >> (2 * bit + 1)) & 1) << bit;
-        }
-        x.push_back(tile.x + dx);
-        y.push_back(tile.y + dy);
-    }
-}
 
 void bringSamples(const PathWave &wave, SampleSink &sink) {
     const PathResults &results = wave.results;
@@ -73,19 +35,15 @@ void bringSamples(const PathWave &wave, SampleSink &sink) {
 struct Worker {
     explicit Worker(std::unique_ptr<PathWave> wave) : wave(std::move(wave)) {}
     std::unique_ptr<PathWave> wave;
-    std::vector<int> x, y;
+    AdaptiveSampling::Pixels pixels;
 };
 
-/// Passes that merge paths are made of rounds.
-int partEnd(const BidirectionalPlan &plan, int first) {
-    const int last = passEnd(first);
-    return plan.merging.isUsed() ? std::min(plan.merging.roundEnd(first), last) : last;
-}
-
-void renderTile(Worker &worker, const Tile &tile, int first, int last) {
-    pixelsOf(tile, worker.x, worker.y);
-    startCamera(*worker.wave, int(worker.x.size()), worker.x.data(), worker.y.data(), first, last);
-    follow(*worker.wave);
+/// Tiles so large that the branches of a pass over a tile's pixels fill a wave, and no larger.
+int tileSize(int samples) {
+    int size = 64;
+    while (size > 1 && size * size * samples * cameraDirections > PathWave::capacity)
+        size /= 2;
+    return size;
 }
 
 /// Lets samples by; splats as the frame's progress has it, and none that have come before.
@@ -111,15 +69,16 @@ public:
     FramePasses(FrameContext &frame, const BidirectionalPlan &plan, SampleSink &sink,
                 FrameProgress &progress)
         : frame_(frame), plan_(plan), sink_(sink), progress_(progress), gate_(sink, progress),
-          workers_(std::size_t(std::max(1, threadCount()))) {
+          adaptive_(frame.settings), workers_(std::size_t(std::max(1, threadCount()))) {
         if (plan.lightPaths > 0)
             lightPaths_ = std::make_unique<LightPass>(frame, plan, gate_);
     }
 
     void run() {
+        progress_.makeRoomForWishes(adaptive_.wishes());
         const int end = frame_.settings.lastSample;
         for (int first = progress_.firstSample(), last; first < end; first = last) {
-            last = std::min(partEnd(plan_, first), end);
+            last = std::min(endOfPass(first), end);
             run(first, last);
             if (progress_.isStopped())
                 return;
@@ -128,20 +87,53 @@ public:
     }
 
 private:
+    /// Passes that merge paths are made of rounds.
+    int endOfPass(int first) const {
+        const int last = adaptive_.isOn() ? adaptive_.passEnd(first) : passEnd(first);
+        return plan_.merging.isUsed() ? std::min(plan_.merging.roundEnd(first), last) : last;
+    }
+
+    /// A wave each.
+    std::vector<TilePart> partsOf(int first, int last) const {
+        if (adaptive_.isOn())
+            return adaptive_.parts(first, last, progress_.wishes());
+        std::vector<TilePart> parts;
+        for (const Tile &tile : tilesOver(frame_.settings.crop, tileSize(last - first)))
+            parts.push_back({tile, 0, tile.size * tile.size});
+        return parts;
+    }
+
+    void render(Worker &worker, const TilePart &part, int first, int last) const {
+        auto &[x, y, halves] = worker.pixels;
+        if (adaptive_.isOn())
+            adaptive_.pixelsOf(part, first, progress_.wishes(), worker.pixels);
+        else
+            pixelsOf(part.tile, x, y);
+        startCamera(*worker.wave, {int(x.size()), x.data(), y.data(), first, last,
+                                   adaptive_.isOn() ? halves.data() : nullptr});
+        follow(*worker.wave);
+    }
+
+    void bring(const Worker &worker, const TilePart &part, int first) {
+        bringSamples(*worker.wave, sink_);
+        if (adaptive_.isOn() && adaptive_.isPilot(first))
+            adaptive_.decide(part, worker.wave->results, progress_.wishes());
+    }
+
     void run(int first, int last) {
-        const std::vector<Tile> tiles = tilesOver(frame_.settings.crop, tileSize(last - first));
-        progress_.beginPass(first, tiles.size());
+        const std::vector<TilePart> parts = partsOf(first, last);
+        progress_.beginPass(first, parts.size());
         if (lightPaths_ && !followLightPaths(first, last))
             return;
         std::atomic<std::size_t> next{0}, done{0};
         parallelFor(workers_.size(), [&](std::size_t thread) {
             Worker &worker = workerOf(thread);
-            for (std::size_t at; !progress_.isStopped() && (at = next++) < tiles.size();) {
+            for (std::size_t at; !progress_.isStopped() && (at = next++) < parts.size();) {
                 if (!progress_.isTaken(at)) {
-                    renderTile(worker, tiles[at], first, last);
-                    progress_.bringTile(at, [&] { bringSamples(*worker.wave, sink_); });
+                    render(worker, parts[at], first, last);
+                    progress_.bringTile(at, [&] { bring(worker, parts[at], first); });
                 }
-                report(first + double(++done) / double(tiles.size()) * (last - first));
+                report(first + double(++done) / double(parts.size()) * (last - first));
             }
         });
     }
@@ -187,6 +179,7 @@ private:
     FrameProgress &progress_;
     SplatGate gate_;
     std::unique_ptr<LightPass> lightPaths_;
+    const AdaptiveSampling adaptive_;
     std::vector<std::unique_ptr<Worker>> workers_; ///< One a thread.
 };
 

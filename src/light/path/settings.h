@@ -86,7 +86,9 @@ struct BidirectionalWishes {
 
 struct IntegratorSettings {
     IntegratorKind kind = IntegratorKind::Path;
-    int lastSample = 4; ///< Samples of each pixel; one beyond the last.
+    int lastSample = 4;  ///< Samples of each pixel, at most; one beyond the last.
+    double variance = 0; ///< Of the mean of Ci in a pixel, that is small enough; 0 = none is. Not
+                         ///< for Bidirectional.
     std::uint32_t seed = 0;
     int maxDepth = 64;           ///< Reflections and refractions along a path.
     bool hemisphereOnly = false; ///< --sampling hemisphere: ignore the shaders' cones.

@@ -8,8 +8,20 @@ namespace candela {
 
 // ---- Where paths begin ----
 
-/// Camera paths for the samples [first, last) of `pixels` pixels (x[i], y[i]), pixel by pixel.
-void startCamera(PathWave &, int pixels, const int *x, const int *y, int first, int last);
+/// Of a pixel's samples, those of even numbers, those of odd ones, or all.
+enum class Halves : std::uint8_t { None, Even, Odd, Both };
+
+/// The samples [first, last) of pixels (x[i], y[i]). Without `halves` they are one sequence.
+/// Otherwise the two halves of a pixel are sequences that know nothing of each other: sample k of
+/// the even half is the pixel's 2 k, that of the odd half its 2 k + 1; `first` is even.
+struct CameraSamples {
+    int pixels;
+    const int *x, *y;
+    int first, last;
+    const Halves *halves = nullptr; ///< Of each pixel: what is taken.
+};
+/// Camera paths, pixel by pixel.
+void startCamera(PathWave &, const CameraSamples &);
 /// Paths along the rays of vertices lane[0..count), which take slots in this order.
 void startGathering(PathWave &, int count, const int *lane, const GatheringRays &);
 

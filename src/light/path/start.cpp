@@ -14,19 +14,31 @@ namespace candela {
 
 namespace {
 
-/// Slots for the samples [first, last) of the pixels, with nothing gathered.
-void takeSlots(PathWave &wave, int pixels, const int *x, const int *y, int first, int last) {
+/// Slots for every `step`th sample of a pixel.
+void takeSlots(PathWave &wave, int x, int y, int first, int last, int step) {
     PathResults &results = wave.results;
-    const int samples = last - first;
-    wave.slots = pixels * samples;
-    for (int pixel = 0; pixel < pixels; ++pixel) {
-        const int slot = pixel * samples;
-        std::fill_n(results.x + slot, samples, x[pixel]);
-        std::fill_n(results.y + slot, samples, y[pixel]);
-        std::fill_n(results.keys[0] + slot, samples,
-                    pixelKey(x[pixel], y[pixel], wave.frame.settings.seed));
-        std::iota(results.sampleIndex + slot, results.sampleIndex + slot + samples, first);
+    const int slot = wave.slots, samples = (last - first + step - 1) / step;
+    std::fill_n(results.x + slot, samples, x);
+    std::fill_n(results.y + slot, samples, y);
+    std::fill_n(results.keys[0] + slot, samples, pixelKey(x, y, wave.frame.settings.seed));
+    for (int i = 0; i < samples; ++i)
+        results.sampleIndex[slot + i] = first + i * step;
+    wave.slots += samples;
+}
+
+/// Slots for all samples, with nothing gathered.
+void takeSlots(PathWave &wave, const CameraSamples &camera) {
+    PathResults &results = wave.results;
+    wave.slots = 0;
+    for (int i = 0; i < camera.pixels; ++i) {
+        const Halves halves = camera.halves ? camera.halves[i] : Halves::Both;
+        takeSlots(wave, camera.x[i], camera.y[i], camera.first + (halves == Halves::Odd),
+                  camera.last, halves == Halves::Both ? 1 : 2);
     }
+    if (camera.halves)
+        for (int i = 0; i < wave.slots; ++i)
+            if (results.sampleIndex[i] % 2 != 0)
+                results.keys[0][i] = keyOfOddHalf(results.keys[0][i]);
     for (int c = 0; c < colorSamples; ++c) {
         std::fill_n(results.radiance[c], wave.slots, 0.0f);
         std::fill_n(results.opacity[c], wave.slots, 0.0f);
@@ -35,8 +47,8 @@ void takeSlots(PathWave &wave, int pixels, const int *x, const int *y, int first
         std::fill_n(results.channels[plane], wave.slots, wave.frame.firstHit[plane].background);
 }
 
-/// Active paths without a history, one for each slot.
-void takePaths(PathWave &wave) {
+/// Active paths without a history, one for each slot. So many of its samples share a number.
+void takePaths(PathWave &wave, std::uint32_t samplesOfNumber) {
     ActivePaths &active = wave.active;
     active.rays.count = active.count = wave.slots;
     active.rays.shares = nullptr;
@@ -50,7 +62,8 @@ void takePaths(PathWave &wave) {
     std::iota(active.slot, active.slot + wave.slots, 0);
     std::fill_n(active.depth, wave.slots, 0);
     lanes::fill(wave.slots, 1, active.seen);
-    std::copy_n(wave.results.sampleIndex, wave.slots, reinterpret_cast<int *>(active.sampleIndex));
+    for (int i = 0; i < wave.slots; ++i)
+        active.sampleIndex[i] = std::uint32_t(wave.results.sampleIndex[i]) / samplesOfNumber;
     if (wave.frame.scene.hasVolumes())
         beginMedia(wave.slots, active.media);
 }
@@ -65,9 +78,11 @@ void shareFootprints(int samples, RayBatch &rays) {
 
 } // namespace
 
-void startCamera(PathWave &wave, int pixels, const int *x, const int *y, int first, int last) {
-    takeSlots(wave, pixels, x, y, first, last);
-    takePaths(wave);
+void startCamera(PathWave &wave, const CameraSamples &samples) {
+    const int sequences = samples.halves ? 2 : 1;
+    takeSlots(wave, samples);
+    takePaths(wave, std::uint32_t(sequences));
+    const int ofSequence = samples.last / sequences;
     const Camera &camera = wave.frame.scene.camera();
     PathResults &results = wave.results;
     std::array<float *, 2 * cameraPairs> numbers;
@@ -76,15 +91,14 @@ void startCamera(PathWave &wave, int pixels, const int *x, const int *y, int fir
         numbers[2 * pair + 1] = wave.cameraNumbers[2 * pair + 1];
         if (pair == filterPair || (pair == lensPair && camera.hasLens()) ||
             (pair == timePair && camera.hasShutterInterval()))
-            sobolPairs(wave.slots, results.keys[0],
-                       reinterpret_cast<const std::uint32_t *>(results.sampleIndex), pair,
+            sobolPairs(wave.slots, results.keys[0], wave.active.sampleIndex, pair,
                        numbers[2 * pair], numbers[2 * pair + 1]);
     }
     float *rasterX = numbers[2 * filterPair], *rasterY = numbers[2 * filterPair + 1];
     float *weight = results.weight[0];
     const bool shares = wave.frame.scene.readsFootprints();
     if (shares)
-        wave.shares.prepare(wave.frame.filter, last);
+        wave.shares.prepare(wave.frame.filter, ofSequence);
     for (int i = 0; i < wave.slots; ++i) {
         FilterSample at = wave.frame.filter.sample(rasterX[i], rasterY[i]);
         if (shares && wave.shares.areKnown())
@@ -96,7 +110,7 @@ void startCamera(PathWave &wave, int pixels, const int *x, const int *y, int fir
     camera.rays(wave.slots, rasterX, rasterY, numbers[2 * lensPair], numbers[2 * lensPair + 1],
                 numbers[2 * timePair], wave.active.rays);
     wave.active.rays.count = wave.slots;
-    shareFootprints(last, wave.active.rays);
+    shareFootprints(ofSequence, wave.active.rays);
     wave.active.rays.shares = shares ? wave.shares.shares() : nullptr;
     if (wave.subpaths)
         beginHistory(wave);
@@ -114,7 +128,7 @@ void startGathering(PathWave &wave, int count, const int *lane, const GatheringR
                  {from.y, results.y},
                  {reinterpret_cast<const int *>(from.sampleIndex), results.sampleIndex},
                  {from.pixelKey, results.keys[0]}});
-    takePaths(wave);
+    takePaths(wave, 1);
 
     ActivePaths &active = wave.active;
     RayBatch &rays = active.rays;

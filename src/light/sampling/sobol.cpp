@@ -106,6 +106,10 @@ std::uint32_t pixelKey(int x, int y, std::uint32_t seed) {
     return std::uint32_t(mixBits(mixBits(position) + seed) >> 32);
 }
 
+std::uint32_t keyOfOddHalf(std::uint32_t pixelKey) {
+    return std::uint32_t(mixBits(std::uint64_t(1) << 32 | pixelKey) >> 32);
+}
+
 CANDELA_HOT void sobolPairs(int count, const std::uint32_t *__restrict key,
                             const std::uint32_t *__restrict sample, std::uint32_t pair,
                             float *__restrict x, float *__restrict y) {

@@ -9,6 +9,8 @@ namespace candela {
 
 /// What stands for a pixel in the address: mixes its absolute position with the seed.
 std::uint32_t pixelKey(int x, int y, std::uint32_t seed);
+/// Where a pixel has two sequences that know nothing of each other: the address of the second.
+std::uint32_t keyOfOddHalf(std::uint32_t pixelKey);
 
 /// x[i], y[i]: the point with number sampleIndex[i] of a (0,2)-sequence of points in [0,1)^2 that
 /// is scrambled and shuffled independently for each pixel and each `pair`. Any 2^k consecutive
