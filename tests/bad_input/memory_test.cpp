@@ -55,11 +55,14 @@ TEST_F(Memory, IsEnoughForFansOfManyFaces) {
     const std::string boundary = " [\"interpolateboundary\"] [0 0] [] [] \"P\" [" + points + "] ";
     for (const std::string &faces : {"[" + counts + "] [" + vertices + "]",
                                      "[" + std::to_string(count) + "] [" + corners + "]"}) {
-        Outcome run = render(sceneWith("SubdivisionMesh \"catmull-clark\" " + faces + boundary),
-                             {"--threads", "2"}, little);
-        EXPECT_EQ(run.status, 0) << run.text();
-        EXPECT_TRUE(run.says("to be smoothed: its faces are drawn as they are")) << run.text();
-        expectDisc();
+        for (const char *scheme : {"catmull-clark", "loop"}) {
+            Outcome run = render(
+                sceneWith(std::string("SubdivisionMesh \"") + scheme + "\" " + faces + boundary),
+                {"--threads", "2"}, little);
+            EXPECT_EQ(run.status, 0) << run.text();
+            EXPECT_TRUE(run.says("to be smoothed: its faces are drawn as they are")) << run.text();
+            expectDisc();
+        }
     }
 }
 

@@ -206,6 +206,21 @@ std::string subdividedCube(double away) {
            " [1.5] \"P\" " + array(flatten(mesh.vertices, away)) + "\n";
 }
 
+/// Loop's, of the cube's halved faces, with the edges of one of them half sharp.
+std::string loopCube(double away) {
+    Mesh mesh;
+    for (const Face &face : cube())
+        mesh.add(face);
+    std::vector<double> triangles;
+    for (std::size_t first = 0; first < mesh.indices.size(); first += 4)
+        for (std::size_t k : {0, 1, 2, 0, 2, 3})
+            triangles.push_back(mesh.indices[first + k]);
+    return "SubdivisionMesh \"loop\" [3 3 3 3 3 3 3 3 3 3 3 3] " + array(triangles) +
+           " [\"crease\"] [4 1] " +
+           array({mesh.indices[0], mesh.indices[1], mesh.indices[2], mesh.indices[3]}) +
+           " [1.5] \"P\" " + array(flatten(mesh.vertices, away)) + "\n";
+}
+
 /// The unit sphere as half a circle that is turned about z, both as rational parabolas.
 std::string rationalSphere() {
     const double x[] = {1, 1, 0, -1, -1, -1, 0, 1, 1}, y[] = {0, 1, 1, 1, 0, -1, -1, -1, 0};
@@ -246,7 +261,8 @@ std::vector<Body> bodiesAway(double away) {
             {"BicubicPatch", bicubicPatches(away), true},
             {"BilinearMesh", bilinearMesh(away)},
             {"BicubicMesh", splineMesh(away), true},
-            {"SubdivisionMesh", subdividedCube(away), true}};
+            {"SubdivisionMesh", subdividedCube(away), true},
+            {"LoopMesh", loopCube(away), true}};
 }
 
 std::vector<Body> bodiesWithNormals(bool inward) {

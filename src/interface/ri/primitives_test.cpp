@@ -250,6 +250,15 @@ TEST_F(State, badTagsAreLeftOutAndTheMeshIsKept) {
     with({{"smoothtriangles"}, {1, 0}, {0}, {}}); // Of others: a warning.
     EXPECT_EQ(errors(), count);
     EXPECT_EQ(int(primitives().size()), count + 1);
+    // Edits of finer levels, all in one warning.
+    const int told = warnings();
+    state.hierarchicalSubdivisionMesh(
+        at, "loop", {3}, {0, 1, 2}, {"vertexedit", "faceedit", "edgeedit"},
+        {1, 0, 0, 1, 1, 1, 1, 0, 0}, {0, 0, 1}, {.5f}, {"edit"}, numbers("P", Floats(9)));
+    EXPECT_EQ(warnings(), told + 1);
+    EXPECT_EQ(errors(), count);
+    EXPECT_EQ(std::get<SubdivisionRecord>(primitives().back().record->shape).scheme,
+              SubdivisionRecord::Scheme::Loop);
 }
 
 TEST_F(State, geometryIsKnownByName) {

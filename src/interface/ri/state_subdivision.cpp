@@ -42,6 +42,10 @@ public:
         return name == "hole" || name == "crease" || name == "corner" ||
                name == "interpolateboundary" || name == "facevaryinginterpolateboundary";
     }
+    /// Of finer levels of a hierarchical mesh.
+    static bool isEdit(const std::string &name) {
+        return name == "vertexedit" || name == "edgeedit" || name == "faceedit";
+    }
     /// What is wrong with a known tag, which then has no effect; empty if nothing is.
     std::string read(const Tag &tag) {
         if (tag.name == "hole")
@@ -106,6 +110,8 @@ std::optional<SubdivisionRecord::Scheme> schemeOf(const std::string &name) {
         return Scheme::CatmullClark;
     if (name == "bilinear")
         return Scheme::Bilinear;
+    if (name == "loop")
+        return Scheme::Loop;
     return std::nullopt;
 }
 
@@ -136,7 +142,12 @@ void StateHandlers::readTags(const SourceLocation &where, const SubdivisionTags 
                       {tags.integers.data() + integer, std::size_t(integers)},
                       {tags.floats.data() + number, std::size_t(floats)}};
         integer += std::size_t(integers), number += std::size_t(floats);
-        if (!TagReader::knows(tag.name))
+        if (TagReader::isEdit(tag.name))
+            diagnostics_.warnOnce(where, "hierarchical edits",
+                                  "HierarchicalSubdivisionMesh: edits of finer levels (vertexedit, "
+                                  "edgeedit, faceedit) have no effect: the mesh is drawn as it is "
+                                  "without them");
+        else if (!TagReader::knows(tag.name))
             diagnostics_.warnOnce(where, "tag " + tag.name,
                                   "SubdivisionMesh: the tag \"" + tag.name +
                                       "\" is not known here and has no effect");
@@ -161,7 +172,7 @@ void StateHandlers::subdivisionMesh(const SourceLocation &where, const std::stri
     emit(where, "SubdivisionMesh", std::move(mesh), tokens);
 }
 
-/// Its hierarchy is left out: tags of its kind are told as unknown ones.
+/// Its hierarchy is left out.
 void StateHandlers::hierarchicalSubdivisionMesh(
     const SourceLocation &where, const std::string &scheme, const Integers &vertexCounts,
     const Integers &vertices, const Strings &tags, const Integers &argumentCounts,

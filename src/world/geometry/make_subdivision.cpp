@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/geometry/make_subdivision.h"
 
+#include "world/geometry/make_loop.h"
 #include "world/geometry/subdivision_surface.h"
 
 #include <cmath>
@@ -25,6 +26,19 @@ static bool canBeSmoothed(const SubdivisionRecord &mesh, std::size_t vertices) {
     return pairs <= most;
 }
 
+void reportStrayCreases(int strays, const SourceLocation &where, DiagnosticSink &diagnostics) {
+    if (strays > 0)
+        diagnostics.warning(where, "creases of the subdivision mesh run " + std::to_string(strays) +
+                                       " times between vertices that no edge joins; they have no "
+                                       "effect there");
+}
+
+void reportNothingDrawn(const SourceLocation &where, DiagnosticSink &diagnostics) {
+    diagnostics.warning(where,
+                        "nothing of the subdivision mesh is drawn: all of its faces are holes or "
+                        "at its boundary, and \"interpolateboundary\" is not asked for");
+}
+
 SurfaceList makeSubdivision(const SubdivisionRecord &given, const PrimitiveRecord &record,
                             const Attributes &attributes, DiagnosticSink &diagnostics) {
     auto refuse = [&](const std::string &why) {
@@ -44,15 +58,13 @@ SurfaceList makeSubdivision(const SubdivisionRecord &given, const PrimitiveRecor
         flat->scheme = SubdivisionRecord::Scheme::Bilinear;
     }
     const SubdivisionRecord &mesh = flat ? *flat : given;
+    if (mesh.scheme == SubdivisionRecord::Scheme::Loop)
+        return makeLoop(mesh, record, attributes, diagnostics);
     std::string why;
     const auto refinement = SubdivisionRefinement::of(mesh, int(points->floats.size() / 3), why);
     if (!refinement)
         return refuse(why);
-    if (const int strays = refinement->strayCreases())
-        diagnostics.warning(record.where, "creases of the subdivision mesh run " +
-                                              std::to_string(strays) +
-                                              " times between vertices that no edge joins; they "
-                                              "have no effect there");
+    reportStrayCreases(refinement->strayCreases(), record.where, diagnostics);
     const auto tree = std::make_shared<const SubdivisionTree>(refinement->tree());
     SubdivisionShape shape;
     for (std::uint32_t k = 0; k < refinement->pieces().size(); ++k)
@@ -61,9 +73,7 @@ SurfaceList makeSubdivision(const SubdivisionRecord &given, const PrimitiveRecor
             shape.numbers.push_back(k);
         }
     if (shape.pieces.empty()) {
-        diagnostics.warning(record.where,
-                            "nothing of the subdivision mesh is drawn: all of its faces are holes "
-                            "or at its boundary, and \"interpolateboundary\" is not asked for");
+        reportNothingDrawn(record.where, diagnostics);
         return {};
     }
     PatchPolynomials positions = refinement->convert(points->floats, 3);

@@ -10,4 +10,8 @@ namespace candela {
 SurfaceList makeSubdivision(const SubdivisionRecord &, const PrimitiveRecord &, const Attributes &,
                             DiagnosticSink &);
 
+/// What is said of meshes of every scheme.
+void reportStrayCreases(int strays, const SourceLocation &, DiagnosticSink &);
+void reportNothingDrawn(const SourceLocation &, DiagnosticSink &);
+
 } // namespace candela

@@ -67,7 +67,9 @@ makeSurfaces(const std::shared_ptr<const PrimitiveRecord> &record, const Attribu
         SurfaceList &later = inTime.emplace_back();
         const auto moved = recordAt(record, time);
         for (const auto &surface : surfaces) {
-            const auto *polygons = dynamic_cast<const PolygonSurface *>(surface.get());
+            const auto *polygons = std::holds_alternative<PolygonsRecord>(record->shape)
+                                       ? dynamic_cast<const PolygonSurface *>(surface.get())
+                                       : nullptr; // Of polygons that are not the record's own.
             later.push_back(polygons ? polygons->movedTo(*moved, heard) : nullptr);
         }
         if (std::ranges::count(later, nullptr) > 0)

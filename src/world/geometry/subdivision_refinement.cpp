@@ -1,93 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/geometry/subdivision_refinement.h"
 
-#include <opensubdiv/far/error.h>
+#include "world/geometry/subdivision_refiner.h"
+
 #include <opensubdiv/far/patchTableFactory.h>
 #include <opensubdiv/far/primvarRefiner.h>
 #include <opensubdiv/far/ptexIndices.h>
-#include <opensubdiv/far/topologyDescriptor.h>
-#include <opensubdiv/far/topologyRefinerFactory.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace candela {
 
 namespace {
 
-namespace Far = OpenSubdiv::Far;
-namespace Sdc = OpenSubdiv::Sdc;
-
-/// One component, as OpenSubdiv sums it up.
-struct Sum {
-    double value = 0;
-    void Clear(void * = nullptr) { value = 0; }
-    void AddWithWeight(const Sum &other, double weight) { value += weight * other.value; }
-};
-
-/// Sharpness from which edges stay sharp for ever.
-constexpr float infinitelySharp = 10; // Sdc::Crease::SHARPNESS_INFINITE is no constant expression.
-
 /// How often faces are split at most where the surface is not regular. What is left is a patch
 /// with the limit's own points and tangents at its corners.
 int levelsFor(const SubdivisionRecord &mesh) {
     const std::size_t faces = mesh.vertexCounts.size();
-    float least = faces < 20000 ? 6 : faces < 200000 ? 4 : 3;
-    const auto widen = [&](float sharpness) {
-        if (sharpness < infinitelySharp)
-            least = std::max(least, std::ceil(sharpness));
-    };
-    for (const auto &crease : mesh.creases)
-        widen(crease.sharpness);
-    for (const auto &corner : mesh.corners)
-        widen(corner.sharpness);
-    return int(std::min(least, 10.0f));
-}
-
-struct Descriptor {
-    std::vector<int> creaseVertices, cornerVertices;
-    std::vector<float> creaseSharpness, cornerSharpness;
-    Far::TopologyDescriptor far;
-
-    Descriptor(const SubdivisionRecord &mesh, int vertices) {
-        for (const auto &crease : mesh.creases)
-            for (std::size_t i = 0; i + 1 < crease.vertices.size(); ++i) {
-                creaseVertices.insert(creaseVertices.end(),
-                                      {crease.vertices[i], crease.vertices[i + 1]});
-                creaseSharpness.push_back(std::min(crease.sharpness, infinitelySharp));
-            }
-        for (const auto &corner : mesh.corners) {
-            cornerVertices.push_back(corner.vertex);
-            cornerSharpness.push_back(std::min(corner.sharpness, infinitelySharp));
-        }
-        far.numVertices = vertices;
-        far.numFaces = int(mesh.vertexCounts.size());
-        far.numVertsPerFace = mesh.vertexCounts.data();
-        far.vertIndicesPerFace = mesh.vertices.data();
-        far.numCreases = int(creaseSharpness.size());
-        far.creaseVertexIndexPairs = creaseVertices.data();
-        far.creaseWeights = creaseSharpness.data();
-        far.numCorners = int(cornerSharpness.size());
-        far.cornerVertexIndices = cornerVertices.data();
-        far.cornerWeights = cornerSharpness.data();
-        far.numHoles = int(mesh.holes.size());
-        far.holeIndices = mesh.holes.data();
-    }
-};
-
-std::unique_ptr<Far::TopologyRefiner> refinerOf(const SubdivisionRecord &mesh, int vertices) {
-    using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
-    using Boundary = Sdc::Options::VtxBoundaryInterpolation;
-    static constexpr Boundary boundaries[] = {Sdc::Options::VTX_BOUNDARY_NONE,
-                                              Sdc::Options::VTX_BOUNDARY_EDGE_AND_CORNER,
-                                              Sdc::Options::VTX_BOUNDARY_EDGE_ONLY};
-    Sdc::Options rules;
-    rules.SetVtxBoundaryInterpolation(boundaries[mesh.interpolateBoundary]);
-    const bool isBilinear = mesh.scheme == SubdivisionRecord::Scheme::Bilinear;
-    const Descriptor descriptor(mesh, vertices);
-    return std::unique_ptr<Far::TopologyRefiner>(Factory::Create(
-        descriptor.far,
-        Factory::Options(isBilinear ? Sdc::SCHEME_BILINEAR : Sdc::SCHEME_CATMARK, rules)));
+    const int least = faces < 20000 ? 6 : faces < 200000 ? 4 : 3;
+    return std::max(least, levelsOfCreases(mesh));
 }
 
 /// A leaf's cubic in each direction: its values and slopes at the corners say all.
@@ -157,9 +88,10 @@ void appendPowers(std::vector<float> &coefficients,
 
 class FarRefinement final : public SubdivisionRefinement {
 public:
-    FarRefinement(std::unique_ptr<Far::TopologyRefiner> refiner, int levels)
+    FarRefinement(std::unique_ptr<Far::TopologyRefiner> refiner, const SubdivisionRecord &mesh)
         : refiner_(std::move(refiner)) {
-        Far::PatchTableFactory::Options options((unsigned(levels)));
+        strayCreases_ = strayCreasesOf(mesh, *refiner_);
+        Far::PatchTableFactory::Options options((unsigned(levelsFor(mesh))));
         options.SetEndCapType(Far::PatchTableFactory::Options::ENDCAP_GREGORY_BASIS);
         options.useInfSharpPatch = true;
         options.generateLegacySharpCornerPatches = false;
@@ -169,13 +101,6 @@ public:
         refiner_->RefineAdaptive(options.GetRefineAdaptiveOptions());
         table_.reset(Far::PatchTableFactory::Create(*refiner_, options));
         addLeaves();
-    }
-
-    void countStrayCreases(const SubdivisionRecord &mesh) {
-        for (const auto &crease : mesh.creases)
-            for (std::size_t i = 0; i + 1 < crease.vertices.size(); ++i)
-                strayCreases_ +=
-                    refiner_->GetLevel(0).FindEdge(crease.vertices[i], crease.vertices[i + 1]) < 0;
     }
 
     PatchPolynomials convert(std::span<const float> values, int components) const override {
@@ -303,18 +228,10 @@ private:
 
 std::unique_ptr<SubdivisionRefinement> SubdivisionRefinement::of(const SubdivisionRecord &mesh,
                                                                  int vertices, std::string &why) {
-    // What it would print is said by us, with file and line.
-    Far::SetErrorCallback([](Far::ErrorType, const char *) {});
-    Far::SetWarningCallback([](const char *) {});
-    auto refiner = refinerOf(mesh, vertices);
-    if (!refiner) {
-        why = "has faces that make no surface: an edge between a vertex and itself, or a vertex in "
-              "too many faces";
+    auto refiner = refinerOf(mesh, vertices, why);
+    if (!refiner)
         return nullptr;
-    }
-    auto refinement = std::make_unique<FarRefinement>(std::move(refiner), levelsFor(mesh));
-    refinement->countStrayCreases(mesh);
-    return refinement;
+    return std::make_unique<FarRefinement>(std::move(refiner), mesh);
 }
 
 } // namespace candela

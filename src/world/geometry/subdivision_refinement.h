@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Subdivision meshes refined until their limit surface is bicubic patches. The one door to
-// OpenSubdiv.
+// Subdivision meshes refined until their limit surface is bicubic patches.
 #pragma once
 
 #include "interface/ri/primitive_record.h"
