@@ -2,6 +2,8 @@
 #include "world/geometry/flat_polygon.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -46,9 +48,17 @@ bool segmentsMeet(FlatPoint a, FlatPoint b, FlatPoint c, FlatPoint d) {
 }
 
 static bool crossesLoop(FlatPoint a, FlatPoint b, const FlatLoop &loop) {
-    for (std::size_t i = 0; i < loop.size(); ++i)
-        if (segmentsMeet(a, b, loop[i].place, loop[(i + 1) % loop.size()].place))
+    const auto [left, right] = std::minmax(a.x, b.x);
+    const auto [low, high] = std::minmax(a.y, b.y);
+    FlatPoint from = loop.back().place;
+    for (const FlatVertex &corner : loop) {
+        const FlatPoint to = corner.place;
+        const bool isBeside = (from.x < left && to.x < left) || (from.x > right && to.x > right) ||
+                              (from.y < low && to.y < low) || (from.y > high && to.y > high);
+        if (!isBeside && segmentsMeet(a, b, from, to))
             return true;
+        from = to;
+    }
     return false;
 }
 
@@ -107,26 +117,34 @@ static void splice(FlatLoop &outside, std::size_t corner, const FlatLoop &hole, 
     outside.insert(outside.begin() + std::ptrdiff_t(corner) + 1, detour.begin(), detour.end());
 }
 
-/// Gives `loop` a corner wherever one of `other` lies on a side of it.
-static void splitWhereTouched(FlatLoop &loop, const FlatLoop &other) {
-    for (const FlatVertex &vertex : other)
-        for (std::size_t i = 0; i < loop.size(); ++i) {
-            FlatPoint a = loop[i].place, b = loop[(i + 1) % loop.size()].place;
-            if (turn(a, b, vertex.place) == 0 && between(a, b, vertex.place)) {
-                loop.insert(loop.begin() + std::ptrdiff_t(i) + 1, vertex);
-                break;
-            }
-        }
-}
-
-void splitWhereLoopsTouch(FlatLoop &outside, std::vector<FlatLoop> &holes) {
-    for (std::size_t i = 0; i < holes.size(); ++i) {
-        splitWhereTouched(outside, holes[i]);
-        splitWhereTouched(holes[i], outside);
-        for (std::size_t j = 0; j < holes.size(); ++j)
-            if (i != j)
-                splitWhereTouched(holes[i], holes[j]);
+/// The corner that a hole to the left of a place is to be bridged to, by what lies straight to the
+/// right: of the side there the end farther to the right or, of corners that stand before that one,
+/// the one nearest to the direction (Eberly 1998). Nothing if there is no side.
+static std::optional<std::size_t> cornerToTheRight(const FlatLoop &outside, FlatPoint from) {
+    const std::size_t n = outside.size();
+    double nearest = std::numeric_limits<double>::infinity();
+    std::size_t best = n;
+    for (std::size_t i = 0; i < n; ++i) {
+        const FlatPoint a = outside[i].place, b = outside[i + 1 < n ? i + 1 : 0].place;
+        if (!(a.y <= from.y && from.y <= b.y) || a.y == b.y) // Of those that go up.
+            continue;
+        const double x = a.x + (from.y - a.y) / (b.y - a.y) * (b.x - a.x);
+        if (x >= from.x && x < nearest)
+            nearest = x, best = a.x > b.x ? i : (i + 1) % n;
     }
+    if (best == n)
+        return std::nullopt;
+    const FlatPoint end = outside[best].place, hit{nearest, from.y};
+    const bool isAbove = end.y > from.y;
+    const auto slope = [&](FlatPoint p) { return std::fabs(p.y - from.y) / (p.x - from.x); };
+    double flattest = slope(end);
+    for (std::size_t i = 0; i < n; ++i) {
+        const FlatPoint p = outside[i].place;
+        if (p.x > from.x && p != end && slope(p) < flattest &&
+            inTriangle(p, from, isAbove ? hit : end, isAbove ? end : hit))
+            flattest = slope(p), best = i;
+    }
+    return best;
 }
 
 bool bridgeHoles(FlatLoop &outside, std::vector<FlatLoop> holes) {
@@ -135,7 +153,10 @@ bool bridgeHoles(FlatLoop &outside, std::vector<FlatLoop> holes) {
     bool good = true;
     for (std::size_t h = 0; h < holes.size(); ++h) {
         std::size_t start = rightmost(holes[h]);
-        auto corner = visibleCorner(outside, holes[h], start, std::span(holes).subspan(h));
+        const auto others = std::span(holes).subspan(h);
+        auto corner = cornerToTheRight(outside, holes[h][start].place);
+        if (!corner || !isVisible(outside, *corner, holes[h], start, others))
+            corner = visibleCorner(outside, holes[h], start, others);
         if (corner)
             splice(outside, *corner, holes[h], start);
         else

@@ -44,8 +44,4 @@ bool segmentsMeet(FlatPoint a, FlatPoint b, FlatPoint c, FlatPoint d);
 /// ways, so that one loop remains. Returns false if a hole could not be joined and was left out.
 bool bridgeHoles(FlatLoop &outside, std::vector<FlatLoop> holes);
 
-/// Gives the loops corners in common wherever one ends on a side of another: bridges can start
-/// there then. Takes the square of the number of corners.
-void splitWhereLoopsTouch(FlatLoop &outside, std::vector<FlatLoop> &holes);
-
 } // namespace candela

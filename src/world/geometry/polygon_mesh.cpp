@@ -34,7 +34,27 @@ std::vector<Vec3> pointsOf(const PrimitiveRecord &record, DiagnosticSink &diagno
     return points;
 }
 
+void addMadePoints(PolygonMesh &mesh) {
+    for (const PolygonMesh::MadePoint &made : mesh.made) {
+        const Vec3 a = mesh.points[made.points[0]], b = mesh.points[made.points[1]];
+        mesh.points.push_back(a + (b - a) * made.share);
+    }
+}
+
 namespace {
+
+/// Values of the corners that are made, behind the given ones.
+void addMadeValues(const PolygonMesh &mesh, PolygonVariable &variable) {
+    const auto n = std::size_t(variable.components);
+    for (const PolygonMesh::MadePoint &made : mesh.made) {
+        const auto &[a, b] =
+            variable.rate == PolygonVariable::Rate::Point ? made.points : made.places;
+        for (std::size_t c = 0; c < n; ++c) {
+            const float from = variable.values[a * n + c], to = variable.values[b * n + c];
+            variable.values.push_back(from + (to - from) * made.share);
+        }
+    }
+}
 
 class FaceTriangulator {
 public:
@@ -63,10 +83,10 @@ public:
         if (degenerate_ > 0)
             tell(" polygons have no area and are left out; the first is number ", degenerate_,
                  firstDegenerate_);
-        if (holesDropped_ > 0)
-            tell(" polygons have a hole outside them or loops that cross, and are approximated; "
-                 "the first is number ",
-                 holesDropped_, firstHoleDropped_);
+        if (approximated_ > 0)
+            tell(" polygons have a hole outside them or sides that cross too often, and are "
+                 "approximated; the first is number ",
+                 approximated_, firstApproximated_);
     }
 
 private:
@@ -77,27 +97,44 @@ private:
             loops_.push_back(std::span<const int>(places_).subspan(nextVertex_, count));
             nextVertex_ += count;
         }
-        auto result = triangulate(corners_, loops_, mesh_.faceVertices);
+        auto result = triangulate(corners_, loops_, mesh_.faceVertices, made_);
         if (result == TriangulationResult::Degenerate && degenerate_++ == 0)
             firstDegenerate_ = face;
-        if (result == TriangulationResult::HoleDropped && holesDropped_++ == 0)
-            firstHoleDropped_ = face;
+        if (result == TriangulationResult::Approximated && approximated_++ == 0)
+            firstApproximated_ = face;
+        takeMade();
         for (std::size_t i = mesh_.triangles.size(); i < mesh_.faceVertices.size(); ++i) {
             const auto &places = mesh_.faceVertices[i];
-            auto point = [&](int k) { return std::uint32_t(record_.vertices[places[k]]); };
+            const auto point = [&](int k) { return pointAt(places[k]); };
             mesh_.triangles.push_back({point(0), point(1), point(2)});
             mesh_.face.push_back(std::uint32_t(face));
         }
     }
 
+    std::uint32_t pointAt(std::uint32_t place) const {
+        const std::size_t given = record_.vertices.size();
+        return place < given ? std::uint32_t(record_.vertices[place])
+                             : std::uint32_t(mesh_.points.size() + (place - given));
+    }
+
+    void takeMade() {
+        for (std::size_t k = mesh_.made.size(); k < made_.size(); ++k) {
+            const auto [a, b] = made_[k].between;
+            mesh_.made.push_back({{std::uint32_t(a), std::uint32_t(b)},
+                                  {pointAt(std::uint32_t(a)), pointAt(std::uint32_t(b))},
+                                  float(made_[k].share)});
+        }
+    }
+
     const PolygonsRecord &record_;
     PolygonMesh &mesh_;
+    std::vector<MadeCorner> made_;
     std::vector<Vec3> corners_;
     std::vector<int> places_;
     std::vector<std::span<const int>> loops_;
     std::size_t nextLoop_ = 0, nextVertex_ = 0;
-    int degenerate_ = 0, holesDropped_ = 0;
-    std::size_t firstDegenerate_ = 0, firstHoleDropped_ = 0;
+    int degenerate_ = 0, approximated_ = 0;
+    std::size_t firstDegenerate_ = 0, firstApproximated_ = 0;
 };
 
 } // namespace
@@ -119,6 +156,7 @@ std::optional<PolygonMesh> triangulateFaces(const PolygonsRecord &polygons,
     mesh.vertexCount = polygons.vertices.size();
     FaceTriangulator triangulator(polygons, mesh);
     triangulator.run();
+    addMadePoints(mesh);
     if (mesh.triangles.empty()) {
         diagnostics.warning(record.where,
                             "no polygon of the primitive has an area; it is left out");
@@ -142,7 +180,7 @@ std::optional<PolygonVariable> onPolygons(const NumericVariable &variable, const
     case StorageClass::Varying:
     case StorageClass::Vertex:
         result.rate = PolygonVariable::Rate::Point;
-        expected = long(mesh.points.size());
+        expected = long(mesh.points.size() - mesh.made.size());
         break;
     case StorageClass::FaceVarying:
     case StorageClass::FaceVertex:
@@ -150,10 +188,13 @@ std::optional<PolygonVariable> onPolygons(const NumericVariable &variable, const
         expected = long(mesh.vertexCount);
         break;
     }
-    if (variable.count() == expected)
-        return result;
-    reportWrongCount(variable, expected, where, diagnostics);
-    return std::nullopt;
+    if (variable.count() != expected) {
+        reportWrongCount(variable, expected, where, diagnostics);
+        return std::nullopt;
+    }
+    if (result.rate == PolygonVariable::Rate::Point || result.rate == PolygonVariable::Rate::Corner)
+        addMadeValues(mesh, result);
+    return result;
 }
 
 } // namespace candela

@@ -18,12 +18,22 @@ struct PolygonMesh {
     std::vector<std::uint32_t> face;                     ///< Of each triangle.
     /// Of each triangle, places in PolygonsRecord::vertices: what facevarying values count by.
     std::vector<std::array<std::uint32_t, 3>> faceVertices;
+    /// The last of `points`, where sides of a face cross: between two places in
+    /// PolygonsRecord::vertices, and the points there. Places of their own count on from these.
+    struct MadePoint {
+        std::array<std::uint32_t, 2> places, points;
+        float share;
+    };
+    std::vector<MadePoint> made;
     int faceCount = 0;
     std::size_t vertexCount = 0; ///< Of PolygonsRecord::vertices.
 };
 
 /// The record's points; empty if it has none that are sound.
 std::vector<Vec3> pointsOf(const PrimitiveRecord &, DiagnosticSink &);
+
+/// Appends those that are made to the record's points, which are of a mesh's number.
+void addMadePoints(PolygonMesh &);
 
 /// Checks the record and triangulates it. Faces without area are left out and holes that do not fit
 /// filled, with one report for the primitive. Nothing if no triangle is left.

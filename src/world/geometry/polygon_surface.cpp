@@ -65,8 +65,9 @@ std::shared_ptr<const PolygonSurface> PolygonSurface::movedTo(const PrimitiveRec
                                                               DiagnosticSink &diagnostics) const {
     PolygonMesh mesh = mesh_;
     mesh.points = pointsOf(record, diagnostics);
-    if (mesh.points.size() != mesh_.points.size())
+    if (mesh.points.size() + mesh.made.size() != mesh_.points.size())
         return nullptr;
+    addMadePoints(mesh);
     return std::make_shared<PolygonSurface>(std::move(mesh), record, diagnostics);
 }
 

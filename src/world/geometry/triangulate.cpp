@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/geometry/triangulate.h"
 
-#include "world/geometry/flat_polygon.h"
+#include "world/geometry/clip_ears.h"
+#include "world/geometry/simple_loops.h"
 #include "world/geometry/span_loop.h"
 
 #include <algorithm>
@@ -16,25 +17,49 @@ namespace {
 struct Normal {
     double x = 0, y = 0, z = 0;
     double along(int axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
+    double length() const { return std::sqrt(x * x + y * y + z * z); }
 };
+
+/// The way from b to a, in double.
+Normal wayTo(Vec3 a, Vec3 b) { return {double(a.x) - b.x, double(a.y) - b.y, double(a.z) - b.z}; }
+
+Normal cross(const Normal &a, const Normal &b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
 /// Newell's normal: twice the area vector of the loop. `scale` becomes the square of its extent.
 Normal normalOf(std::span<const Vec3> points, std::span<const int> loop, double &scale) {
     Normal n;
     scale = 0;
-    Vec3 origin = points[loop[0]];
-    auto relative = [&](std::size_t i) {
-        Vec3 p = points[loop[i % loop.size()]];
-        return Normal{double(p.x) - origin.x, double(p.y) - origin.y, double(p.z) - origin.z};
+    const auto relative = [&](std::size_t i) {
+        return wayTo(points[loop[i % loop.size()]], points[loop[0]]);
     };
     for (std::size_t i = 1; i < loop.size(); ++i) {
-        Normal a = relative(i), b = relative(i + 1);
-        n.x += a.y * b.z - a.z * b.y;
-        n.y += a.z * b.x - a.x * b.z;
-        n.z += a.x * b.y - a.y * b.x;
+        const Normal a = relative(i), part = cross(a, relative(i + 1));
+        n.x += part.x, n.y += part.y, n.z += part.z;
         scale = std::max(scale, a.x * a.x + a.y * a.y + a.z * a.z);
     }
     return n;
+}
+
+/// Of the plane through the first corner, the one farthest from it and the one farthest from both;
+/// the way that the first bend of the loop looks.
+Normal normalAcross(std::span<const Vec3> points, std::span<const int> loop) {
+    const auto relative = [&](int corner) { return wayTo(points[corner], points[loop[0]]); };
+    const auto farther = [](const Normal &a, const Normal &b) { return a.length() < b.length(); };
+    Normal along, widest, bend;
+    for (int corner : loop)
+        along = std::max(along, relative(corner), farther);
+    for (int corner : loop)
+        widest = std::max(widest, cross(along, relative(corner)), farther);
+    for (std::size_t i = 2; i < loop.size() && !(bend.length() > 1e-10 * widest.length()); ++i)
+        bend = cross(wayTo(points[loop[i - 1]], points[loop[i - 2]]),
+                     wayTo(points[loop[i]], points[loop[i - 1]]));
+    if (bend.x * widest.x + bend.y * widest.y + bend.z * widest.z < 0)
+        widest = {-widest.x, -widest.y, -widest.z};
+    return widest;
 }
 
 /// Looks along the axis nearest to the normal, so that the coordinates stay exact; the outer loop
@@ -71,171 +96,99 @@ FlatLoop flatten(std::span<const Vec3> points, std::span<const int> loop,
     return flat;
 }
 
-/// Clips ears off a loop until nothing is left. Linked list by index; only corners that are not
-/// convex can lie in an ear.
-class EarClipper {
-public:
-    EarClipper(const FlatLoop &loop, std::vector<std::array<std::uint32_t, 3>> &triangles)
-        : loop_(loop), triangles_(triangles), next_(loop.size()), previous_(loop.size()),
-          notConvex_(loop.size()) {
-        int n = int(loop.size());
-        for (int i = 0; i < n; ++i)
-            next_[i] = (i + 1) % n, previous_[i] = (i + n - 1) % n;
-        for (int i = 0; i < n; ++i)
-            if ((notConvex_[i] = !(bend(i) > 0)))
-                blockers_.push_back(i);
-    }
-
-    /// False if corners were given up that the loop turns back at: it crosses itself.
-    bool run() {
-        bool clean = true;
-        int remaining = int(loop_.size()), corner = 0, refused = 0;
-        while (remaining >= 3) {
-            bool clip = isEar(corner) || (remaining == 3 && bend(corner) > 0);
-            if (!clip && refused < remaining) {
-                ++refused;
-                corner = next_[corner];
-                continue;
-            }
-            // No ear is left in loops that cross themselves or have shrunk to a line: give up a
-            // corner, as a triangle if it turns the right way.
-            if (!clip) {
-                corner = mostConvex(corner, remaining);
-                clean = clean && bend(corner) == 0;
-            }
-            if (bend(corner) > 0)
-                emit(corner);
-            corner = remove(corner);
-            --remaining;
-            refused = 0;
-        }
-        return clean;
-    }
-
-private:
-    FlatPoint place(int i) const { return loop_[i].place; }
-    double bend(int i) const { return turn(place(previous_[i]), place(i), place(next_[i])); }
-
-    bool isEar(int tip) const {
-        if (notConvex_[tip])
-            return false;
-        int a = previous_[tip], c = next_[tip];
-        for (int p : blockers_)
-            if (p != a && p != c && blocks(p, a, tip, c))
-                return false;
-        return true;
-    }
-
-    /// Corners that stand where a corner of the ear does (bridges make them) block it only if
-    /// their edges run into it.
-    bool blocks(int p, int a, int tip, int c) const {
-        FlatPoint A = place(a), T = place(tip), C = place(c), q = place(p);
-        if (!inTriangle(q, A, T, C))
-            return false;
-        auto edgesEnter = [&](FlatPoint before, FlatPoint corner, FlatPoint after) {
-            return pointsInside(before, corner, after, place(next_[p])) ||
-                   pointsInside(before, corner, after, place(previous_[p]));
-        };
-        if (q == A)
-            return edgesEnter(C, A, T);
-        if (q == T)
-            return edgesEnter(A, T, C);
-        if (q == C)
-            return edgesEnter(T, C, A);
-        return true;
-    }
-
-    int mostConvex(int start, int remaining) const {
-        int best = start;
-        for (int i = next_[start], k = 1; k < remaining; ++k, i = next_[i])
-            if (bend(i) > bend(best))
-                best = i;
-        return best;
-    }
-
-    void emit(int tip) {
-        triangles_.push_back({std::uint32_t(loop_[previous_[tip]].index),
-                              std::uint32_t(loop_[tip].index),
-                              std::uint32_t(loop_[next_[tip]].index)});
-    }
-
-    /// Takes the corner out; returns where to go on: two further, so that fans stay short.
-    int remove(int corner) {
-        int a = previous_[corner], c = next_[corner];
-        next_[a] = c;
-        previous_[c] = a;
-        if (notConvex_[corner])
-            std::erase(blockers_, corner);
-        refresh(a);
-        refresh(c);
-        return next_[c];
-    }
-
-    /// Clipping can also close a corner that was convex, in a loop with collinear parts.
-    void refresh(int i) {
-        bool was = notConvex_[i], is = !(bend(i) > 0);
-        notConvex_[i] = is;
-        if (was && !is)
-            std::erase(blockers_, i);
-        else if (!was && is)
-            blockers_.push_back(i);
-    }
-
-    const FlatLoop &loop_;
-    std::vector<std::array<std::uint32_t, 3>> &triangles_;
-    std::vector<int> next_, previous_;
-    std::vector<char> notConvex_;
-    std::vector<int> blockers_;
-};
-
-/// One loop of many. Loops that touch are rare enough to look for only when joining fails.
-bool join(FlatLoop &outside, std::vector<FlatLoop> holes) {
-    FlatLoop joined = outside;
-    bool good = bridgeHoles(joined, holes);
-    std::size_t corners = outside.size();
-    for (const FlatLoop &hole : holes)
-        corners += hole.size();
-    constexpr std::size_t mostCorners = 10000;
-    if (!good && corners <= mostCorners) {
-        splitWhereLoopsTouch(outside, holes);
-        joined = outside;
-        good = bridgeHoles(joined, std::move(holes));
-    }
-    outside = std::move(joined);
-    return good;
-}
-
-/// A face's loops along one axis. `joined` is false if a hole could not be.
+/// A face's loops along one axis.
 struct FlatFace {
-    FlatLoop loop;
-    bool joined = true;
+    FlatLoop outside;
+    std::vector<FlatLoop> holes;
 };
 
 FlatFace flattenFace(std::span<const Vec3> points, std::span<const std::span<const int>> loops,
                      const Projection &project) {
-    FlatFace face{flatten(points, loops[0], project), true};
-    std::vector<FlatLoop> holes;
+    FlatFace face{flatten(points, loops[0], project), {}};
     for (std::span<const int> loop : loops.subspan(1)) {
         FlatLoop hole = loop.empty() ? FlatLoop{} : flatten(points, loop, project);
         if (hole.size() < 3)
             continue; // A hole without area takes nothing away.
         if (doubleArea(hole) > 0)
             std::ranges::reverse(hole);
-        holes.push_back(std::move(hole));
+        face.holes.push_back(std::move(hole));
     }
-    face.joined = join(face.loop, std::move(holes));
     return face;
 }
 
+bool isConvex(const FlatLoop &loop) {
+    int turnsBack = 0; // Of a loop that goes round once: twice from left to right.
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        const FlatPoint a = loop[i].place, b = loop[(i + 1) % loop.size()].place;
+        const FlatPoint c = loop[(i + 2) % loop.size()].place;
+        if (!(turn(a, b, c) > 0))
+            return false;
+        turnsBack += (b.x - a.x > 0) != (c.x - b.x > 0);
+    }
+    return turnsBack == 2;
+}
+
+/// Do sides cross, or end on others, or loops come to a place again?
+bool cross(const FlatFace &face) {
+    if (face.holes.empty() && isConvex(face.outside))
+        return false;
+    std::vector<FlatSegment> sides;
+    std::vector<std::pair<double, double>> places;
+    const auto add = [&](const FlatLoop &loop) {
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            sides.push_back({loop[i].place, loop[(i + 1) % loop.size()].place});
+            places.emplace_back(loop[i].place.x, loop[i].place.y);
+        }
+    };
+    add(face.outside);
+    for (const FlatLoop &hole : face.holes)
+        add(hole);
+    std::ranges::sort(places);
+    return std::ranges::adjacent_find(places) != places.end() || meetWithin(sides);
+}
+
+/// Cuts a face whose loops do not cross; false, and nothing added, if they are seen to.
+bool clip(const FlatFace &face, Triangles &triangles) {
+    FlatLoop loop = face.outside;
+    const std::size_t before = triangles.size();
+    if (bridgeHoles(loop, face.holes) && clipEars(loop, WithoutEars::Stop, triangles) &&
+        triangles.size() > before)
+        return true;
+    triangles.resize(before);
+    return false;
+}
+
+/// Cuts a face whatever its loops do.
+void clipSomehow(FlatFace face, Triangles &triangles) {
+    bridgeHoles(face.outside, std::move(face.holes));
+    clipEars(face.outside, WithoutEars::Force, triangles);
+}
+
+TriangulationResult clipCrossing(const FlatFace &face, int corners, Triangles &triangles,
+                                 std::vector<MadeCorner> &made) {
+    const std::size_t before = triangles.size();
+    auto untangled = untangle(face.outside, face.holes, corners, made);
+    if (untangled)
+        for (auto &[outside, holes] : untangled->faces) {
+            FlatFace part{std::move(outside), std::move(holes)};
+            if (!clip(part, triangles))
+                clipSomehow(std::move(part), triangles);
+        }
+    else
+        clipSomehow(face, triangles);
+    if (triangles.size() == before)
+        return TriangulationResult::Degenerate;
+    return untangled && untangled->cross ? TriangulationResult::Good
+                                         : TriangulationResult::Approximated;
+}
+
 /// Is every corner within the rounding of a flat face's coordinates of the plane?
-bool isFlat(std::span<const Vec3> points, std::span<const int> loop, Normal n, double area,
+bool isFlat(std::span<const Vec3> points, std::span<const int> loop, const Normal &n,
             double scale) {
-    Vec3 origin = points[loop[0]];
     return std::ranges::all_of(loop, [&](int index) {
-        Vec3 p = points[index];
-        double height = n.x * (double(p.x) - origin.x) + n.y * (double(p.y) - origin.y) +
-                        n.z * (double(p.z) - origin.z);
-        return std::abs(height) <= 1e-4 * area * std::sqrt(scale);
+        const Normal p = wayTo(points[index], points[loop[0]]);
+        const double height = n.x * p.x + n.y * p.y + n.z * p.z;
+        return std::abs(height) <= 1e-4 * n.length() * std::sqrt(scale);
     });
 }
 
@@ -245,20 +198,19 @@ bool isFlat(std::span<const Vec3> points, std::span<const int> loop, Normal n, d
 /// itself; false, and nothing added, if there is no such axis.
 static bool clipAlongSomeAxis(std::span<const Vec3> points,
                               std::span<const std::span<const int>> loops, Normal normal,
-                              std::vector<std::array<std::uint32_t, 3>> &triangles) {
+                              Triangles &triangles) {
     auto standsStill = [&](int a, int b) { return points[a] == points[b]; };
     for (int axis : Projection::axesOf(normal)) {
         Projection project(normal, axis);
-        FlatFace face = flattenFace(points, loops, project);
+        const FlatFace face = flattenFace(points, loops, project);
         // Corners that fall onto one another along the axis are apart in space.
         std::size_t corners = loops[0].size();
         for (std::size_t i = 0; i < loops[0].size(); ++i)
             corners -= standsStill(loops[0][i], loops[0][(i + 1) % loops[0].size()]);
         std::size_t before = triangles.size();
-        bool whole = loops.size() > 1 || face.loop.size() == corners;
-        if (whole && face.joined && face.loop.size() >= 3 && doubleArea(face.loop) > 0 &&
-            EarClipper(face.loop, triangles).run() &&
-            (loops.size() > 1 || triangles.size() - before == corners - 2))
+        bool whole = loops.size() > 1 || face.outside.size() == corners;
+        if (whole && face.outside.size() >= 3 && doubleArea(face.outside) > 0 && !cross(face) &&
+            clip(face, triangles) && (loops.size() > 1 || triangles.size() - before == corners - 2))
             return true;
         triangles.resize(before);
     }
@@ -266,29 +218,29 @@ static bool clipAlongSomeAxis(std::span<const Vec3> points,
 }
 
 TriangulationResult triangulate(std::span<const Vec3> points,
-                                std::span<const std::span<const int>> loops,
-                                std::vector<std::array<std::uint32_t, 3>> &triangles) {
+                                std::span<const std::span<const int>> loops, Triangles &triangles,
+                                std::vector<MadeCorner> &made) {
     if (loops.empty() || loops[0].size() < 3)
         return TriangulationResult::Degenerate;
     double scale = 0;
     Normal normal = normalOf(points, loops[0], scale);
-    double area = std::sqrt(normal.x * normal.x + normal.y * normal.y + normal.z * normal.z);
     // Thinner than the rounding of its own coordinates.
-    if (!(area > 1e-10 * scale))
+    const auto vanishes = [&] { return !(normal.length() > 1e-10 * scale); };
+    if (vanishes())
+        normal = normalAcross(points, loops[0]); // Parts of it may turn against each other.
+    if (vanishes())
         return TriangulationResult::Degenerate;
     if (loops.size() == 1 && cutQuickly(points, loops[0], triangles))
         return TriangulationResult::Good;
-    if (!isFlat(points, loops[0], normal, area, scale)) {
+    if (!isFlat(points, loops[0], normal, scale)) {
         if (clipAlongSomeAxis(points, loops, normal, triangles) ||
             (loops.size() == 1 && spanLoop(points, loops[0], triangles)))
             return TriangulationResult::Good;
     }
-    FlatFace face = flattenFace(points, loops, Projection(normal));
-    std::size_t before = triangles.size();
-    EarClipper(face.loop, triangles).run();
-    if (triangles.size() == before)
-        return TriangulationResult::Degenerate;
-    return face.joined ? TriangulationResult::Good : TriangulationResult::HoleDropped;
+    const FlatFace face = flattenFace(points, loops, Projection(normal));
+    if (!cross(face) && clip(face, triangles))
+        return TriangulationResult::Good;
+    return clipCrossing(face, int(points.size()), triangles, made);
 }
 
 } // namespace candela
