@@ -180,6 +180,12 @@ BlobField BlobField::within(const Box3 &box) const {
         for (std::uint32_t operand : operands)
             if (of.kind != Kind::Add || !isZero[operand])
                 kept.push_back(placeOf(operand));
+        const bool isPassedOn = of.kind == Kind::Add || of.kind == Kind::Maximum ||
+                                of.kind == Kind::Minimum; // Where it is alone.
+        if (isPassedOn && kept.size() == 1) {
+            place[i] = kept[0];
+            continue;
+        }
         if (of.kind == Kind::BlobLeaf) {
             result.blobs_.push_back(blobs_[of.blob]);
             of.blob = std::uint32_t(result.blobs_.size() - 1);

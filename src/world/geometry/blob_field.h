@@ -24,6 +24,11 @@ struct FieldValue {
     Vec3 gradient;
 };
 
+/// All values of a field somewhere, and perhaps more.
+struct FieldBounds {
+    float low = 0, high = 0;
+};
+
 /// (1 - r^2)^3 about a segment, whose ends may coincide; r = 1 at `radius` from it.
 struct Blob {
     Vec3 from, to;
@@ -32,6 +37,7 @@ struct Blob {
     Box3 bound; ///< In object space; it is 0 outside.
 
     FieldValue at(Vec3 P) const;
+    FieldBounds over(const Box3 &) const;
 };
 
 /// A program: each instruction makes a value of those before it; the last is the field's.
@@ -47,6 +53,8 @@ public:
     BlobField within(const Box3 &) const;
 
     FieldValue at(Vec3 P) const;
+    /// Of the box.
+    FieldBounds over(const Box3 &) const;
     /// How much of the field is each blob's at P: shares that add up to 1, or are all 0. By leaf.
     void sharesAt(Vec3 P, std::span<float> shares) const;
     int leaves() const { return leaves_; }
@@ -75,6 +83,8 @@ private:
     std::span<const std::uint32_t> operandsOf(const Instruction &of) const {
         return {operands_.data() + of.first, of.operands};
     }
+    FieldBounds bound(const Instruction &, const Box3 &,
+                      std::span<const FieldBounds> earlier) const;
     FieldValue compute(const Instruction &, Vec3 P, std::span<const FieldValue> earlier) const;
     /// One an instruction.
     void computeAll(Vec3 P, std::vector<FieldValue> &values) const;

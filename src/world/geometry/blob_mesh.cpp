@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <memory>
 #include <unordered_map>
 
 namespace candela {
@@ -16,9 +16,11 @@ namespace {
 constexpr int blockCells = 8;
 constexpr int blockCorners = blockCells + 1;
 
-/// Cells that the smallest blob is across, and how many there may be within all.
+/// Cells that the smallest blob is across, how many the surface may pass through, and in how many
+/// blocks.
 constexpr float cellsAcross = 32;
-constexpr double mostCells = 1.2e7;
+constexpr double mostCells = 1e6;
+constexpr std::size_t mostBlocks = 100000;
 
 using Cell = std::array<int, 3>;
 
@@ -35,6 +37,12 @@ struct Crossing {
     Cell at;
     int axis;
     bool isOut;
+};
+
+/// A cube of 2^level blocks each way, and what there is of the field.
+struct Part {
+    Cell block;
+    std::shared_ptr<const BlobField> near;
 };
 
 /// What one block finds.
@@ -60,35 +68,20 @@ public:
         const Vec3 extent = all.extent();
         const float longest = std::max({extent.x, extent.y, extent.z});
         size_ = std::max(size_, longest / float(1 << 18));
-        for (double cells = cellsWithin(); cells > mostCells; cells = cellsWithin())
-            size_ *= float(std::cbrt(cells / mostCells)) * 1.01f;
+        size_ = std::max(size_, float(std::sqrt(surfaceOfBlobs() / mostCells)));
+        all_ = all;
+        while (!findBlocks())
+            size_ *= 1.3f;
     }
 
     float cellsAcrossSmallest() const { return smallest_ / size_; }
 
-    /// The blocks that any blob reaches into, in an order of their own.
-    std::vector<Cell> blocks() const {
-        std::set<Cell> found;
-        for (const Blob &blob : field_.blobs()) {
-            Cell low, high;
-            for (int axis = 0; axis < 3; ++axis) {
-                low[axis] = blockOf(blob.bound.low[axis], axis);
-                high[axis] = blockOf(blob.bound.high[axis], axis);
-            }
-            for (int z = low[2]; z <= high[2]; ++z)
-                for (int y = low[1]; y <= high[1]; ++y)
-                    for (int x = low[0]; x <= high[0]; ++x)
-                        found.insert({x, y, z});
-        }
-        return {found.begin(), found.end()};
-    }
+    /// The blocks that the surface may pass through, in an order of their own.
+    std::span<const Part> blocks() const { return blocks_; }
 
-    BlockMesh meshOf(const Cell &block) const {
-        const Cell first{block[0] * blockCells, block[1] * blockCells, block[2] * blockCells};
-        Cell last = first;
-        for (int &place : last)
-            place += blockCells;
-        const BlobField near = field_.within({placeOf(first), placeOf(last)});
+    BlockMesh meshOf(const Part &part) const {
+        const Cell first = firstCell(part.block);
+        const BlobField near = part.near->within(boxOf(part.block, 0));
         std::vector<float> values(blockCorners * blockCorners * blockCorners);
         auto valueAt = [&](int x, int y, int z) -> float & {
             return values[std::size_t((z * blockCorners + y) * blockCorners + x)];
@@ -108,19 +101,66 @@ public:
     }
 
 private:
-    double cellsWithin() const {
-        double cells = 0;
+    /// About a quarter of that of the boxes in which they end.
+    double surfaceOfBlobs() const {
+        double area = 0;
         for (const Blob &blob : field_.blobs()) {
-            double own = 1;
-            for (int axis = 0; axis < 3; ++axis)
-                own *= double(blob.bound.extent()[axis]) / size_ + blockCells;
-            cells += own;
+            const Vec3 e = blob.bound.extent();
+            area += (double(e.x) * e.y + double(e.y) * e.z + double(e.z) * e.x) / 2;
         }
-        return cells;
+        return area;
     }
 
-    int blockOf(float place, int axis) const {
-        return int(std::floor((place - origin_[axis]) / (size_ * blockCells)));
+    static Cell firstCell(const Cell &block) {
+        return {block[0] * blockCells, block[1] * blockCells, block[2] * blockCells};
+    }
+
+    Box3 boxOf(const Cell &block, int level) const {
+        const Cell first = firstCell(block);
+        Cell last = first;
+        for (int &place : last)
+            place += blockCells << level;
+        return {placeOf(first), placeOf(last)};
+    }
+
+    /// From one cube around all to blocks, where the field may be the threshold. False if these are
+    /// too many.
+    bool findBlocks() {
+        const Vec3 extent = all_.extent();
+        const float longest = std::max({extent.x, extent.y, extent.z});
+        int level = 0;
+        while (float(blockCells << level) * size_ <= longest)
+            ++level;
+        std::vector<Part> parts{{{0, 0, 0}, std::make_shared<const BlobField>(field_)}};
+        for (; level > 0; --level) {
+            std::vector<std::array<Part, 8>> halves(parts.size());
+            parallelFor(parts.size(), [&](std::size_t i) { halve(parts[i], level, halves[i]); });
+            parts.clear();
+            for (const std::array<Part, 8> &each : halves)
+                for (const Part &half : each)
+                    if (half.near)
+                        parts.push_back(half);
+            if (parts.size() > mostBlocks)
+                return false;
+        }
+        blocks_ = std::move(parts);
+        return true;
+    }
+
+    /// Those of its halves each way that the surface may pass through have a field.
+    void halve(const Part &part, int level, std::array<Part, 8> &halves) const {
+        for (int k = 0; k < 8; ++k) {
+            Cell block = part.block;
+            for (int axis = 0; axis < 3; ++axis)
+                block[axis] += (k >> axis & 1) << (level - 1);
+            const Box3 box = boxOf(block, level - 1);
+            auto near = std::make_shared<const BlobField>(part.near->within(box));
+            const FieldBounds bounds = near->over(box);
+            constexpr float rounding = 1e-3f;
+            const bool isOut = bounds.high < blobThreshold - rounding;
+            const bool isIn = bounds.low > blobThreshold + rounding;
+            halves[k] = {block, isOut || isIn ? nullptr : std::move(near)};
+        }
     }
 
     Vec3 placeOf(const Cell &corner) const {
@@ -177,8 +217,10 @@ private:
     }
 
     const BlobField &field_;
+    Box3 all_;
     Vec3 origin_;
     float size_ = 1, smallest_ = 1;
+    std::vector<Part> blocks_;
 };
 
 } // namespace
@@ -189,7 +231,7 @@ BlobMesh meshOf(const BlobField &field) {
         return mesh;
     const Grid grid(field);
     mesh.cellsAcross = grid.cellsAcrossSmallest();
-    const std::vector<Cell> blocks = grid.blocks();
+    const std::span<const Part> blocks = grid.blocks();
     std::vector<BlockMesh> parts(blocks.size());
     parallelFor(blocks.size(), [&](std::size_t i) { parts[i] = grid.meshOf(blocks[i]); });
     std::unordered_map<std::uint64_t, std::uint32_t> numberOf;

@@ -4,6 +4,7 @@
 #include "world/geometry/test_support.h"
 
 #include <cmath>
+#include <ctime>
 #include <map>
 
 namespace candela {
@@ -182,6 +183,96 @@ TEST(Blobs, ValuesBlendAsFieldsDo) {
         }
     }
     EXPECT_GT(middles, 0);
+}
+
+double volumeOf(const BlobMesh &mesh, Vec3 middle, float reach) {
+    double volume = 0;
+    for (const auto &t : mesh.triangles) {
+        const auto at = [&](int k) { return mesh.positions[t[k]] - middle; };
+        if (length(at(0)) < reach)
+            volume += dot(at(0), cross(at(1), at(2))) / 6;
+    }
+    return volume;
+}
+
+/// Beside large blobs, and in combinations with them, small ones are what they are alone.
+TEST(Blobs, SmallOnesKeepTheirVolumeBesideLargeOnes) {
+    const double alone = 4 * std::numbers::pi / 3 / 8;
+    for (float ratio : {1.0f, 7.0f, 20.0f, 50.0f})
+        for (int code : {0, 2}) { // Added; the larger value.
+            const Vec3 small{3 * ratio, 0.1f * ratio, 0}, large{0, 0, 0};
+            const BlobMesh mesh = meshOf(fieldOf({2,
+                                                  {1001, 0, 1001, 16, code, 2, 0, 1},
+                                                  together({placed(0, 0, 0, ratio, ratio, ratio),
+                                                            placed(small.x, small.y, 0, 1, 1, 1)}),
+                                                  {}}));
+            EXPECT_TRUE(isClosed(mesh));
+            EXPECT_NEAR(volumeOf(mesh, small, 1) / alone, 1, ratio > 20 ? 0.03 : 0.008) << ratio;
+            EXPECT_NEAR(volumeOf(mesh, large, ratio) / (alone * std::pow(ratio, 3)), 1, 0.008);
+        }
+}
+
+TEST(Blobs, BoundsHoldWhateverTheFieldIs) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> uniform(-1, 1);
+    for (int trial = 0; trial < 200; ++trial) {
+        const auto number = [&] { return uniform(random); };
+        std::vector<float> floats;
+        for (int blob = 0; blob < 2; ++blob)
+            for (float x : {1 + number() / 2, number(), number() / 2, 0.f, number() / 2,
+                            1 + number() / 2, 0.f, 0.f, number() / 3, 0.f, 1 + number() / 2, 0.f,
+                            number(), number(), number(), 1.f})
+                floats.push_back(x);
+        for (float x : {number(), number(), number(), number(), number(), number(), 0.7f})
+            floats.push_back(x);
+        for (float x : placed(number(), 0, 0, 1, 2, 1))
+            floats.push_back(x);
+        const int combine = trial % 6, operands = combine < 4 ? 2 : 0;
+        std::vector<int> codes{1001, 0, 1001, 16, 1002, 32, combine};
+        if (operands)
+            codes.push_back(operands);
+        codes.insert(codes.end(), {0, 1, 6, 3, 0, 2, 4, 2});
+        const BlobField field = fieldOf({3, codes, floats, {}});
+        const Vec3 low{number(), number(), number()};
+        const float size = 0.02f + 0.5f * std::abs(number());
+        const Box3 box{low, low + Vec3{size, size, size}};
+        const FieldBounds whole = field.over(box), near = field.within(box).over(box);
+        for (int k = 0; k < 200; ++k) {
+            const auto inside = [&] { return size * (number() / 2 + 0.5f); };
+            const float value = field.at(low + Vec3{inside(), inside(), inside()}).value;
+            for (const FieldBounds &bounds : {whole, near}) {
+                EXPECT_GE(value, bounds.low - 1e-4f * (1 + std::abs(value))) << trial;
+                EXPECT_LE(value, bounds.high + 1e-4f * (1 + std::abs(value))) << trial;
+            }
+        }
+    }
+}
+
+/// Long chains of codes and crowds of blobs take seconds of the processor.
+TEST(Blobs, ManyAreSoonMeshed) {
+    constexpr int n = 10000;
+    BlobbyRecord chain, crowd;
+    chain.leaves = crowd.leaves = n;
+    std::mt19937 random(1);
+    std::uniform_real_distribution<float> uniform(0, 60);
+    for (int i = 0; i < n; ++i) {
+        for (float x : placed(0.3f * float(i), std::sin(0.1f * float(i)), 0, 1, 1, 1))
+            chain.floats.push_back(x);
+        for (float x : placed(uniform(random), uniform(random), uniform(random), 2, 2, 2))
+            crowd.floats.push_back(x);
+        for (BlobbyRecord *each : {&chain, &crowd})
+            each->codes.insert(each->codes.end(), {1001, 16 * i});
+    }
+    for (int i = 1; i < n; ++i)
+        chain.codes.insert(chain.codes.end(), {0, 2, i == 1 ? 0 : n + i - 2, i});
+    crowd.codes.insert(crowd.codes.end(), {0, n});
+    for (int i = 0; i < n; ++i)
+        crowd.codes.push_back(i);
+    for (const BlobbyRecord *each : {&chain, &crowd}) {
+        const std::clock_t start = std::clock();
+        EXPECT_GT(meshOf(fieldOf(*each)).triangles.size(), 100000u);
+        EXPECT_LT(double(std::clock() - start) / CLOCKS_PER_SEC, 20);
+    }
 }
 
 /// What the grid cannot hold is said, and not that there is nothing.
