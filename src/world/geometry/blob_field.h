@@ -53,6 +53,8 @@ public:
     BlobField within(const Box3 &) const;
 
     FieldValue at(Vec3 P) const;
+    /// What a value of it costs: its instructions and all that they combine.
+    double cost() const { return double(instructions_.size() + operands_.size()); }
     /// Of the box.
     FieldBounds over(const Box3 &) const;
     /// How much of the field is each blob's at P: shares that add up to 1, or are all 0. By leaf.

@@ -21,6 +21,8 @@ constexpr int blockCorners = blockCells + 1;
 constexpr float cellsAcross = 32;
 constexpr double mostCells = 1e6;
 constexpr std::size_t mostBlocks = 100000;
+/// Instructions that programs of blobs run for all corners of the grid together: some seconds.
+constexpr double mostWork = 6e8;
 
 using Cell = std::array<int, 3>;
 
@@ -132,7 +134,18 @@ private:
         while (float(blockCells << level) * size_ <= longest)
             ++level;
         std::vector<Part> parts{{{0, 0, 0}, std::make_shared<const BlobField>(field_)}};
+        const auto costs = [&](double each) {
+            double work = 0;
+            for (const Part &part : parts)
+                work += each * part.near->cost();
+            return work;
+        };
+        double work = 0;
+        const bool isOne = level == 0; // There is no coarser grid.
         for (; level > 0; --level) {
+            constexpr double ofHalving = 8 * 3; // Halves; they are made, and bounded.
+            if ((work += costs(ofHalving)) > mostWork)
+                return false;
             std::vector<std::array<Part, 8>> halves(parts.size());
             parallelFor(parts.size(), [&](std::size_t i) { halve(parts[i], level, halves[i]); });
             parts.clear();
@@ -143,6 +156,9 @@ private:
             if (parts.size() > mostBlocks)
                 return false;
         }
+        constexpr double ofMeshing = 2 * blockCorners * blockCorners * blockCorners;
+        if ((work += costs(ofMeshing)) > mostWork && !isOne)
+            return false;
         blocks_ = std::move(parts);
         return true;
     }

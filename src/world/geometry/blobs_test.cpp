@@ -273,6 +273,14 @@ TEST(Blobs, ManyAreSoonMeshed) {
         EXPECT_GT(meshOf(fieldOf(*each)).triangles.size(), 100000u);
         EXPECT_LT(double(std::clock() - start) / CLOCKS_PER_SEC, 20);
     }
+    // Codes that all matter everywhere: the grid gets coarser.
+    BlobbyRecord everywhere{1, {1001, 0}, placed(0, 0, 0, 1, 1, 1), {}};
+    for (int i = 0; i < 2 * n; ++i)
+        everywhere.codes.insert(everywhere.codes.end(), {2, 2, i, 0});
+    const std::clock_t start = std::clock();
+    const BlobMesh mesh = meshOf(fieldOf(everywhere));
+    EXPECT_LT(double(std::clock() - start) / CLOCKS_PER_SEC, 20);
+    EXPECT_NEAR(volumeOf(mesh, {}, 1), 4 * std::numbers::pi / 3 / 8, 0.1);
 }
 
 /// What the grid cannot hold is said, and not that there is nothing.

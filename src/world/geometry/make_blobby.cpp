@@ -54,8 +54,9 @@ makeBlobby(const BlobbyRecord &blobby, const PrimitiveRecord &record, Diagnostic
     const bool isCoarse = !field->blobs().empty() && mesh.cellsAcross < fewestCellsAcross;
     if (isCoarse)
         diagnostics.warning(record.where,
-                            "blobs of this blobby are so much smaller or flatter than it is large "
-                            "that they come out coarse or not at all; a blobby of their own helps");
+                            "blobs of this blobby are so much smaller or flatter than it is large, "
+                            "or they and their codes are so many, that they come out coarse or not "
+                            "at all; a blobby of their own helps");
     if (mesh.triangles.empty() && isCoarse)
         return {};
     if (mesh.triangles.empty()) {

@@ -3,7 +3,7 @@
 
 READ_OFTEN = "all that is read is kept: half of the size, some thousand times"
 PICTURES = "the library of pictures believes the header"
-GRID = "a program of blobs is run for each corner of the grid, however long it is"
+GRID = "each blobby has a grid of its own, and a few thousand triangles"
 LAYERS = "each ray meets thousands of surfaces, and the world is of nothing else"
 TURNS = "each loop has turns of its own, and a turn may be dear"
 PRINTED = "printf() may print what it likes"
@@ -24,9 +24,6 @@ KNOWN = {
     "solids-cut-away": LAYERS,
     "volumes": LAYERS,
     "subdivision-finest": "patches are cut to the end before their number is known",
-    "blobs-chained": GRID,
-    "blobs-doubled": GRID,
-    "blobs-of-many-operands": GRID,
     "blobs-in-numbers": GRID,
     "numbers-of-blobs": GRID,
     "shells-by-radiosity": LAYERS,
