@@ -21,6 +21,9 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+#ifdef __GNUC__
+#pragma GCC visibility push(default)
+#endif
 
 #define RI_VERSION 32
 
@@ -225,7 +228,8 @@ RtToken RiArchiveBegin(RtToken name, ...);
 RtToken RiArchiveBeginV(RtToken name, RtInt n, RtToken tokens[], RtPointer values[]);
 /* "comment", "structure" or "verbatim" (RIB), with a format as printf() has it. */
 RtVoid RiArchiveRecord(RtToken type, RtToken format, ...);
-/* The callback, for comments of the archive, is not called. */
+/* The callback hears the comments of the archive (not of those that it reads, nor of
+ * RiArchiveBegin): "comment" or "structure", "%s" and what stands behind the # or ##. */
 RtVoid RiReadArchive(RtToken name, RtArchiveCallback callback, ...);
 RtVoid RiReadArchiveV(RtToken name, RtArchiveCallback callback, RtInt n, RtToken tokens[],
                       RtPointer values[]);
@@ -235,6 +239,7 @@ RtVoid RiProcedural(RtPointer data, const RtBound bound, RtProcSubdivFunc subdiv
                     RtProcFreeFunc release);
 RtVoid RiProcDelayedReadArchive(RtPointer data, RtFloat detail);
 RtVoid RiProcRunProgram(RtPointer data, RtFloat detail);
+RtVoid RiProcDynamicLoad(RtPointer data, RtFloat detail);
 RtVoid RiProcFree(RtPointer data);
 
 /* Blocks */
@@ -343,6 +348,9 @@ RtVoid RiSkew(RtFloat angle, RtFloat dx1, RtFloat dy1, RtFloat dz1, RtFloat dx2,
 RtVoid RiCoordinateSystem(RtToken name);
 RtVoid RiScopedCoordinateSystem(RtToken name);
 RtVoid RiCoordSysTransform(RtToken name);
+/* In place. NULL, and the points as they were, if one of the systems is not known ("camera",
+ * "world" in a world, those that have been named, "current") or RIB is written. */
+RtPoint *RiTransformPoints(RtToken fromSpace, RtToken toSpace, RtInt n, RtPoint points[]);
 
 /* Geometric primitives */
 RtVoid RiSphere(RtFloat radius, RtFloat zMin, RtFloat zMax, RtFloat thetaMax, ...);
@@ -440,6 +448,84 @@ RtVoid RiMakeShadow(RtToken picture, RtToken texture, ...);
 RtVoid RiMakeShadowV(RtToken picture, RtToken texture, RtInt n, RtToken tokens[],
                      RtPointer values[]);
 
+/* Of Candela and of later RenderMan */
+RtVoid RiPushFilter(RtToken name, ...);
+RtVoid RiPushFilterV(RtToken name, RtInt n, RtToken tokens[], RtPointer values[]);
+RtVoid RiPopFilter(void);
+RtVoid RiProcedural2(RtToken generator, RtToken bound, ...);
+RtVoid RiProcedural2V(RtToken generator, RtToken bound, RtInt n, RtToken tokens[],
+                      RtPointer values[]);
+RtVoid RiBxdf(RtToken name, RtToken handle, ...);
+RtVoid RiBxdfV(RtToken name, RtToken handle, RtInt n, RtToken tokens[], RtPointer values[]);
+RtLightHandle RiLight(RtToken name, RtToken handle, ...);
+RtLightHandle RiLightV(RtToken name, RtToken handle, RtInt n, RtToken tokens[], RtPointer values[]);
+RtVoid RiShaderLayer(RtToken type, RtToken name, RtToken layer, ...);
+RtVoid RiShaderLayerV(RtToken type, RtToken name, RtToken layer, RtInt n, RtToken tokens[],
+                      RtPointer values[]);
+/* Each tag has three counts: of its integers, floats and strings. */
+RtVoid RiHierarchicalSubdivisionMesh(RtToken scheme, RtInt faces, const RtInt vertexCounts[],
+                                     const RtInt vertices[], RtInt tagCount, const RtToken tags[],
+                                     const RtInt argumentCounts[], const RtInt integers[],
+                                     const RtFloat floats[], const RtToken strings[], ...);
+RtVoid RiHierarchicalSubdivisionMeshV(RtToken scheme, RtInt faces, const RtInt vertexCounts[],
+                                      const RtInt vertices[], RtInt tagCount, const RtToken tags[],
+                                      const RtInt argumentCounts[], const RtInt integers[],
+                                      const RtFloat floats[], const RtToken strings[], RtInt n,
+                                      RtToken tokens[], RtPointer values[]);
+
+/* Of other renderers: RIB that is written has them; Candela leaves them out, with a warning. */
+RtVoid RiCamera(RtToken name, ...);
+RtVoid RiCameraV(RtToken name, RtInt n, RtToken tokens[], RtPointer values[]);
+RtVoid RiCameraShutter(RtFloat opening, RtFloat closing);
+RtVoid RiConnectShaderLayers(RtToken type, RtToken layer1, RtToken variable1, RtToken layer2,
+                             RtToken variable2);
+RtVoid RiDisplace(RtToken name, RtToken handle, ...);
+RtVoid RiDisplaceV(RtToken name, RtToken handle, RtInt n, RtToken tokens[], RtPointer values[]);
+RtVoid RiDisplayFilter(RtToken name, RtToken handle, ...);
+RtVoid RiDisplayFilterV(RtToken name, RtToken handle, RtInt n, RtToken tokens[],
+                        RtPointer values[]);
+RtVoid RiEditAttributeBegin(RtToken name);
+RtVoid RiEditAttributeEnd(void);
+RtVoid RiEditBegin(RtToken name, ...);
+RtVoid RiEditBeginV(RtToken name, RtInt n, RtToken tokens[], RtPointer values[]);
+RtVoid RiEditEnd(void);
+RtVoid RiEditWorldBegin(RtToken name, ...);
+RtVoid RiEditWorldBeginV(RtToken name, RtInt n, RtToken tokens[], RtPointer values[]);
+RtVoid RiEditWorldEnd(void);
+RtVoid RiEnableLightFilter(RtLightHandle light, RtToken filter, RtBoolean on);
+RtVoid RiIntegrator(RtToken name, RtToken handle, ...);
+RtVoid RiIntegratorV(RtToken name, RtToken handle, RtInt n, RtToken tokens[], RtPointer values[]);
+RtVoid RiLightFilter(RtToken name, RtToken handle, ...);
+RtVoid RiLightFilterV(RtToken name, RtToken handle, RtInt n, RtToken tokens[], RtPointer values[]);
+RtVoid RiMakeBrickMap(RtInt count, const RtToken clouds[], RtToken map, ...);
+RtVoid RiMakeBrickMapV(RtInt count, const RtToken clouds[], RtToken map, RtInt n, RtToken tokens[],
+                       RtPointer values[]);
+RtVoid RiMakeOcclusion(RtInt count, const RtToken pictures[], RtToken map, ...);
+RtVoid RiMakeOcclusionV(RtInt count, const RtToken pictures[], RtToken map, RtInt n,
+                        RtToken tokens[], RtPointer values[]);
+RtVoid RiPattern(RtToken name, RtToken handle, ...);
+RtVoid RiPatternV(RtToken name, RtToken handle, RtInt n, RtToken tokens[], RtPointer values[]);
+RtVoid RiPixelSampleImager(RtToken name, ...);
+RtVoid RiPixelSampleImagerV(RtToken name, RtInt n, RtToken tokens[], RtPointer values[]);
+RtVoid RiSampleFilter(RtToken name, RtToken handle, ...);
+RtVoid RiSampleFilterV(RtToken name, RtToken handle, RtInt n, RtToken tokens[], RtPointer values[]);
+RtVoid RiShader(RtToken name, RtToken handle, ...);
+RtVoid RiShaderV(RtToken name, RtToken handle, RtInt n, RtToken tokens[], RtPointer values[]);
+RtVoid RiSystem(RtToken command);
+RtVoid RiVPAtmosphere(RtToken name, ...);
+RtVoid RiVPAtmosphereV(RtToken name, RtInt n, RtToken tokens[], RtPointer values[]);
+RtVoid RiVPInterior(RtToken name, ...);
+RtVoid RiVPInteriorV(RtToken name, RtInt n, RtToken tokens[], RtPointer values[]);
+RtVoid RiVPSurface(RtToken name, ...);
+RtVoid RiVPSurfaceV(RtToken name, RtInt n, RtToken tokens[], RtPointer values[]);
+RtVoid RiVolume(RtToken type, const RtBound bound, const RtInt dimensions[], ...);
+RtVoid RiVolumeV(RtToken type, const RtBound bound, const RtInt dimensions[], RtInt n,
+                 RtToken tokens[], RtPointer values[]);
+RtVoid RiVolumePixelSamples(RtFloat x, RtFloat y);
+
+#ifdef __GNUC__
+#pragma GCC visibility pop
+#endif
 #ifdef __cplusplus
 }
 #endif

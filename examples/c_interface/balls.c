@@ -13,12 +13,11 @@ enum { balls = 12 };
 
 /* A ball of the colour that its place in the ring says. */
 static void ball(int number) {
-    const float turn = (float)number / balls;
     RtColor color = {0.9f, 0.9f, 0.9f};
     color[number % 3] = 0.2f;
     RiAttributeBegin();
     RiColor(color);
-    RiRotate(360 * turn, 0, 1, 0);
+    RiRotate(360.0f * number / balls, 0, 1, 0);
     RiTranslate(0, 0.3f, 1.5f);
     RiSphere(0.3f, -0.3f, 0.3f, 360, RI_NULL);
     RiAttributeEnd();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/shader_folders.h"
 
+#include "foundation/base/installation.h"
+
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -24,19 +26,6 @@ void add(std::vector<std::string> &folders, const fs::path &folder) {
             folders.push_back((folder / kind).string());
 }
 
-/// The library that is shipped with the program: share/candela, or shaders/ beside build/.
-bool addShippedLibrary(std::vector<std::string> &folders) {
-    std::error_code error;
-    fs::path program = fs::read_symlink("/proc/self/exe", error);
-    if (error)
-        return false;
-    fs::path bin = program.parent_path();
-    const std::size_t before = folders.size();
-    add(folders, bin.parent_path() / "share" / "candela" / "shaders");
-    add(folders, bin.parent_path().parent_path() / "shaders");
-    return folders.size() > before;
-}
-
 } // namespace
 
 ShaderFolders shaderFolders(const std::string &ribFile, const std::vector<std::string> &shaderPath,
@@ -47,10 +36,12 @@ ShaderFolders shaderFolders(const std::string &ribFile, const std::vector<std::s
         for (std::string folder; std::getline(list, folder, ':');)
             add(listed, folder);
     }
-    if (!addShippedLibrary(shipped) && !std::getenv("CANDELA_SHADERS"))
+    if (const auto library = installedPath("share/candela/shaders"))
+        add(shipped, *library);
+    else if (!std::getenv("CANDELA_SHADERS"))
         diagnostics.warning({}, "the shaders that come with Candela are not where they belong, in "
-                                "../share/candela/shaders beside the program's folder; set "
-                                "CANDELA_SHADERS to where they are");
+                                "share/candela/shaders beside the folder of the program or "
+                                "library; set CANDELA_SHADERS to where they are");
 
     ShaderFolders folders;
     for (const std::string &folder : shaderPath)

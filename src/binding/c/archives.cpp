@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Archives and procedural primitives.
 #include "binding/c/calls.h"
+#include "binding/c/comment_listener.h"
 #include "interface/rib/rib_stream.h"
 
 #include <array>
@@ -13,10 +14,13 @@ using namespace candela::c;
 void RiReadArchiveV(RtToken name, RtArchiveCallback callback, RtInt n, RtToken tokens[],
                     RtPointer values[]) {
     perform("RiReadArchive", [&](Context &ri) {
-        if (callback)
-            ri.diagnostics().warning(ri.at(), "RiReadArchive: the callback is not called; what it "
-                                              "would hear are comments");
-        ri.sink().readArchive(ri.at(), text(name), ri.list(single, {n, tokens, values}));
+        const auto file = callback && !ri.sink().skips()
+                              ? ri.sink().locate("archive", text(name), ri.at())
+                              : std::nullopt;
+        if (!file) // RIB that is written keeps the request; what has been recorded has no comments.
+            return ri.sink().readArchive(ri.at(), text(name), ri.list(single, {n, tokens, values}));
+        CommentListener listener(ri.sink(), callback);
+        readRibFile(*file, listener, ri.diagnostics());
     });
 }
 
@@ -84,6 +88,10 @@ void RiProcRunProgram(RtPointer data, RtFloat) {
     standardProcedural("RiProcRunProgram", "RunProgram", data, 2, nullptr);
 }
 
+void RiProcDynamicLoad(RtPointer data, RtFloat) {
+    standardProcedural("RiProcDynamicLoad", "DynamicLoad", data, 2, nullptr);
+}
+
 void RiProcFree(RtPointer data) { std::free(data); }
 
 void RiProcedural(RtPointer data, const RtBound bound, RtProcSubdivFunc subdivide,
@@ -92,6 +100,8 @@ void RiProcedural(RtPointer data, const RtBound bound, RtProcSubdivFunc subdivid
         standardProcedural("RiProcedural", "DelayedReadArchive", data, 1, bound);
     } else if (subdivide == RiProcRunProgram) {
         standardProcedural("RiProcedural", "RunProgram", data, 2, bound);
+    } else if (subdivide == RiProcDynamicLoad) {
+        standardProcedural("RiProcedural", "DynamicLoad", data, 2, bound);
     } else if (subdivide) {
         float detail = RI_INFINITY;
         perform("RiProcedural", [&](Context &ri) {

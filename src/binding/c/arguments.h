@@ -7,7 +7,6 @@
 #include "ri.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <numeric>
 #include <string>
 
@@ -46,12 +45,6 @@ inline Matrix4 matrixOf(const RtFloat (*rows)[4]) {
     std::copy(&rows[0][0], &rows[0][0] + 16, matrix.m.begin());
     return matrix;
 }
-inline Handle handleOf(RtPointer handle) {
-    return {std::to_string(reinterpret_cast<std::intptr_t>(handle))};
-}
-inline RtPointer pointerOf(const Handle &handle) {
-    return reinterpret_cast<RtPointer>(std::intptr_t(std::stoi(handle.text)));
-}
 // How many values variables have (RI 3.2, section 5).
 inline constexpr VariableCounts single{1, 1, 1, 1, 1}, quadric{};
 inline VariableCounts polygonCounts(int polygons, int corners, int vertices) {
@@ -59,6 +52,9 @@ inline VariableCounts polygonCounts(int polygons, int corners, int vertices) {
 }
 inline VariableCounts pointCounts(int points) { return {1, points, points, points, points}; }
 inline VariableCounts leafCounts(int leaves) { return {leaves, leaves, leaves, leaves, leaves}; }
+inline VariableCounts volumeCounts(const RtInt *dimensions) {
+    return pointCounts(dimensions ? dimensions[0] * dimensions[1] * dimensions[2] : 0);
+}
 inline VariableCounts nuPatchCounts(int uVertices, int uOrder, int vVertices, int vOrder) {
     const int u = uVertices - uOrder + 1, v = vVertices - vOrder + 1;
     const int vertices = uVertices * vVertices, corners = (u + 1) * (v + 1);

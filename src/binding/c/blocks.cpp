@@ -11,7 +11,7 @@ RI_PLAIN(TransformEnd, (), transformEnd(ri.at()))
 RI_PLAIN(ResourceBegin, (), resourceBegin(ri.at()))
 RI_PLAIN(ResourceEnd, (), resourceEnd(ri.at()))
 RI_LISTED(Resource, type, (RtToken handle, RtToken type), (handle, type), resource(ri.at(), text(handle), text(type), ri.list(single, {n, tokens, values})))
-RI_PLAIN(ObjectInstance, (RtObjectHandle handle), objectInstance(ri.at(), handleOf(handle)))
+RI_PLAIN(ObjectInstance, (RtObjectHandle handle), objectInstance(ri.at(), ri.nameOf(handle)))
 RI_PLAIN(MotionBeginV, (RtInt n, const RtFloat *times), motionBegin(ri.at(), {floats(n, times)}))
 RI_PLAIN(MotionEnd, (), motionEnd(ri.at()))
 RI_PLAIN(ArchiveEnd, (), archiveEnd(ri.at()))
@@ -43,10 +43,9 @@ RI_CLOSING(ObjectEnd, objectEnd(ri.at()))
 RtObjectHandle RiObjectBegin() {
     RtObjectHandle result = nullptr;
     perform("RiObjectBegin", [&](Context &ri) {
-        const Handle handle = ri.newHandle();
-        ri.sink().objectBegin(ri.at(), handle);
+        result = ri.newHandle();
+        ri.sink().objectBegin(ri.at(), ri.nameOf(result));
         ri.openBlock();
-        result = pointerOf(handle);
     });
     return result;
 }
@@ -69,28 +68,36 @@ RtToken RiDeclare(RtToken name, RtToken declaration) {
 // Lights (RI 3.2, 4.2.3)
 using LightRequest = void (RequestSink::*)(const SourceLocation &, const std::string &,
                                            const Handle &, const TokenList &);
-static RtLightHandle addLight(const char *call, LightRequest request, RtToken name,
+static RtLightHandle addLight(const char *call, LightRequest request, RtToken name, RtToken handle,
                               const Parameters &parameters) {
     RtLightHandle result = nullptr;
     perform(call, [&](Context &ri) {
-        const Handle handle = ri.newHandle();
-        (ri.sink().*request)(ri.at(), text(name), handle, ri.list(single, parameters));
-        result = pointerOf(handle);
+        result = ri.newHandle(handle);
+        (ri.sink().*request)(ri.at(), text(name), ri.nameOf(result), ri.list(single, parameters));
     });
     return result;
 }
 
 RtLightHandle RiLightSourceV(RtToken name, RtInt n, RtToken tokens[], RtPointer values[]) {
-    return addLight("RiLightSource", &RequestSink::lightSource, name, {n, tokens, values});
+    return addLight("RiLightSource", &RequestSink::lightSource, name, RI_NULL, {n, tokens, values});
 }
 RtLightHandle RiLightSource(RtToken name, ...) {
     RI_GATHER(name);
     return RiLightSourceV(name, given.count(), given.tokens(), given.values());
 }
 RtLightHandle RiAreaLightSourceV(RtToken name, RtInt n, RtToken tokens[], RtPointer values[]) {
-    return addLight("RiAreaLightSource", &RequestSink::areaLightSource, name, {n, tokens, values});
+    return addLight("RiAreaLightSource", &RequestSink::areaLightSource, name, RI_NULL,
+                    {n, tokens, values});
 }
 RtLightHandle RiAreaLightSource(RtToken name, ...) {
     RI_GATHER(name);
     return RiAreaLightSourceV(name, given.count(), given.tokens(), given.values());
+}
+RtLightHandle RiLightV(RtToken name, RtToken handle, RtInt n, RtToken tokens[],
+                       RtPointer values[]) {
+    return addLight("RiLight", &RequestSink::light, name, handle, {n, tokens, values});
+}
+RtLightHandle RiLight(RtToken name, RtToken handle, ...) {
+    RI_GATHER(handle);
+    return RiLightV(name, handle, given.count(), given.tokens(), given.values());
 }

@@ -3,6 +3,9 @@
 // primitive say.
 #include "ri.h"
 
+#include <array>
+#include <cmath>
+#include <cstdarg>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -92,6 +95,23 @@ TEST(Calls, writeTheirRequests) {
              RiObjectInstance(object);
          },
          "ObjectBegin 1\nObjectEnd\nObjectInstance 1"},
+        {[] { RiIlluminate(RiLight("PxrRectLight", "key", RI_NULL), RI_TRUE); },
+         "Light \"PxrRectLight\" \"key\"\nIlluminate \"key\" 1"},
+        {[] { RiPushFilter("bloom", RI_NULL), RiPopFilter(); }, "PushFilter \"bloom\"\nPopFilter"},
+        {[] { RiBxdf("PxrDiffuse", "skin", RI_NULL); }, "Bxdf \"PxrDiffuse\" \"skin\""},
+        {[&] {
+             static RtInt dimensions[] = {1, 2, 2};
+             RiVolume("box", box, dimensions, token, numbers, RI_NULL);
+         },
+         "Volume \"box\" [0 1 2 3 4 5] [1 2 2] \"varying float x\" [0 1 2 3]"},
+        {[] {
+             static RtInt three[] = {3}, corners[] = {0, 1, 2}, counts[] = {1, 2, 1}, face[] = {0};
+             static RtToken tags[] = {"faceedit"}, words[] = {"attributes"};
+             RiHierarchicalSubdivisionMesh(RI_CATMULLCLARK, 1, three, corners, 1, tags, counts,
+                                           face, numbers, words, RI_NULL);
+         },
+         "HierarchicalSubdivisionMesh \"catmull-clark\" [3] [0 1 2] [\"faceedit\"] [1 2 1] [0] "
+         "[0 1] [\"attributes\"]"},
         {[] { RiIfBegin("$x", RI_NULL), RiElse(), RiIfEnd(); }, "IfBegin \"$x\"\nElse\nIfEnd"},
         {[] { RiArchiveBegin("a", RI_NULL), RiArchiveEnd(), RiReadArchive("a", nullptr, RI_NULL); },
          "ArchiveBegin \"a\"\nArchiveEnd\nReadArchive \"a\""},
@@ -270,6 +290,76 @@ TEST(Calls, proceduralsAreCalledAndTheirDataFreed) {
     EXPECT_EQ(rib, "AttributeBegin\n  Sides 1\nAttributeEnd\n");
     EXPECT_TRUE(freed);
     EXPECT_EQ(asked, 0); // RIB that is written has no camera.
+}
+
+/// The calls in a world of a context that renders nothing.
+void inWorld(const std::function<void()> &calls) {
+    heard.clear();
+    RiErrorHandler(hear);
+    RiBegin(RI_NULL);
+    RiHider("null", RI_NULL);
+    RiTranslate(0, 0, 5);
+    RiWorldBegin();
+    calls();
+    RiWorldEnd();
+    RiEnd();
+}
+
+TEST(Calls, transformPointsFromSystemToSystem) {
+    using Points = std::array<std::array<float, 3>, 2>;
+    const auto transformed = [](RtToken from, RtToken to) {
+        RtPoint points[] = {{0, 0, 0}, {1, 0, 0}};
+        const RtPoint *result = RiTransformPoints(from, to, 2, points);
+        EXPECT_EQ(result, heard.empty() ? points : nullptr) << from << " to " << to;
+        Points all;
+        for (std::size_t i = 0; i < 6; ++i) // Of sines and cosines, to a millionth.
+            all[i / 3][i % 3] = std::round(1e6f * points[i / 3][i % 3]) / 1e6f + 0.f;
+        return all;
+    };
+    inWorld([&] {
+        RiTranslate(1, 2, 3);
+        RiScale(2, 2, 2);
+        RiCoordinateSystem("desk");
+        RiRotate(90, 0, 0, 1);
+        EXPECT_EQ(transformed("desk", "world"), (Points{{{1, 2, 3}, {3, 2, 3}}}));
+        EXPECT_EQ(transformed("world", "camera"), (Points{{{0, 0, 5}, {1, 0, 5}}}));
+        EXPECT_EQ(transformed("current", "desk"), (Points{{{0, 0, 0}, {0, 1, 0}}}));
+        EXPECT_EQ(transformed("camera", "desk"), (Points{{{-.5f, -1, -4}, {0, -1, -4}}}));
+        EXPECT_TRUE(heard.empty());
+        for (const auto &[from, to] : {std::pair{"nowhere", "world"}, {"world", "nowhere"}}) {
+            heard.clear();
+            heard.push_back("");
+            EXPECT_EQ(transformed(from, to), (Points{{{0, 0, 0}, {1, 0, 0}}}));
+            ASSERT_EQ(heard.size(), 2u);
+            EXPECT_NE(heard[1].find("'nowhere' is known here"), std::string::npos) << heard[1];
+        }
+    });
+}
+
+std::vector<std::string> told;
+void listen(RtToken type, char *format, ...) {
+    std::va_list arguments;
+    va_start(arguments, format);
+    EXPECT_STREQ(format, "%s");
+    told.push_back(std::string(type) + ":" + va_arg(arguments, const char *));
+    va_end(arguments);
+}
+
+TEST(Calls, readArchivesAndHearTheirComments) {
+    const std::string file =
+        std::string(CANDELA_BINARY_DIR) + "/heard." + std::to_string(::getpid()) + ".rib";
+    std::ofstream(file)
+        << "# a comment\n##Structure\nTranslate 1 0 0\nCoordinateSystem \"there\"\n";
+    told.clear();
+    RtPoint point[] = {{0, 0, 0}};
+    inWorld([&] {
+        RiReadArchive(file.c_str(), listen, RI_NULL);
+        EXPECT_TRUE(RiTransformPoints("there", "world", 1, point));
+    });
+    std::filesystem::remove(file);
+    EXPECT_TRUE(heard.empty()) << heard.front();
+    EXPECT_EQ(told, (std::vector<std::string>{"comment: a comment", "structure:Structure"}));
+    EXPECT_EQ(point[0][0], 1);
 }
 
 } // namespace

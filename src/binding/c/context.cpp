@@ -2,6 +2,7 @@
 #include "binding/c/context.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <numeric>
 
 namespace candela::c {
@@ -26,6 +27,17 @@ void Context::declare(const std::string &name, const std::string &declaration) {
 void Context::closeBlock() {
     if (steps_.size() > 1)
         steps_.pop_back();
+}
+
+RtPointer Context::newHandle(RtToken name) {
+    handles_.push_back(name ? name : std::to_string(handles_.size() + 1));
+    return reinterpret_cast<RtPointer>(handles_.size());
+}
+
+Handle Context::nameOf(RtPointer handle) const {
+    const auto number = reinterpret_cast<std::uintptr_t>(handle);
+    const bool known = number > 0 && number <= handles_.size();
+    return {known ? handles_[number - 1] : std::to_string(number)};
 }
 
 TokenList Context::list(const VariableCounts &counts, const Parameters &given,

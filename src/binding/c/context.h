@@ -41,8 +41,9 @@ public:
     /// The parameters, their numbers of values as the primitive has them; `category` is that of an
     /// Option or Attribute. What is not declared is reported and left out.
     TokenList list(const VariableCounts &, const Parameters &, const std::string &category = {});
-    /// A name that no other light or object has.
-    Handle newHandle() { return {std::to_string(++handles_)}; }
+    /// For a light or object of that name, or of one that no other has.
+    RtPointer newHandle(RtToken name = RI_NULL);
+    Handle nameOf(RtPointer handle) const;
 
     // The steps of the bases are attributes: they say how many values meshes and curves have.
     void openBlock() { steps_.push_back(steps_.back()); }
@@ -61,7 +62,7 @@ private:
     std::vector<Steps> steps_{1};
     SourceLocation where_;
     std::string call_;
-    int handles_ = 0;
+    std::vector<std::string> handles_; ///< What the pointers 1, 2... stand for.
 };
 
 } // namespace candela::c

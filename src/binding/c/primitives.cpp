@@ -85,3 +85,32 @@ void RiSubdivisionMeshV(RtToken scheme, RtInt faces, const RtInt *vertexCounts,
             ri.list(polygonCounts(faces, corners, above(corners, vertices)), {n, tokens, values}));
     });
 }
+
+void RiHierarchicalSubdivisionMesh(RtToken scheme, RtInt faces, const RtInt *vertexCounts,
+                                   const RtInt *vertices, RtInt tagCount, const RtToken *tags,
+                                   const RtInt *argumentCounts, const RtInt *numbers,
+                                   const RtFloat *reals, const RtToken *strings, ...) {
+    RI_GATHER(strings);
+    RiHierarchicalSubdivisionMeshV(scheme, faces, vertexCounts, vertices, tagCount, tags,
+                                   argumentCounts, numbers, reals, strings, given.count(),
+                                   given.tokens(), given.values());
+}
+
+void RiHierarchicalSubdivisionMeshV(RtToken scheme, RtInt faces, const RtInt *vertexCounts,
+                                    const RtInt *vertices, RtInt tagCount, const RtToken *tags,
+                                    const RtInt *argumentCounts, const RtInt *numbers,
+                                    const RtFloat *reals, const RtToken *strings, RtInt n,
+                                    RtToken tokens[], RtPointer values[]) {
+    perform("RiHierarchicalSubdivisionMesh", [&](Context &ri) {
+        // Each tag has a number of integers, one of floats and one of strings.
+        RtInt counts[3] = {0, 0, 0};
+        for (RtInt i = 0; i < 3 * tagCount; ++i)
+            counts[i % 3] += argumentCounts[i];
+        const int corners = sum(faces, vertexCounts);
+        ri.sink().hierarchicalSubdivisionMesh(
+            ri.at(), text(scheme), integers(faces, vertexCounts), integers(corners, vertices),
+            texts(tagCount, tags), integers(3 * tagCount, argumentCounts),
+            integers(counts[0], numbers), floats(counts[1], reals), texts(counts[2], strings),
+            ri.list(polygonCounts(faces, corners, above(corners, vertices)), {n, tokens, values}));
+    });
+}

@@ -17,3 +17,31 @@ RI_PLAIN(Skew, (RtFloat angle, RtFloat dx1, RtFloat dy1, RtFloat dz1, RtFloat dx
 RI_PLAIN(CoordinateSystem, (RtToken name), coordinateSystem(ri.at(), text(name)))
 RI_PLAIN(ScopedCoordinateSystem, (RtToken name), scopedCoordinateSystem(ri.at(), text(name)))
 RI_PLAIN(CoordSysTransform, (RtToken name), coordSysTransform(ri.at(), text(name)))
+// clang-format on
+
+RtPoint *RiTransformPoints(RtToken fromSpace, RtToken toSpace, RtInt n, RtPoint points[]) {
+    RtPoint *result = nullptr;
+    perform("RiTransformPoints", [&](Context &ri) {
+        const auto cameraFrom = [&](RtToken space) {
+            const auto matrix = ri.sink().cameraFrom(text(space));
+            if (!matrix)
+                ri.error("no coordinate system '" + text(space) +
+                         "' is known here: \"camera\" and \"world\" are in a world, and those "
+                         "that RiCoordinateSystem has named; RIB that is written has none");
+            return matrix;
+        };
+        const auto from = cameraFrom(fromSpace), to = cameraFrom(toSpace);
+        const auto back = to ? inverse(*to) : std::nullopt;
+        if (to && !back)
+            ri.error("the coordinate system '" + text(toSpace) + "' is flat");
+        if (!from || !back || !points)
+            return;
+        const Matrix4 toFrom = (*from * *back).rounded();
+        for (RtInt i = 0; i < n; ++i) {
+            const Vec3 p = transformPoint(toFrom, {points[i][0], points[i][1], points[i][2]});
+            points[i][0] = p.x, points[i][1] = p.y, points[i][2] = p.z;
+        }
+        result = points;
+    });
+    return result;
+}

@@ -27,6 +27,9 @@ public:
     float detailOf(const std::array<float, 6> &bound) const override {
         return sink_.detailOf(bound);
     }
+    std::optional<Matrix4d> cameraFrom(const std::string &system) const override {
+        return sink_.cameraFrom(system);
+    }
     std::optional<StateValue> valueOf(const std::string &name) const override {
         return sink_.valueOf(name);
     }

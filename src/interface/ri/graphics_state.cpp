@@ -37,6 +37,10 @@ float GraphicsState::detailOf(const std::array<float, 6> &bound) const {
     return handlers_->detailOf(bound);
 }
 
+std::optional<Matrix4d> GraphicsState::cameraFrom(const std::string &system) const {
+    return handlers_->cameraFrom(system);
+}
+
 std::optional<StateValue> GraphicsState::valueOf(const std::string &name) const {
     return handlers_->valueOf(name);
 }

@@ -37,6 +37,7 @@ public:
     std::optional<std::string> locate(const char *path, const std::string &name,
                                       const SourceLocation &where) const override;
     float detailOf(const std::array<float, 6> &bound) const override;
+    std::optional<Matrix4d> cameraFrom(const std::string &system) const override;
     std::optional<StateValue> valueOf(const std::string &name) const override;
     bool stopped() const override { return policy_.stopped(); }
 

@@ -3,6 +3,7 @@
 // graphics state is a sink of them. stream_sink.h adds those that decide what comes.
 #pragma once
 
+#include "foundation/base/matrix4d.h"
 #include "interface/ri/request_table.h"
 #include "interface/ri/request_types.h"
 
@@ -35,6 +36,9 @@ public:
                                               const SourceLocation &where) const = 0;
     /// How many pixels a box (xMin, xMax, yMin...) of the current space covers: rasterDetail().
     virtual float detailOf(const std::array<float, 6> &bound) const = 0;
+    /// From the coordinate system of that name to the camera's: "camera", "world", one that has
+    /// been named here, or "current", that of the current transformation. Nothing if there is none.
+    virtual std::optional<Matrix4d> cameraFrom(const std::string &system) const = 0;
     /// What conditions call `name`: "Frame", or an attribute or option as "category:name", which
     /// "Attribute:" or "Option:" before it tell apart; the first value of several. Nothing if it is
     /// not set.

@@ -34,6 +34,7 @@ public:
     std::optional<std::string> locate(const char *path, const std::string &name,
                                       const SourceLocation &where) const;
     float detailOf(const std::array<float, 6> &bound) const;
+    std::optional<Matrix4d> cameraFrom(const std::string &system) const;
     std::optional<StateValue> valueOf(const std::string &name) const;
 
 private:
@@ -71,6 +72,8 @@ private:
     /// In motion blocks these are samples, which endMotion() puts to use.
     void concatenate(const SourceLocation &, const char *request, const TransformSample &);
     void replace(const SourceLocation &, const char *request, const TransformSample &);
+    /// The one of that name that is in force here; null if there is none.
+    const CurrentTransform *coordinateSystemOf(const std::string &name) const;
     /// True, and a warning, if the current transformation is singular.
     bool isFlat(const SourceLocation &, const char *request, const char *what);
     ShaderRecord shader(const SourceLocation &, const char *request, ShaderKind,

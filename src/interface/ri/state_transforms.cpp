@@ -124,18 +124,27 @@ void StateHandlers::scopedCoordinateSystem(const SourceLocation &where, const st
         builder_.coordinateSystem(name, currentFromSpace);
 }
 
-void StateHandlers::coordSysTransform(const SourceLocation &where, const std::string &name) {
+const CurrentTransform *StateHandlers::coordinateSystemOf(const std::string &name) const {
     if (state_.scopedSystems)
-        if (auto found = state_.scopedSystems->find(name); found != state_.scopedSystems->end()) {
-            state_.transform.current = found->second;
-            return;
-        }
-    auto found = state_.coordinateSystems.find(name);
-    if (found != state_.coordinateSystems.end())
-        state_.transform.current = found->second;
+        if (auto found = state_.scopedSystems->find(name); found != state_.scopedSystems->end())
+            return &found->second;
+    const auto found = state_.coordinateSystems.find(name);
+    return found == state_.coordinateSystems.end() ? nullptr : &found->second;
+}
+
+void StateHandlers::coordSysTransform(const SourceLocation &where, const std::string &name) {
+    if (const CurrentTransform *system = coordinateSystemOf(name))
+        state_.transform.current = *system;
     else
         diagnostics_.error(where, "CoordSysTransform",
                            "no coordinate system '" + name + "' has been named");
+}
+
+std::optional<Matrix4d> StateHandlers::cameraFrom(const std::string &name) const {
+    if (name == "current")
+        return state_.transform.current.matrix;
+    const CurrentTransform *system = coordinateSystemOf(name);
+    return system ? std::optional(system->matrix) : std::nullopt;
 }
 
 } // namespace candela

@@ -15,6 +15,7 @@ public:
                                       const SourceLocation &) const override {
         return std::nullopt;
     }
+    std::optional<Matrix4d> cameraFrom(const std::string &) const override { return std::nullopt; }
     float detailOf(const std::array<float, 6> &) const override { return 0; }
 };
 

@@ -43,6 +43,9 @@ public:
                                       const SourceLocation &where) const override {
         return sink_.locate(path, name, where);
     }
+    std::optional<Matrix4d> cameraFrom(const std::string &system) const override {
+        return sink_.cameraFrom(system);
+    }
     float detailOf(const std::array<float, 6> &bound) const override {
         return sink_.detailOf(bound);
     }

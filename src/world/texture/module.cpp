@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/texture/module.h"
 
-#include <dlfcn.h>
-#include <filesystem>
+#include "foundation/base/module.h"
 
 namespace candela {
 
@@ -14,19 +13,15 @@ struct Module {
 };
 
 Module load() {
-    std::error_code error;
-    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
-    const std::filesystem::path file =
-        program.parent_path().parent_path() / "lib" / "candela" / "candela_pictures.so";
-    void *module = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
-    const auto function =
-        module ? reinterpret_cast<PictureLibraryFunction>(dlsym(module, pictureLibraryFunction))
-               : nullptr;
-    if (!function)
-        return {nullptr, std::string("the part of Candela that reads pictures cannot be loaded: ") +
-                             dlerror()};
-    PictureLibrary *library = function(pictureLibraryVersion);
-    return {library, library ? "" : file.string() + " belongs to another version of Candela"};
+    std::string problem;
+    const auto function = reinterpret_cast<PictureLibraryFunction>(
+        functionOfModule("candela_pictures", pictureLibraryFunction, problem));
+    PictureLibrary *const library = function ? function(pictureLibraryVersion) : nullptr;
+    if (function && !library)
+        problem = "it belongs to another version of Candela";
+    if (!library)
+        problem = "the part of Candela that reads pictures cannot be loaded: " + problem;
+    return {library, problem};
 }
 
 } // namespace

@@ -7,8 +7,8 @@
 
 namespace candela {
 
-/// Null, and `problem` says why, if it cannot be loaded; the module lies in lib/candela/ beside the
-/// program's folder.
+/// Null, and `problem` says why, if it cannot be loaded; the module lies in lib/candela/ of the
+/// installation (foundation/base/installation.h).
 PictureLibrary *pictureLibrary(std::string &problem);
 
 } // namespace candela
