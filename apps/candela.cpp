@@ -40,16 +40,17 @@ int main(int argc, char **argv) {
     app.footer(
         "Exit status: 0 all went well; 1 something was wrong and has been reported, the rest "
         "was rendered; 2 the command line cannot be understood.\n"
-        "See also: candela compile --help, candela info --help, candela run --help, candela diff "
-        "--help, candela merge --help, candela filter --help, candela tex --help, candela probe "
-        "--help, candela cat "
-        "--help. candela help WORD tells of requests, options, functions and shaders.");
+        "See also: candela compile --help, candela info --help, candela run --help, candela view "
+        "--help, candela diff --help, candela merge --help, candela filter --help, candela tex "
+        "--help, candela probe --help, candela cat --help. candela help WORD tells of requests, "
+        "options, functions and shaders.");
     app.get_formatter()->column_width(34);
 
     // Beyond RLIMIT_FSIZE writing just fails, as on a full disk.
     std::signal(SIGXFSZ, SIG_IGN);
     int status = 0;
     candela::addRender(app, status);
+    candela::addView(app, status);
     candela::addDiff(app, status);
     candela::addMerge(app, status);
     candela::addFilter(app, status);

@@ -11,6 +11,8 @@ namespace candela {
 
 /// `candela scene.rib`
 void addRender(CLI::App &, int &status);
+/// `candela view scene.rib`, `candela view a.exr`
+void addView(CLI::App &, int &status);
 /// `candela diff a b`
 void addDiff(CLI::App &, int &status);
 /// `candela filter in.exr out.exr -f name ...`

@@ -18,6 +18,8 @@ void warnOfSmallDisks(std::span<const PlannedDisplay> displays, double pixels,
                       DiagnosticSink &diagnostics, const FreeSpace &freeSpace) {
     std::map<std::string, double> wanted; // By folder.
     for (const PlannedDisplay &display : displays) {
+        if (!display.isFile)
+            continue;
         const std::string folder = std::filesystem::path(display.path).parent_path().string();
         const double bytesOfPixel =
             double(display.planes.size()) * (display.format == FileFormat::Png ? 1 : sizeof(float));

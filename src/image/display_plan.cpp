@@ -29,7 +29,9 @@ constexpr KnownType knownTypes[] = {
 
 /// What other renderers call the same.
 constexpr std::pair<std::string_view, std::string_view> otherNames[] = {
-    {"exr", "openexr"}, {"tif", "tiff"}, {"radiance", "hdr"}, {"rgbe", "hdr"}};
+    {"exr", "openexr"},    {"tif", "tiff"},           {"radiance", "hdr"},
+    {"rgbe", "hdr"},       {"it", "framebuffer"},     {"x11", "framebuffer"},
+    {"fb", "framebuffer"}, {"windows", "framebuffer"}};
 
 std::string namesOfTypes() {
     std::string names = "file";
@@ -78,8 +80,19 @@ void chooseFormat(PlannedDisplay &display, std::string &warning) {
     display.standsIn = true;
     if (extension != ".exr" && !record.name.empty())
         record.name += ".exr";
-    warning = "this version has no display type \"" + record.type + "\" (known are " +
-              namesOfTypes() + "): it will be the OpenEXR file \"" + record.name + "\"";
+    warning =
+        (type == "framebuffer" ? "there is no window for the display type \"" + record.type + "\""
+                               : "this version has no display type \"" + record.type +
+                                     "\" (known are " + namesOfTypes() + ")") +
+        ": it will be the OpenEXR file \"" + record.name + "\"";
+}
+
+/// Who asks for a file by name gets it, whoever takes the picture besides.
+void chooseTaker(PlannedDisplay &display, DisplayTaker *taker, bool isRedirected) {
+    using Interest = DisplayTaker::Interest;
+    const Interest interest = taker ? taker->interestIn(typeOf(display.record)) : Interest::None;
+    display.isTaken = interest != Interest::None;
+    display.isFile = interest != Interest::Instead || isRedirected;
 }
 
 /// Of a mode that may have alpha too.
@@ -150,6 +163,8 @@ bool settle(PlannedDisplay &display, const Options &options, std::span<const Cha
         return false;
     display.planes = std::move(*planes);
     renamed = tellApart(display.planes);
+    if (!display.isFile)
+        return true;
     problem = formatDefect(display, options);
     if (!problem.empty())
         return false;
@@ -182,15 +197,19 @@ std::vector<PlannedDisplay> planDisplays(const Options &options,
     for (DisplayRecord record : displaysOf(options)) {
         const SourceLocation where = record.parameters.where;
         OutputPolicy allowed = policy;
+        bool isRedirected = false;
         if (!file.empty() && !holdsDepths(record)) {
             redirect(record, std::exchange(file, {}));
             allowed = {{".", true}, {}};
+            isRedirected = true;
         }
         record.name = withFrameNumber(record.name, options.frame);
         const std::string about = "Display \"" + record.name + "\": ";
         PlannedDisplay display{record, {}, {}, {}, {}};
         std::string warning, renamed, moved, problem;
-        chooseFormat(display, warning);
+        chooseTaker(display, policy.taker, isRedirected);
+        if (display.isFile)
+            chooseFormat(display, warning);
         if (!warning.empty())
             sink.warning(where, about + warning);
         const bool settled = settle(display, options, available, allowed, renamed, moved, problem);
@@ -203,7 +222,8 @@ std::vector<PlannedDisplay> planDisplays(const Options &options,
                                     renamed);
         if (!settled)
             sink.error(where, about + problem);
-        else if (std::ranges::find(plan, display.path, &PlannedDisplay::path) != plan.end())
+        else if (display.isFile &&
+                 std::ranges::find(plan, display.path, &PlannedDisplay::path) != plan.end())
             sink.warning(where, about + "a display before it writes the same file; it is left out");
         else
             plan.push_back(std::move(display));

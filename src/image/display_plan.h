@@ -4,6 +4,7 @@
 #pragma once
 
 #include "image/display_planes.h"
+#include "image/display_taker.h"
 #include "image/output_path.h"
 
 namespace candela {
@@ -17,12 +18,15 @@ struct PlannedDisplay {
     std::vector<DisplayPlane> planes;
     std::string path;
     bool standsIn = false; ///< For a type that is not known: written as it comes, unquantised.
+    bool isFile = true;    ///< Else it has neither format nor path.
+    bool isTaken = false;  ///< By the policy's taker.
 };
 
 struct OutputPolicy {
     OutputFolder folder;
     std::string firstFile{}; ///< -o: where the first display that holds no depths goes, by its
                              ///< extension; empty = where the RIB says.
+    DisplayTaker *taker = nullptr; ///< Null = nobody.
 };
 
 /// The displays of the options that can be written: their formats, planes and paths. Types that

@@ -309,12 +309,32 @@ Picture developPicture(const DisplaySources &sources, const std::vector<DisplayP
     return picture;
 }
 
+void handOver(const DisplaySources &sources, std::span<const PlannedDisplay> displays,
+              const Options &options, const FrameDescription &frame, DisplayTaker &taker,
+              bool isFinished) {
+    for (const PlannedDisplay &display : displays) {
+        if (!display.isTaken)
+            continue;
+        std::string unheard;
+        const std::vector<DisplayPlane> planes = planesOfOneSize(sources, display.planes, unheard);
+        const Job job{sources, options, frame, display.record, true, planes, {}, {}};
+        PlaneSettings settings = planeSettings(job);
+        settings.halves = false;
+        settings.channels.clear(), settings.own.reset();
+        Picture picture = developPicture(sources, planes, settings);
+        describe(job, picture);
+        taker.take(display.record.name, std::move(picture), isFinished);
+    }
+}
+
 std::vector<std::string> writeDisplays(const DisplaySources &sources,
                                        std::span<const PlannedDisplay> displays,
                                        const Options &options, const FrameDescription &frame,
                                        DiagnosticSink &sink) {
     std::vector<std::string> written;
     for (const PlannedDisplay &display : displays) {
+        if (!display.isFile)
+            continue;
         std::string warning;
         const std::vector<DisplayPlane> planes = planesOfOneSize(sources, display.planes, warning);
         Job job{sources,          options, frame, display.record,

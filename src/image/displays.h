@@ -28,6 +28,11 @@ struct FrameDescription {
 std::vector<std::string> writeDisplays(const DisplaySources &, std::span<const PlannedDisplay>,
                                        const Options &, const FrameDescription &, DiagnosticSink &);
 
+/// Hands the displays that are taken over, as floats that are not quantised. Planes that there are
+/// not yet (of filters) are missing.
+void handOver(const DisplaySources &, std::span<const PlannedDisplay>, const Options &,
+              const FrameDescription &, DisplayTaker &, bool isFinished);
+
 /// How a display wants its planes.
 struct PlaneSettings {
     ExposureRecord exposure;

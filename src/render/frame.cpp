@@ -25,11 +25,13 @@ namespace candela {
 
 namespace {
 
-void report(const std::vector<std::string> &written, Console &console) {
+void report(const std::vector<std::string> &written, std::span<const PlannedDisplay> displays,
+            Console &console) {
+    const bool taken = std::ranges::any_of(displays, &PlannedDisplay::isTaken);
     std::string summary;
     for (const std::string &name : written)
         summary += (summary.empty() ? "wrote " : ", ") + name;
-    console.end(summary.empty() ? "nothing written" : summary);
+    console.end(!summary.empty() ? summary : taken ? "done" : "nothing written");
 }
 
 /// Shaders that answer NaN have been named where they did; what else was not finite is said here.
@@ -65,6 +67,7 @@ struct FrameJob {
     IntegratorSettings integrator;
     FrameDescription description;
     std::vector<PlannedDisplay> displays;
+    DisplayTaker *taker;       ///< Null = nobody.
     bool keepsSamples = false; ///< For filters.
 };
 
@@ -122,10 +125,12 @@ bool tellOfEnd(const FrameJob &job, FrameEnd end, const FrameProgress &progress,
         diagnostics.error({}, why + " before there was any sample: no picture is written");
         return false;
     }
-    diagnostics.warning({}, fmt::format("{} after {} of {} samples a pixel: the picture is written "
-                                        "as it is{}",
-                                        why, rangeOf(counts), wanted,
-                                        counts.least == 0 ? ", black where there are none" : ""));
+    const bool isFile = std::ranges::any_of(job.displays, &PlannedDisplay::isFile);
+    diagnostics.warning({},
+                        fmt::format("{} after {} of {} samples a pixel: the picture is {} as it "
+                                    "is{}",
+                                    why, rangeOf(counts), wanted, isFile ? "written" : "left",
+                                    counts.least == 0 ? ", black where there are none" : ""));
     return true;
 }
 
@@ -156,9 +161,23 @@ void writePictures(const FrameJob &job, const PictureShaders &shaders,
             "lights cast no shadows under the integrator \"classic\", unless Attribute \"light\" "
             "\"string shadows\" \"on\" stands before them or their shaders look them up; "
             "--integrator path casts them all");
+    if (job.taker)
+        handOver(sources, job.displays, job.scene.options(), description, *job.taker, true);
     report(writeDisplays(sources, job.displays, job.scene.options(), description,
                          job.listeners.diagnostics),
-           job.listeners.console);
+           job.displays, job.listeners.console);
+}
+
+/// Shows whoever watches the frame what there is; empty if nobody does.
+std::function<void()> lookAt(const FrameJob &job, const Film &film) {
+    if (!job.taker || !job.taker->wantsUnfinished() ||
+        std::ranges::none_of(job.displays, &PlannedDisplay::isTaken))
+        return {};
+    return [&] {
+        if (job.taker->wantsUnfinished())
+            handOver(DisplaySources(film), job.displays, job.scene.options(), job.description,
+                     *job.taker, false);
+    };
 }
 
 /// Writes what there is, without filters, and ends the program: threads are still at work that
@@ -210,10 +229,14 @@ FrameEnd makePicture(const FrameJob &job, const PictureShaders &shaders,
         std::optional<Interrupt> interrupt;
         if (keeping.heedsSignals)
             interrupt.emplace();
-        FrameKeeper keeper(keeping, progress, sinks.first(),
-                           {[&] { return interrupt && interrupt->asked(); },
-                            [&](FrameEnd why) { writeAndEnd(job, shaders, progress, film, why); }},
-                           diagnostics);
+        FrameKeeper keeper(
+            keeping, progress, sinks.first(),
+            {[&] {
+                 return (interrupt && interrupt->asked()) || (job.taker && job.taker->wantsEnd());
+             },
+             lookAt(job, film),
+             [&](FrameEnd why) { writeAndEnd(job, shaders, progress, film, why); }},
+            diagnostics);
         integrateFrame(job, filter, sinks.film, sinks.first(), progress);
         keeper.leave();
         end = keeper.end();
@@ -278,14 +301,17 @@ FrameEnd renderAndWrite(const Scene &scene, ShaderLibrary &library, const Render
     integrator.progress = [&](double done) { listeners.console.progress(done); };
     if (!keepSolution(scene, settings, keeping.solution, integrator, diagnostics))
         return FrameEnd::Refused;
-    FrameJob job{scene,
-                 listeners,
-                 keeping,
-                 integrator,
-                 describeFrame(scene, integrator, file),
-                 planDisplays(options, channelsToShow(scene, shaders.filters),
-                              {{settings.outputDirectory, settings.trust}, settings.outputFile},
-                              diagnostics)};
+    FrameJob job{
+        scene,
+        listeners,
+        keeping,
+        integrator,
+        describeFrame(scene, integrator, file),
+        planDisplays(
+            options, channelsToShow(scene, shaders.filters),
+            {{settings.outputDirectory, settings.trust}, settings.outputFile, settings.taker},
+            diagnostics),
+        settings.taker};
     const PixelFilterSampler filter(options.filter, diagnostics, options.places.pixelFilter);
     Film::Settings wanted = filmSettings(scene, integrator.crop, filter, shaders.filters);
     double maps = shaders.filters.empty() ? 0 : bytesOfMaps(mapNames(shaders.filters), wanted);

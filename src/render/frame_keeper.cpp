@@ -3,6 +3,7 @@
 
 #include "foundation/base/whole_file.h"
 
+#include <algorithm>
 #include <new>
 #include <optional>
 
@@ -14,6 +15,9 @@ using namespace std::chrono_literals;
 
 /// Between two looks at signals and clock: nobody notices it.
 constexpr auto glance = 50ms;
+/// From one look to the next, and how many times longer than a look.
+constexpr auto betweenLooks = 250ms;
+constexpr int lookShare = 20;
 /// Samples in flight end within a fraction of it, unless a shader does not end.
 constexpr auto grace = 1500ms;
 
@@ -49,6 +53,7 @@ void FrameKeeper::watch() {
         return Clock::now() + std::chrono::duration_cast<Clock::duration>(between);
     };
     auto nextSave = saveLater();
+    auto nextLook = Clock::now() + betweenLooks;
     std::optional<Clock::time_point> lastMoment;
     std::unique_lock lock(mutex_);
     while (!changed_.wait_for(lock, glance, [&] { return isOver_; })) {
@@ -67,8 +72,19 @@ void FrameKeeper::watch() {
             save();
             lock.lock();
             nextSave = saveLater();
+        } else if (duties_.look && Clock::now() > nextLook) {
+            lock.unlock();
+            nextLook = look();
+            lock.lock();
         }
     }
+}
+
+FrameKeeper::Clock::time_point FrameKeeper::look() {
+    const auto begin = Clock::now();
+    progress_.hold([&](const FramePosition *) { duties_.look(); });
+    const auto end = Clock::now();
+    return end + std::max<Clock::duration>(betweenLooks, lookShare * (end - begin));
 }
 
 void FrameKeeper::save() {

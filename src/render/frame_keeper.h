@@ -34,6 +34,9 @@ class FrameKeeper {
 public:
     struct Duties {
         std::function<bool()> isInterrupted;
+        /// Looks at what there is by now, while nothing comes; now and then, for a small share of
+        /// the time. Nobody looks if it is empty.
+        std::function<void()> look;
         /// Called by the keeper's thread, and is not to return: work that was to end a while ago
         /// has not (a shader that does not come back). Nothing comes into the sink any more.
         std::function<void(FrameEnd)> takeOver;
@@ -53,6 +56,8 @@ public:
 private:
     using Clock = FrameKeeping::Clock;
     void watch();
+    /// Has the duty look; when it may again.
+    Clock::time_point look();
     /// Whether it is to end now, and why.
     FrameEnd reasonToEnd() const;
 

@@ -2,6 +2,7 @@
 // The whole flow, from the names of RIB files to pictures on disk.
 #pragma once
 
+#include "image/display_taker.h"
 #include "interface/ri/frame_chooser.h"
 #include "light/frame/integrate.h"
 #include "world/shading/shader_library.h"
@@ -34,6 +35,8 @@ struct RenderSettings {
     bool trust = false;       ///< The RIB may run programs and write outside the output directory.
     std::vector<std::string> shaderPath, archivePath, texturePath;
     bool quiet = false;
+    bool heedsSignals = false;     ///< Of a RenderSession: Ctrl-C ends a frame, not the program.
+    DisplayTaker *taker = nullptr; ///< Of pictures that are no files, or more; null = nobody.
 
     JitOptions jit;              ///< --lanes
     bool hemisphereOnly = false; ///< --sampling hemisphere

@@ -16,8 +16,10 @@ struct RenderSession::State {
           scenes(
               name, settings, listeners,
               [this, name](const Scene &scene, ShaderLibrary &shaders, const SceneFingerprints &) {
+                  FrameKeeping keeping;
+                  keeping.heedsSignals = settings.heedsSignals;
                   if (end == FrameEnd::Whole)
-                      end = renderFrame(scene, shaders, settings, name, listeners);
+                      end = renderFrame(scene, shaders, settings, name, listeners, keeping);
               }) {}
 
     const RenderSettings settings;
@@ -37,6 +39,8 @@ RenderSession::~RenderSession() = default;
 
 StreamSink &RenderSession::requests() { return state_->scenes.reader().stream(); }
 ErrorPolicy &RenderSession::diagnostics() { return state_->diagnostics; }
+
+FrameEnd RenderSession::end() const { return state_->end; }
 
 void RenderSession::finish() {
     state_->scenes.finish();

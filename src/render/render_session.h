@@ -4,7 +4,7 @@
 
 #include "interface/ri/error_policy.h"
 #include "interface/ri/stream_sink.h"
-#include "render/render.h"
+#include "render/frame.h"
 
 #include <memory>
 #include <string>
@@ -20,6 +20,8 @@ public:
 
     StreamSink &requests();
     ErrorPolicy &diagnostics();
+    /// How the last frame came to its end.
+    FrameEnd end() const;
     /// After the last request.
     void finish();
 
