@@ -13,11 +13,13 @@ demo: build
 	@mkdir -p out
 	build/bin/candela --output-dir out examples/desk_lamp/desk_lamp.rib
 
-test: build
+test:
+	@tools/install-packages python window
+	@$(MAKE) build
 	cd build && ctest --output-on-failure -j 2 -LE 'long|bench'
 
 test-long:
-	@tools/install-packages test-long
+	@tools/install-packages python window test-long
 	@$(MAKE) build
 	cmake --preset tsan >/dev/null
 	cmake --build --preset tsan --target candela

@@ -36,6 +36,8 @@ DOORS = [
     ("zlib", r"zlib\.h|zconf\.h", r"ZLIB::\w+", "src/interface/rib"),
     ("CLI11", r"CLI/", r"CLI11::\w+", "apps"),
     ("OpenSubdiv", r"opensubdiv/", r"OpenSubdiv::\w+", "src/world/geometry"),
+    ("Python", r"(pybind11/|Python\.h|numpy/)", r"(pybind11|Python3)::\w+", "src/binding/python"),
+    ("SDL", r"SDL", r"(PkgConfig::)?SDL2(::\w+)?", "src/image/view"),
     ("OpenImageIO", r"OpenImageIO/", r"OpenImageIO::\w+", "src/world/texture"),
 ]
 # Besides its room, who may open a door: the yardsticks of the benchmarks stand on the bare library.

@@ -58,17 +58,8 @@ void RiArchiveRecord(RtToken type, RtToken format, ...) {
     va_start(arguments, format);
     std::string record = formatted(format ? format : "", arguments);
     va_end(arguments);
-    perform("RiArchiveRecord", [&](Context &ri) {
-        const std::string kind = text(type);
-        if (kind == RI_VERBATIM)
-            return readRibText(record, "RiArchiveRecord", ri.sink(), ri.diagnostics());
-        if (kind != RI_COMMENT && kind != RI_STRUCTURE)
-            return ri.error("'" + kind +
-                            "' is unknown: expected \"comment\", \"structure\" or "
-                            "\"verbatim\"");
-        std::replace(record.begin(), record.end(), '\n', ' ');
-        ri.sink().comment(ri.at(), (kind == RI_STRUCTURE ? "#" : " ") + record);
-    });
+    perform("RiArchiveRecord",
+            [&](Context &ri) { ri.session().record(ri.at(), text(type), std::move(record)); });
 }
 
 // The standard's own procedurals have their arguments as strings.

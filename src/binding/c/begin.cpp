@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Contexts: RiBegin and RiEnd, and what becomes of errors.
 #include "binding/c/calls.h"
-#include "interface/rib/rib_writer.h"
-#include "render/render_session.h"
+#include "render/render.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -36,60 +35,25 @@ public:
     }
 };
 
-class Rendering final : public Context {
-public:
-    Rendering() : session_("ri", quiet(), found_) {}
-    StreamSink &sink() override { return session_.requests(); }
-    DiagnosticSink &diagnostics() override { return session_.diagnostics(); }
-    void end() override { session_.finish(); }
-
-private:
-    static RenderSettings quiet() {
-        RenderSettings settings;
-        settings.quiet = true;
-        return settings;
-    }
-
-    Handled found_;
-    RenderSession session_;
-};
-
-class Writing final : public Context {
-public:
-    explicit Writing(std::unique_ptr<ByteOutput> output)
-        : output_(std::move(output)), writer_(*output_, RibEncoding::Ascii) {
-        writer_.comment({}, "#RenderMan RIB");
-    }
-    StreamSink &sink() override { return writer_; }
-    DiagnosticSink &diagnostics() override { return found_; }
-    void end() override {
-        writer_.flush();
-        const std::string failure = output_->close();
-        if (!failure.empty())
-            tell(RIE_SYSTEM, RIE_ERROR, "RiEnd: the RIB cannot be written: " + failure);
-    }
-
-private:
-    Handled found_;
-    std::unique_ptr<ByteOutput> output_;
-    RibWriter writer_;
-};
-
 } // namespace
 
-std::unique_ptr<Context> Context::begin(const char *name) {
-    if (!name || !*name)
-        return std::make_unique<Rendering>();
-    std::string path = name, why;
-    const auto packing =
-        path.ends_with(".gz") ? ByteOutput::Packing::Gzip : ByteOutput::Packing::Plain;
-    auto output = path.starts_with('|') ? ByteOutput::toCommand(path.substr(1), why)
-                                        : ByteOutput::open(path, packing, why);
-    if (!output) {
-        tell(RIE_NOFILE, RIE_ERROR, "RiBegin: '" + path + "' cannot be written: " + why);
-        return nullptr;
-    }
-    return std::make_unique<Writing>(std::move(output));
+Context::Context() : found_(std::make_unique<Handled>()) {}
+Context::~Context() = default;
+
+bool Context::begin(const char *name) {
+    RenderSettings settings;
+    settings.quiet = true;
+    std::string problem;
+    session_ = Session::begin(text(name), settings, *found_, problem);
+    if (!session_)
+        tell(RIE_NOFILE, RIE_ERROR, "RiBegin: '" + text(name) + "' cannot be written: " + problem);
+    return session_ != nullptr;
+}
+
+void Context::end() {
+    const std::string problem = session_->end();
+    if (!problem.empty())
+        tell(RIE_SYSTEM, RIE_ERROR, "RiEnd: the RIB cannot be written: " + problem);
 }
 
 void perform(const char *call, const std::function<void(Context &)> &body) {
@@ -121,7 +85,8 @@ Gathered::Gathered(std::va_list list) {
 void RiBegin(RtToken name) {
     isMissed = true; // If it fails, that is enough to say.
     try {
-        current = Context::begin(name).release();
+        auto context = std::make_unique<Context>();
+        current = context->begin(name) ? context.release() : nullptr;
     } catch (const std::exception &error) {
         current = nullptr;
         tell(RIE_SYSTEM, RIE_SEVERE, std::string("RiBegin: ") + error.what());

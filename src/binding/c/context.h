@@ -3,8 +3,8 @@
 // know of the calls before. Private to the room.
 #pragma once
 
+#include "binding/session/session.h"
 #include "interface/ri/declarations.h"
-#include "interface/ri/stream_sink.h"
 #include "interface/ri/variable_counts.h"
 #include "ri.h"
 
@@ -23,14 +23,16 @@ struct Parameters {
 
 class Context {
 public:
-    /// As RiBegin is told.
-    static std::unique_ptr<Context> begin(const char *name);
-    virtual ~Context() = default;
+    Context();
+    ~Context();
+    /// As RiBegin is told. False, and reported, if there is no such context.
+    bool begin(const char *name);
     /// RiEnd.
-    virtual void end() = 0;
+    void end();
 
-    virtual StreamSink &sink() = 0;
-    virtual DiagnosticSink &diagnostics() = 0;
+    Session &session() { return *session_; }
+    StreamSink &sink() { return session_->requests(); }
+    DiagnosticSink &diagnostics() { return session_->diagnostics(); }
 
     /// Counts calls: messages tell which one it was, and its name.
     void beginCall(const char *name);
@@ -58,6 +60,8 @@ private:
     struct Steps {
         int u = 3, v = 3;
     };
+    const std::unique_ptr<DiagnosticSink> found_; ///< The program's handler hears of it.
+    std::unique_ptr<Session> session_;
     Dictionary dictionary_;
     std::vector<Steps> steps_{1};
     SourceLocation where_;
