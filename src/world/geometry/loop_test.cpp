@@ -245,6 +245,30 @@ TEST(LoopSurfaces, HaveTheLimitsNormals) {
     }
 }
 
+TEST(LoopSurfaces, AreTheSameTinyAndHuge) {
+    for (float size : {1e-6f, 1e-3f, 1e6f, 1e9f}) {
+        Mesh ball = octahedron();
+        for (float &x : ball.points)
+            x *= size;
+        const auto surface = made(ball), one = made(octahedron());
+        EXPECT_NEAR(surface->area() / size / size, one->area(), 1e-4);
+        for (std::uint32_t piece = 0; piece < surface->domain().pieces; piece += 97) {
+            const Vec3 N = normalize(at(*surface, 0.3f, 0.3f, piece).N);
+            EXPECT_GT(dot(N, normalize(at(*one, 0.3f, 0.3f, piece).N)), 0.99999f) << size;
+        }
+    }
+    Mesh beyond = octahedron();
+    for (float &x : beyond.points)
+        x *= 3e38f;
+    DiagnosticList diagnostics;
+    EXPECT_TRUE(makeSurfaces(record(beyond.faces, {parameter("P", StorageClass::Vertex,
+                                                             ValueType::Point, beyond.points)}),
+                             {}, diagnostics)
+                    .empty());
+    EXPECT_NE(diagnostics.text().find("too large or too small"), std::string::npos)
+        << diagnostics.text();
+}
+
 TEST(LoopSurfaces, SharpAllOverAreWhatTheyWere) {
     Mesh sharp = tetrahedron();
     sharp.faces.creases = {{{0, 1, 2, 0}, 10}, {{0, 3}, 10}, {{1, 3}, 11}, {{2, 3}, 1e9f}};

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/geometry/make_loop.h"
 
+#include "world/geometry/bezier_net.h"
 #include "world/geometry/loop_refinement.h"
 #include "world/geometry/make_subdivision.h"
 #include "world/geometry/polygon_surface.h"
 #include "world/geometry/subdivision_values.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace candela {
 
@@ -70,13 +73,26 @@ public:
     bool isEmpty() const { return drawn_.empty(); }
     const PrimitiveRecord &meshed() const { return meshed_; }
 
-    void addPositions(std::span<const float> positions) {
-        add("P", {StorageClass::Vertex, ValueType::Point, 1}, refinement_.limit(positions, 3));
+    /// False if they are of no size to be computed with.
+    bool addPositions(std::span<const float> positions) {
+        std::vector<float> limit = refinement_.limit(positions, 3);
+        Box3 box;
+        for (std::size_t i = 0; i < limit.size(); i += 3)
+            box.add(Vec3{limit[i], limit[i + 1], limit[i + 2]});
+        add("P", {StorageClass::Vertex, ValueType::Point, 1}, std::move(limit));
+        return hasUsableSize(box);
     }
 
     void addNormals(std::span<const float> positions) {
+        // Of about the size of 1: products of small ways and of large ones are within range.
+        float largest = 0;
+        for (float x : positions)
+            largest = std::max(largest, std::fabs(x));
+        std::vector<float> scaled(positions.begin(), positions.end());
+        for (float &x : scaled)
+            x = std::ldexp(x, -std::ilogb(largest));
         std::vector<float> normals;
-        const std::vector<Vec3> all = refinement_.normals(positions);
+        const std::vector<Vec3> all = refinement_.normals(scaled);
         for (std::size_t k : drawn_)
             for (std::size_t corner = 0; corner < 3; ++corner) {
                 const Vec3 n = all[3 * k + corner];
@@ -238,7 +254,11 @@ SurfaceList makeLoop(const SubdivisionRecord &given, const PrimitiveRecord &reco
         reportNothingDrawn(record.where, diagnostics);
         return {};
     }
-    polygons.addPositions(positions);
+    if (!polygons.addPositions(positions)) {
+        diagnostics.error(record.where, "the subdivision mesh is too large or too small to be "
+                                        "computed with; it is dropped");
+        return {};
+    }
     bool hasNormals = false, hasTextureCoordinates = false;
     for (const NumericVariable &variable : numericVariables(record, diagnostics)) {
         hasNormals |= variable.name == "N" || variable.name == "Np";
