@@ -13,8 +13,9 @@ demo: build
 	@mkdir -p out
 	build/bin/candela --output-dir out examples/desk_lamp/desk_lamp.rib
 
+# What Python and windows need may be missing: then neither is built, nor tested.
 test:
-	@tools/install-packages python window
+	@tools/install-packages python window || echo 'candela goes on without Python or windows'
 	@$(MAKE) build
 	cd build && ctest --output-on-failure -j 2 -LE 'long|bench'
 
