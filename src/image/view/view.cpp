@@ -43,6 +43,17 @@ std::string number(const char *format, double value) {
     return text;
 }
 
+/// Gain and gamma, as files tell them.
+std::pair<float, float> exposureOf(const Picture &picture) {
+    const auto text = picture.metadata.find("exposure");
+    float gain = 1, gamma = 1;
+    if (text == picture.metadata.end() ||
+        std::sscanf(text->second.c_str(), "%f %f", &gain, &gamma) != 2 || !(gain > 0) ||
+        !(gamma > 0))
+        return {1, 1};
+    return {gain, gamma};
+}
+
 } // namespace
 
 void View::show(const std::string &display, Picture picture, bool isFinished) {
@@ -51,10 +62,12 @@ void View::show(const std::string &display, Picture picture, bool isFinished) {
         return;
     const auto known = std::ranges::find(pictures_, display, &Shown::display);
     const std::size_t place = std::size_t(known - pictures_.begin());
+    const auto [gain, gamma] = exposureOf(picture);
+    Shown shown{display, std::move(picture), std::move(layers), isFinished, gain, gamma};
     if (known != pictures_.end())
-        *known = {display, std::move(picture), std::move(layers), isFinished};
+        *known = std::move(shown);
     else
-        pictures_.push_back({display, std::move(picture), std::move(layers), isFinished});
+        pictures_.push_back(std::move(shown));
     if (place != picture_)
         return;
     layer_ = std::min(layer_, pictures_[place].layers.size() - 1);
@@ -189,17 +202,22 @@ float View::scaleOf(const Looked &here) const {
     return largest > 0 ? scale / largest : scale;
 }
 
+float View::linear(const Looked &here, float value) {
+    if (!here.layer.isLight)
+        return value;
+    if (here.shown.picture.hasDisplayValues)
+        return linearOfSrgb(value);
+    const float gamma = here.shown.gamma;
+    return gamma == 1 ? value : std::copysign(std::pow(std::fabs(value), gamma), value);
+}
+
 std::uint32_t View::colorOf(const Looked &here, std::size_t pixel, float scale) const {
     const Picture &picture = here.shown.picture;
     const auto value = [&](int channel) {
         return channel < 0 ? 1.f : picture.channels[std::size_t(channel)].values[pixel];
     };
-    // PNG's numbers are on the curve already: exposure works on light.
-    const bool onCurve = picture.hasDisplayValues && here.layer.isLight;
     const auto shown = [&](float light) { return curvedByteOf(light * scale); };
-    const auto light = [&](int channel) {
-        return onCurve ? linearOfSrgb(value(channel)) : value(channel);
-    };
+    const auto light = [&](int channel) { return linear(here, value(channel)); };
     const std::vector<int> &channels = here.layer.channels;
     const auto grey = [](std::uint32_t byte) { return byte * 0x010101; };
     if (channel_ == Channel::Alpha)
@@ -242,15 +260,18 @@ std::string View::valuesAt(const Looked &here, std::size_t pixel) const {
                 number("%.4g", plane.values[pixel]);
     }
     const auto units = picture.metadata.find("units");
-    if (!here.layer.isLight || picture.hasDisplayValues || units == picture.metadata.end() ||
-        units->second != radianceUnits) // "relative"
+    const bool isRadiance = units != picture.metadata.end() && units->second == radianceUnits &&
+                            !picture.metadata.contains("filters");
+    if (!here.layer.isLight || picture.hasDisplayValues || !isRadiance)
         return text;
-    const auto value = [&](std::size_t k) {
-        return picture.channels[std::size_t(here.layer.channels[k])].values[pixel];
+    const auto radiance = [&](std::size_t k) {
+        const int channel = here.layer.channels[k];
+        return linear(here, picture.channels[std::size_t(channel)].values[pixel]) / here.shown.gain;
     };
-    const float y = luminance(candela::Color(value(0), value(1), value(2)));
-    return text + " " + radianceUnits + ", " + number("%.4g", double(luminousEfficacy) * y) +
-           " cd/m^2";
+    const float y = luminance(candela::Color(radiance(0), radiance(1), radiance(2)));
+    if (here.shown.gain == 1 && here.shown.gamma == 1)
+        text += std::string(" ") + radianceUnits;
+    return text + ", " + number("%.4g", double(luminousEfficacy) * y) + " cd/m^2";
 }
 
 std::string View::title() const {

@@ -38,6 +38,7 @@ private:
         Picture picture;
         std::vector<ViewLayer> layers;
         bool isFinished;
+        float gain, gamma; ///< Of Exposure, which the colours have been through.
     };
     /// Which of a layer's channels are looked at.
     enum class Channel { All, Red, Green, Blue, Alpha, Luminance };
@@ -60,6 +61,8 @@ private:
     /// The pixel's number there, if there is one.
     std::optional<std::size_t> pixelAt(const Picture &, Place inPicture) const;
     float scaleOf(const Looked &) const;
+    /// Back through the gamma of what is on a curve already.
+    static float linear(const Looked &, float value);
     std::uint32_t colorOf(const Looked &, std::size_t pixel, float scale) const;
     std::string valuesAt(const Looked &, std::size_t pixel) const;
 

@@ -181,6 +181,23 @@ TEST(View, displayValuesAreShownAsTheyAre) {
     EXPECT_EQ(view.title(), "seen: color, (1, 0) R 0.5 G 0.5 B 0.5");
 }
 
+// What Exposure has put on a curve is not put on another one, and is the light that it was.
+TEST(View, exposureIsKnown) {
+    const float value = std::pow(2 * .25f, 1 / 2.2f);
+    Picture picture = pictureOf(1, 1, {{"R", {value}}, {"G", {value}}, {"B", {value}}});
+    picture.metadata["exposure"] = "2 2.2";
+    View view = viewOf(picture);
+    EXPECT_EQ(view.paint(), (Pixels{0xbcbcbc})); // A half, on the curve of sRGB.
+    view.handle({Kind::Pointer, 0, 0});
+    EXPECT_EQ(view.title(), "seen: color, (0, 0) R 0.7297 G 0.7297 B 0.7297, 44.75 cd/m^2");
+    picture.metadata["filters"] = "ward94"; // Whatever that has made of it, light it is not.
+    view.show("seen", picture, true);
+    EXPECT_EQ(view.title(), "seen: color, (0, 0) R 0.7297 G 0.7297 B 0.7297");
+    picture.metadata["exposure"] = "-1 fast";
+    view.show("seen", picture, true);
+    EXPECT_EQ(view.paint(), (Pixels{0xdedede})); // 255 (1.055 x .7297^(1 / 2.4) - .055)
+}
+
 TEST(View, strangeValuesAndPicturesAreShownToo) {
     const float nan = std::nanf(""), inf = INFINITY;
     View view = viewOf(pictureOf(4, 1, {{"Z", {nan, inf, 3e38f, -1}}}));
