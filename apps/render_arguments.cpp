@@ -44,8 +44,13 @@ void RenderArguments::addTo(CLI::App &app) {
         ->type_name("FILE");
     app.add_option("--frames", frames, "The frames to render: 1-10,20; default: all")
         ->check(CLI::Validator(checked(parseFrameNumbers, "numbers and ranges: 1-10,20"), ""));
-    app.add_option("--spp", samples, "Samples a pixel, in place of PixelSamples")
+    app.add_option("--spp", samples,
+                   "Samples of every pixel, in place of PixelSamples and PixelVariance")
         ->check(CLI::Range(1, maximumSamplesPerPixel));
+    app.add_option("--pixel-variance", settings.pixelVariance,
+                   "Pixels take as many samples as this variance needs, in place of PixelVariance; "
+                   "--spp or PixelSamples are the most")
+        ->check(CLI::Range(0.0, 1e30));
     app.add_option("--threads", settings.threads, "Threads; default: all cores")
         ->check(CLI::Range(1, 1024));
     app.add_option("--seed", settings.seed, "Seed of all random choices; default 0");

@@ -229,14 +229,14 @@ FrameEnd makePicture(const FrameJob &job, const PictureShaders &shaders,
         std::optional<Interrupt> interrupt;
         if (keeping.heedsSignals)
             interrupt.emplace();
-        FrameKeeper keeper(
-            keeping, progress, sinks.first(),
-            {[&] {
-                 return (interrupt && interrupt->asked()) || (job.taker && job.taker->wantsEnd());
-             },
-             lookAt(job, film),
-             [&](FrameEnd why) { writeAndEnd(job, shaders, progress, film, why); }},
-            diagnostics);
+        FrameKeeper keeper(keeping, progress, sinks.first(),
+                           {[&] {
+                                return (interrupt && interrupt->asked()) ||
+                                       (job.taker && job.taker->wantsEnd());
+                            },
+                            lookAt(job, film),
+                            [&](FrameEnd why) { writeAndEnd(job, shaders, progress, film, why); }},
+                           diagnostics);
         integrateFrame(job, filter, sinks.film, sinks.first(), progress);
         keeper.leave();
         end = keeper.end();

@@ -33,7 +33,10 @@ void overrideOptions(const RenderSettings &settings, Options &options) {
     if (settings.samplesPerPixel) {
         options.xSamples = float(*settings.samplesPerPixel);
         options.ySamples = 1;
+        options.pixelVariance.reset(); // That many are wanted.
     }
+    if (settings.pixelVariance)
+        options.pixelVariance = settings.pixelVariance;
     if (settings.crop) {
         options.format.cropWindow = *settings.crop;
         options.places.cropWindow = {};

@@ -18,6 +18,8 @@ namespace candela {
 /// What the command line says; unset = as the RIB has it.
 struct RenderSettings {
     std::optional<int> samplesPerPixel;
+    /// Unset: as the RIB has it, unless samplesPerPixel is given.
+    std::optional<float> pixelVariance;
     std::optional<std::string> integrator;    ///< "path", "bidir", "vcm", "radiosity" or "classic".
     std::optional<std::array<float, 4>> crop; ///< NDC: x0, x1, y0, y1.
     std::optional<std::array<int, 2>> resolution;

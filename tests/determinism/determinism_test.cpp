@@ -15,15 +15,10 @@ namespace {
 /// The pictures of a run, with any options.
 class Rendering {
 public:
-    /// `before` is RIB that stands before the scene's.
-    explicit Rendering(const std::vector<std::string> &options, const std::string &before = "") {
+    explicit Rendering(const std::vector<std::string> &options) {
         const std::string here = CANDELA_SOURCE_DIR "/tests/determinism";
-        std::vector<std::string> arguments{folder_.write("before.rib", before),
-                                           here + "/everything.rib",
-                                           "--shader-path",
-                                           here + "/shaders",
-                                           "--output-dir",
-                                           folder_.path()};
+        std::vector<std::string> arguments{here + "/everything.rib", "--shader-path",
+                                           here + "/shaders", "--output-dir", folder_.path()};
         arguments.insert(arguments.end(), options.begin(), options.end());
         Outcome run = runCandela(arguments);
         EXPECT_EQ(run.status, 0) << run.text();
@@ -120,8 +115,8 @@ TEST(Determinism, CropsJoinAtOneLaneAndOneThread) {
 // Pixels take different numbers of samples, and look at those around them, beyond the crop too.
 TEST(Determinism, AdaptiveSampling) {
     const auto rendered = [](std::vector<std::string> options) {
-        options.insert(options.end(), {"--spp", "128"});
-        return Rendering(options, "PixelVariance 2e-3\n");
+        options.insert(options.end(), {"--spp", "128", "--pixel-variance", "2e-3"});
+        return Rendering(options);
     };
     const Rendering whole = rendered({"--threads", "2", "--lanes", "16"});
     ASSERT_TRUE(whole.color.metadata.contains("sppRange"));

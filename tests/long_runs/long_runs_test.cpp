@@ -148,6 +148,18 @@ TEST_F(LongRuns, SayHowManySamplesPixelsHave) {
             EXPECT_TRUE(std::stod(spp) > 17 && std::stod(spp) < 180) << named << spp;
         }
     }
+    // The command line has the last word.
+    folder_.write("scene.rib",
+                  "Display \"out.exr\" \"openexr\" \"rgb\"\n" + world(200, "PixelVariance 1e9\n"));
+    for (const auto &[words, spp] : {std::pair<std::vector<std::string>, const char *>{{}, "16"},
+                                     {{"--spp", "64"}, "64"},
+                                     {{"--spp", "64", "--pixel-variance", "1e9"}, "16"},
+                                     {{"--pixel-variance", "0"}, "200"}}) {
+        std::vector<std::string> all{"scene.rib", "--integrator", "path"};
+        all.insert(all.end(), words.begin(), words.end());
+        EXPECT_EQ(run(all).status, 0);
+        EXPECT_EQ(told("out.exr", "spp"), spp);
+    }
 }
 
 TEST_F(LongRuns, GoOnWithTheFrameThatWasUnderWay) {

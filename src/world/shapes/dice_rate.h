@@ -12,7 +12,7 @@ namespace candela {
 /// ShadingRate 1; it grows with its square root.
 inline constexpr float chordPixels = 0.1f;
 /// A finer ShadingRate is taken for this one, which shows no difference any more.
-inline constexpr float finestShadingRate = 0.01f;
+inline constexpr float finestShadingRate = 0.00001f;
 
 /// The box around a transformed box.
 Box3 transformBox(const Matrix4 &, const Box3 &);
