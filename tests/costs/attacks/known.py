@@ -2,13 +2,11 @@
 """Inputs that break a limit still, and why; costs.py --known tries them."""
 
 READ_OFTEN = "all that is read is kept: half of the size, some thousand times"
-PICTURES = "the library of pictures believes the header"
 GRID = "each blobby has a grid of its own, and a few thousand triangles"
 LAYERS = "each ray meets thousands of surfaces, and the world is of nothing else"
 TURNS = "each loop has turns of its own, and a turn may be dear"
 PRINTED = "printf() may print what it likes"
 STRINGS = "a shader is compiled once for each of its strings"
-FOLDERS = "each name is looked for in each of thousands of folders"
 SPARSE = "a file of a terabyte of zeros is read to its end"
 
 KNOWN = {
@@ -30,15 +28,11 @@ KNOWN = {
     "glass-shells-by-radiosity": LAYERS,
     "clear-shells-by-radiosity": LAYERS,
     "displaced-by-the-thousand": "displaced cells are counted by displacing them",
-    "strange-archive": SPARSE,
-    "strange-procedural": SPARSE,
     "strange-shadow": SPARSE,
     "scene-of-zeros-from-a-device": SPARSE,
     "messages-of-textures": STRINGS,
     "surfaces-by-strings": STRINGS,
     "shaders-each-another": "a thousand shaders, some ten milliseconds each",
-    "search-path-entries": FOLDERS,
-    "search-path-of-archives": FOLDERS,
     "filters": "thousands of filters, each run",
     "filter-of-png-bomb": "a filter takes seven times the memory of its picture",
     "printed-by-every-point": PRINTED,
@@ -51,11 +45,4 @@ KNOWN = {
     "shader-long-occlusions": TURNS,
     "shader-one-arguments": "arguments of a spline have no limit",
     "compile-to-asm": "all entry points of a long shader, in one go",
-    "texture-of-exr-attribute-huge": PICTURES,
-    "tex-of-exr-attribute-huge": PICTURES,
-    "texture-of-tiff-large": PICTURES,
-    "texture-of-tiff-packed": PICTURES,
-    "tex-of-tiff-packed": PICTURES,
-    "texture-of-gif-large": PICTURES + ", and throws",
-    "tex-of-gif-large": PICTURES + ", and throws",
 }
