@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <new>
 #include <optional>
+#include <system_error>
 
 namespace candela {
 
@@ -21,12 +22,21 @@ constexpr int lookShare = 20;
 /// Samples in flight end within a fraction of it, unless a shader does not end.
 constexpr auto grace = 1500ms;
 
+/// A thread takes memory, and counts as that.
+template <class Work> std::thread started(Work work) {
+    try {
+        return std::thread(std::move(work));
+    } catch (const std::system_error &) {
+        throw std::bad_alloc();
+    }
+}
+
 } // namespace
 
 FrameKeeper::FrameKeeper(const FrameKeeping &keeping, FrameProgress &progress,
                          const ResumableSink &sink, Duties duties, DiagnosticSink &diagnostics)
     : keeping_(keeping), progress_(progress), sink_(sink), duties_(std::move(duties)),
-      diagnostics_(diagnostics), thread_([this] { watch(); }) {}
+      diagnostics_(diagnostics), thread_(started([this] { watch(); })) {}
 
 FrameKeeper::~FrameKeeper() { leave(); }
 

@@ -31,6 +31,23 @@ TEST_F(Memory, IsEnoughForASmallScene) {
     expectDisc();
 }
 
+// Wherever it runs out: reading, compiling, starting threads; but where no program begins.
+TEST_F(Memory, RunsOutInGoodOrder) {
+    int pictures = 0, errors = 0;
+    for (long megabytes = 280; megabytes <= 520; megabytes += 8) {
+        RunSettings little;
+        little.memoryLimit = megabytes << 20;
+        const Outcome run = render(sceneWith("Surface \"wood\"\n"), {"--threads", "2"}, little);
+        if (run.says("error while loading shared libraries"))
+            continue;
+        EXPECT_TRUE(run.status == 0 || run.status == 1) << megabytes << " MB\n" << run.text();
+        EXPECT_TRUE(run.status == 0 || run.says("error: ")) << megabytes << " MB\n" << run.text();
+        ++(run.status == 0 ? pictures : errors);
+    }
+    EXPECT_GT(pictures, 0);
+    EXPECT_GT(errors, 0);
+}
+
 // Dicing, on all threads.
 TEST_F(Memory, MayNotSufficeForTriangles) {
     std::string spheres = "ShadingRate .01\nTranslate 0 0 3\n";

@@ -172,7 +172,7 @@ EmbreeDevice::EmbreeDevice() : device_(newDevice()) {
 }
 
 EmbreeDevice::~EmbreeDevice() {
-    if (device_)
+    if (device_ && !isStuck_)
         rtcReleaseDevice(device_);
 }
 
@@ -180,6 +180,7 @@ void EmbreeDevice::takeError(void *self, RTCError error, const char *text) {
     auto *device = static_cast<EmbreeDevice *>(self);
     if (!device->failure_.empty())
         return;
+    device->isStuck_ = error == RTC_ERROR_UNKNOWN;
     device->failure_ = error == RTC_ERROR_OUT_OF_MEMORY
                            ? "there is not enough memory for what rays are to meet"
                            : "the ray tracer reports: " + std::string(text ? text : "an error");

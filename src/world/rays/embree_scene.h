@@ -35,6 +35,9 @@ public:
 
     RTCDevice get() const { return device_; }
     const std::string &failure() const { return failure_; }
+    /// It has failed in its midst (threads that could not be had), and ends the program where what
+    /// it has begun is released.
+    bool isStuck() const { return isStuck_; }
     /// How many rays a packet holds that this device traces as it is: 16, 8 or 4.
     int packetWidth() const;
 
@@ -43,6 +46,7 @@ private:
 
     RTCDevice device_;
     std::string failure_;
+    bool isStuck_ = false;
 };
 
 struct RayTracerUnits {

@@ -396,6 +396,8 @@ RayWorld::RayWorld(const RayObject &world, std::span<const RayObject> objects,
 }
 
 RayWorld::~RayWorld() {
+    if (handles_->device.isStuck())
+        return;
     if (handles_->scene)
         rtcReleaseScene(handles_->scene);
     for (RTCScene object : handles_->objects)
