@@ -93,10 +93,10 @@ std::unique_ptr<FrameChooser> makeChooser(const RenderSettings &settings, Reques
                                    : std::make_unique<FrameChooser>(sink, settings.frames);
 }
 
-std::unique_ptr<FingerprintSink> makeFingerprint(const RenderSettings &settings,
-                                                 RequestSink &sink) {
+std::unique_ptr<StreamFingerprint> makeFingerprint(const RenderSettings &settings,
+                                                   RequestSink &sink) {
     const bool isWanted = !settings.checkpointFile.empty() || !settings.resumeFile.empty();
-    return isWanted ? std::make_unique<FingerprintSink>(sink) : nullptr;
+    return isWanted ? std::make_unique<StreamFingerprint>(sink) : nullptr;
 }
 
 std::unique_ptr<WorldFingerprint> makeWorldFingerprint(const RenderSettings &settings,
@@ -142,9 +142,9 @@ struct SceneReading::State {
     ShaderWarnings shaderWarnings;
     SceneCompiler world;
     GraphicsState graphics;
-    std::unique_ptr<FrameChooser> chooser;        ///< Null where all frames are wanted.
-    std::unique_ptr<WorldFingerprint> ofWorld;    ///< Null unless a solution is to be kept.
-    std::unique_ptr<FingerprintSink> fingerprint; ///< Null unless there are to be checkpoints.
+    std::unique_ptr<FrameChooser> chooser;          ///< Null where all frames are wanted.
+    std::unique_ptr<WorldFingerprint> ofWorld;      ///< Null unless a solution is to be kept.
+    std::unique_ptr<StreamFingerprint> fingerprint; ///< Null unless there are to be checkpoints.
     RibReader reader;
     bool sawWorld = false;
 };
