@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lights, shaders, named options and attributes, and what of them is refused.
 #include "interface/ri/graphics_state_fixture.h"
+#include "interface/ri/search_path.h"
 #include "interface/ri/trim_record.h"
 
 #include <cmath>
@@ -176,6 +177,17 @@ TEST_F(State, searchPathsAreExpanded) {
     other.worldBegin(at);
     EXPECT_EQ(builder.worlds[0].options.named.string("searchpath:shader", ""),
               "first:mine:lib:more");
+}
+
+TEST_F(State, searchPathsThatAreTooLongAreTold) {
+    std::string path;
+    for (std::size_t i = 0; i < mostSearchFolders; ++i)
+        path += "/f" + std::to_string(i) + ":";
+    state.option(at, "searchpath", text("string shader", path));
+    EXPECT_EQ(warnings(), 0);
+    state.option(at, "searchpath", text("string shader", path + "/more"));
+    EXPECT_EQ(warnings(), 1);
+    EXPECT_TRUE(says("at most 256 folders"));
 }
 
 TEST_F(State, displaysReplaceOrAdd) {

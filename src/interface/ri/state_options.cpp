@@ -273,8 +273,8 @@ void StateHandlers::relativeDetail(const SourceLocation &where, float detail) {
     state_.options.relativeDetail = detail;
 }
 
-/// What the path's text stands for becomes its value.
-static void expandSearchPath(Parameter &path, const GraphicsStateSettings::SearchPaths &standards,
+/// What the path's text stands for becomes its value. False if it has more folders than may be.
+static bool expandSearchPath(Parameter &path, const GraphicsStateSettings::SearchPaths &standards,
                              const Options &options, const SourceLocation &where) {
     std::string text;
     for (const std::string &each : path.strings)
@@ -286,6 +286,7 @@ static void expandSearchPath(Parameter &path, const GraphicsStateSettings::Searc
     std::string previous = options.named.string("searchpath:" + path.name, "");
     path.strings = {withFoldersBeside(expandSearchPath(text, previous, standard),
                                       where.file ? *where.file : std::string())};
+    return splitSearchPath(text).size() <= mostSearchFolders;
 }
 
 void StateHandlers::option(const SourceLocation &where, const std::string &category,
@@ -293,14 +294,11 @@ void StateHandlers::option(const SourceLocation &where, const std::string &categ
     for (Parameter &parameter : parameters_.ofCategory(tokens, "Option", category)) {
         if (!checkStateParameter(diagnostics_, where, "Option", category, parameter))
             continue;
-        if (category == "searchpath" && !parameter.strings.empty()) {
-            expandSearchPath(parameter, settings_.searchPaths, state_.options, where);
-            if (splitSearchPath(parameter.strings[0]).size() >= mostSearchFolders)
-                diagnostics_.warning(where, "Option",
-                                     "a search path has at most " +
-                                         std::to_string(mostSearchFolders) +
-                                         " folders; those behind them are left out");
-        }
+        if (category == "searchpath" && !parameter.strings.empty() &&
+            !expandSearchPath(parameter, settings_.searchPaths, state_.options, where))
+            diagnostics_.warning(where, "Option",
+                                 "a search path has at most " + std::to_string(mostSearchFolders) +
+                                     " folders; those behind them are left out");
         std::string name = category + ":" + parameter.name;
         state_.options.named[std::move(name)] = std::move(parameter);
     }
