@@ -47,8 +47,9 @@ void takeSlots(PathWave &wave, const CameraSamples &camera) {
         std::fill_n(results.channels[plane], wave.slots, wave.frame.firstHit[plane].background);
 }
 
-/// Active paths without a history, one for each slot. So many of its samples share a number.
-void takePaths(PathWave &wave, std::uint32_t samplesOfNumber) {
+/// Active paths without a history, one for each slot. Of halves an even and an odd sample share a
+/// number.
+void takePaths(PathWave &wave, bool areHalves) {
     ActivePaths &active = wave.active;
     active.rays.count = active.count = wave.slots;
     active.rays.shares = nullptr;
@@ -63,7 +64,7 @@ void takePaths(PathWave &wave, std::uint32_t samplesOfNumber) {
     std::fill_n(active.depth, wave.slots, 0);
     lanes::fill(wave.slots, 1, active.seen);
     for (int i = 0; i < wave.slots; ++i)
-        active.sampleIndex[i] = std::uint32_t(wave.results.sampleIndex[i]) / samplesOfNumber;
+        active.sampleIndex[i] = std::uint32_t(wave.results.sampleIndex[i]) >> int(areHalves);
     if (wave.frame.scene.hasVolumes())
         beginMedia(wave.slots, active.media);
 }
@@ -79,10 +80,10 @@ void shareFootprints(int samples, RayBatch &rays) {
 } // namespace
 
 void startCamera(PathWave &wave, const CameraSamples &samples) {
-    const int sequences = samples.halves ? 2 : 1;
+    const bool areHalves = samples.halves != nullptr;
     takeSlots(wave, samples);
-    takePaths(wave, std::uint32_t(sequences));
-    const int ofSequence = samples.last / sequences;
+    takePaths(wave, areHalves);
+    const int ofSequence = samples.last >> int(areHalves);
     const Camera &camera = wave.frame.scene.camera();
     PathResults &results = wave.results;
     std::array<float *, 2 * cameraPairs> numbers;
@@ -128,7 +129,7 @@ void startGathering(PathWave &wave, int count, const int *lane, const GatheringR
                  {from.y, results.y},
                  {reinterpret_cast<const int *>(from.sampleIndex), results.sampleIndex},
                  {from.pixelKey, results.keys[0]}});
-    takePaths(wave, 1);
+    takePaths(wave, false);
 
     ActivePaths &active = wave.active;
     RayBatch &rays = active.rays;
