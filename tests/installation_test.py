@@ -34,6 +34,11 @@ LightSource "ambientlight" 1
 Polygon "P" [-1 -1 1  -1 1 1  1 1 1  1 -1 1]
 WorldEnd
 """
+# A module that tells that it was loaded, for places where none is to be looked for.
+PLANTED = """
+#include <stdio.h>
+__attribute__((constructor)) static void tell(void) { puts("planted"); }
+"""
 # Of the table: what RIB alone has.
 NOT_IN_C = {"version"}
 
@@ -75,6 +80,24 @@ def check_names(prefix, source):
     assert not strangers, f"libcandela.a shows {strangers[:5]} and {len(strangers)} in all"
 
 
+def check_strangers_are_not_loaded(prefix, environment, compiler):
+    """With its own modules gone, the program loads none that lie in folders around the installation,
+    the current one or the scene's."""
+    around = prefix.parent
+    (around / "planted.c").write_text(PLANTED)
+    (prefix / "lib/candela").rename(prefix / "lib/away")
+    for folder in (around, prefix / "bin", prefix / "lib"):
+        (folder / "lib/candela").mkdir(parents=True)
+        for module in (prefix / "lib/away").iterdir():
+            run(compiler, "-shared", "-fPIC", around / "planted.c", "-o",
+                folder / "lib/candela" / module.name)
+    for words in (["scene.rib"], ["view", "scene.exr"]):
+        done = subprocess.run([prefix / "bin/candela", *words], capture_output=True, text=True,
+                              check=False, cwd=around, env=environment)
+        assert done.returncode == 1 and "planted" not in done.stdout, done
+        assert "there is no lib/candela/" in done.stderr, done
+
+
 def main():
     if len(sys.argv) != 4:
         sys.exit(__doc__)
@@ -113,6 +136,7 @@ def main():
         (folder / "scene.rib").write_text(SCENE)
         run(prefix / "bin/candela", "--quiet", "scene.rib", cwd=folder, env=environment)
         assert (folder / "scene.exr").exists()
+        check_strangers_are_not_loaded(prefix, environment, compiler)
 
 
 if __name__ == "__main__":

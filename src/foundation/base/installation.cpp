@@ -25,18 +25,30 @@ static fs::path fileOfThisCode() {
     return {};
 }
 
+fs::path prefixOf(const fs::path &file) {
+    constexpr int deepest = 4; // lib/python3/dist-packages/candela
+    const fs::path folder = file.parent_path();
+    if (folder.filename() == "bin")
+        return folder.parent_path();
+    fs::path above = folder;
+    for (int level = 0; level <= deepest && above.has_relative_path(); ++level) {
+        const std::string name = above.filename().string();
+        above = above.parent_path();
+        if (name == "lib" || name == "lib64")
+            return above;
+    }
+    return {};
+}
+
 std::optional<fs::path> installedPath(const std::string &relative) {
-    static const fs::path code = fileOfThisCode();
-    std::error_code error;
-    const auto in = [&](const fs::path &folder) {
-        const fs::path path = fs::canonical(folder / relative, error);
-        return error ? std::nullopt : std::optional(path);
-    };
-    for (fs::path folder = code.parent_path(); folder.has_relative_path();
-         folder = folder.parent_path())
-        if (const auto found = in(folder))
-            return found;
-    return in(CANDELA_PREFIX);
+    static const fs::path prefix = prefixOf(fileOfThisCode());
+    for (const fs::path &folder : {prefix, fs::path(CANDELA_PREFIX)}) {
+        std::error_code error;
+        const fs::path path = folder.empty() ? fs::path() : fs::canonical(folder / relative, error);
+        if (!error && !path.empty())
+            return path;
+    }
+    return std::nullopt;
 }
 
 } // namespace candela
