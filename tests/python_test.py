@@ -49,6 +49,8 @@ CALLS = [
     (lambda: ri.DepthOfField(), "DepthOfField"),
     (lambda: ri.Surface("plastic", Kd=.5, texturename="wood.tx"),
      'Surface "plastic" "Kd" [0.5] "texturename" ["wood.tx"]'),
+    (lambda: ri.Attribute("user", {"integer ids[2]": [16777217, -3]}),
+     'Attribute "user" "integer ids[2]" [16777217 -3]'),
     (lambda: ri.Attribute("user", {"string moods[2]": ["calm", "wild"]}),
      'Attribute "user" "string moods[2]" ["calm" "wild"]'),
     # Arrays of every kind and shape are their numbers, row by row.

@@ -55,7 +55,7 @@ TEST(Calls, writeTheirRequests) {
     RtBasis own = {{1, 2, 3, 4}, {5, 6, 7, 8}, {9, 10, 11, 12}, {13, 14, 15, 16}};
     RtBound box = {0, 1, 2, 3, 4, 5};
     RtFloat one = 1;
-    RtInt four[] = {4};
+    RtInt four[] = {4}, wide[] = {16777217, -2147483647};
     RtString calm[] = {"calm"};
     const struct {
         std::function<void()> call;
@@ -72,6 +72,8 @@ TEST(Calls, writeTheirRequests) {
          "Display \"a.exr\" \"file\" \"rgb\""},
         {[&] { RiOption("trace", "integer maxdepth", four, RI_NULL); },
          "Option \"trace\" \"integer maxdepth\" [4]"},
+        {[&] { RiAttribute("user", "integer[2] ids", wide, RI_NULL); },
+         "Attribute \"user\" \"integer[2] ids\" [16777217 -2147483647]"},
         {[&] { RiAttribute("user", "string mood", calm, RI_NULL); },
          "Attribute \"user\" \"string mood\" [\"calm\"]"},
         {[&] { RiColor(red), RiOpacity(red); }, "Color [1 0 0.5]\nOpacity [1 0 0.5]"},

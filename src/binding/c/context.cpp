@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "binding/c/context.h"
 
+#include "interface/ri/wide_integers.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
@@ -71,6 +73,7 @@ TokenList Context::list(const VariableCounts &counts, const Parameters &given,
         } else if (type->type == ValueType::Integer) {
             const auto *integers = static_cast<const RtInt *>(given.values[i]);
             parameter.floats.assign(integers, integers + values);
+            parameter.integers = wideIntegers({integers, values});
         } else {
             const auto *floats = static_cast<const RtFloat *>(given.values[i]);
             parameter.floats.assign(floats, floats + values);

@@ -2,6 +2,7 @@
 #include "binding/python/arguments.h"
 
 #include "binding/python/values.h"
+#include "interface/ri/wide_integers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,6 +71,8 @@ void Arguments::addParameter(TokenList &list, const std::string &token, py::hand
     else
         throw py::type_error(std::string(request_.name) + ": expected numbers or strings for '" +
                              token + "', not " + kindOf(value));
+    if (const auto integers = integersOf(value))
+        parameter.integers = wideIntegers(*integers);
     list.all.push_back(std::move(parameter));
 }
 

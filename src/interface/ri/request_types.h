@@ -45,6 +45,8 @@ struct TokenValue {
     SourceLocation where;
     Floats floats; ///< Numbers, or
     Strings strings;
+    /// The same numbers, if all are whole and a float cannot hold one of them; else nothing.
+    Integers integers = {};
 };
 
 /// The parameter list at the end of a request.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "interface/rib/lexer.h"
 
+#include "interface/ri/wide_integers.h"
 #include "interface/rib/number_text.h"
 #include "interface/rib/request_names.h"
 
@@ -219,9 +220,12 @@ template <class Value> struct VectorRoom {
     std::vector<Value> &values;
     static bool isFull() { return false; }
     void put(double value) { values.push_back(Value(value)); }
+    /// Integers that floats cannot hold are next()'s, for parameters to keep.
     static bool takes(const TextNumber &number) {
-        return std::is_same_v<Value, float> ||
-               (number.whole && std::fabs(number.value) <= std::numeric_limits<int>::max());
+        if constexpr (std::is_same_v<Value, float>)
+            return !number.whole || !isWideInteger(number.value);
+        else
+            return number.whole && std::fabs(number.value) <= std::numeric_limits<int>::max();
     }
 };
 

@@ -60,6 +60,8 @@ private:
             add(parameter.token);
             addAll(parameter.floats);
             addAll(parameter.strings);
+            if (!parameter.integers.empty())
+                addAll(parameter.integers);
         }
     }
     template <class Value> void add(const std::vector<Value> &values) { addAll(values); }

@@ -62,10 +62,12 @@ static void write(RibEncoder &to, RequestId id, const SubdivisionTags &tags) {
 static void write(RibEncoder &to, RequestId, const TokenList &list) {
     for (const TokenValue &parameter : list.all) {
         to.token(parameter.token);
-        if (parameter.strings.empty())
-            to.array(std::span<const float>(parameter.floats));
-        else
+        if (!parameter.strings.empty())
             to.array(parameter.strings);
+        else if (!parameter.integers.empty())
+            to.array(std::span<const int>(parameter.integers));
+        else
+            to.array(std::span<const float>(parameter.floats));
     }
 }
 

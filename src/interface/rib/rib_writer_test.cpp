@@ -2,6 +2,7 @@
 // What is written as RIB, ASCII or binary, makes the same calls when it is read.
 #include "interface/rib/rib_writer.h"
 
+#include "interface/ri/wide_integers.h"
 #include "interface/rib/listing_sink.h"
 #include "interface/rib/rib_stream.h"
 
@@ -79,10 +80,19 @@ private:
     void fill(TokenValue &parameter) {
         // Some of the names come again.
         parameter.token = below(2) ? any<std::string>() : "P" + std::to_string(below(3));
-        if (below(2))
+        const int kind = below(3);
+        if (kind == 0)
             fill(parameter.floats);
-        else
+        else if (kind == 1)
             fill(parameter.strings);
+        else
+            fillWithIntegers(parameter);
+    }
+    void fillWithIntegers(TokenValue &parameter) {
+        Integers integers;
+        fill(integers);
+        parameter.floats.assign(integers.begin(), integers.end());
+        parameter.integers = wideIntegers(integers);
     }
     void fill(TokenList &list) {
         list.all.resize(std::size_t(below(4)));
@@ -147,6 +157,59 @@ TEST(RibWriter, whatIsWrittenMakesTheSameCalls) {
         ASSERT_EQ(ofBinary.requests, direct.list) << seed;
         ASSERT_EQ(rewritten(rewritten(ascii, RibEncoding::Binary), RibEncoding::Ascii), ascii);
         ASSERT_LT(binary.size(), ascii.size());
+    }
+}
+
+/// What stands in `values`, through both encodings.
+void expectSameValues(const std::string &values, const std::string &expected) {
+    for (const char *request :
+         {"Attribute \"user\" \"uniform integer id\" ", "Attribute \"identifier\" \"id\" ",
+          "Option \"user\" \"int n\" ", "Surface \"matte\" \"Kd\" ", "Points \"P\" "}) {
+        const std::string ascii = rewritten(request + values, RibEncoding::Ascii);
+        EXPECT_EQ(ascii, request + expected + "\n");
+        const std::string binary = rewritten(request + values, RibEncoding::Binary);
+        EXPECT_EQ(rewritten(binary, RibEncoding::Ascii), ascii);
+        EXPECT_EQ(rewritten(rewritten(ascii, RibEncoding::Binary), RibEncoding::Binary), binary);
+        EXPECT_EQ(listOf(binary).requests, listOf(request + values).requests);
+    }
+}
+
+TEST(RibWriter, integersThatFloatsCannotHoldStayWhatTheyAre) {
+    const std::pair<const char *, const char *> rows[] = {
+        {"16777216", "[16777216]"},
+        {"16777217", "[16777217]"},
+        {"[-16777217]", "[-16777217]"},
+        {"[1 2 123456789 -4 33554433 0]", "[1 2 123456789 -4 33554433 0]"},
+        {"[2147483647 -2147483648]", "[2147483647 -2147483648]"},
+        {"[16777217 3.0 1e3]", "[16777217 3 1000]"},
+        {"[+16777217 007]", "[16777217 7]"},
+        // With others beside them they are what floats make of them, as they are beyond ints.
+        {"[16777217 .5]", "[16777216 0.5]"},
+        {"[.5 16777217]", "[0.5 16777216]"},
+        {"[16777217 -0.0]", "[16777216 -0]"},
+        {"[16777217.0]", "[16777216]"},
+        {"[16777217 1e30]", "[16777216 1e+30]"},
+        {"[16777217 nan]", "[16777216 nan]"},
+        {"[16777217 2147483648]", "[16777216 2147483648]"},
+    };
+    for (const auto &[values, expected] : rows)
+        expectSameValues(values, expected);
+}
+
+/// Beyond what the lexer takes at once, with few and with many of them.
+TEST(RibWriter, integersOfLongListsStayWhatTheyAre) {
+    for (const int step : {1, 7, 40000}) {
+        Integers integers(100000);
+        for (int i = 0; i < 100000; ++i)
+            integers[std::size_t(i)] = i % step == 0 ? 1000000007 - i : i;
+        const auto request = [&](StreamSink &sink) {
+            sink.attribute({}, "user",
+                           {{{"ids", {}, Floats(integers.begin(), integers.end()), {}, integers}}});
+        };
+        ListingSink direct;
+        request(direct);
+        for (const RibEncoding encoding : {RibEncoding::Ascii, RibEncoding::Binary})
+            EXPECT_TRUE(listOf(written(encoding, request)).requests == direct.list) << step;
     }
 }
 
