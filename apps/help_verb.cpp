@@ -8,10 +8,13 @@
 #include "render/console.h"
 #include "render/reference.h"
 #include "render/shader_folders.h"
+#include "render/shader_library_reference.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <iterator>
 #include <memory>
 
 namespace candela {
@@ -25,17 +28,23 @@ constexpr const char *topics =
     "  options      what Option sets\n"
     "  attributes   what Attribute sets\n"
     "  statements   those of the Shading Language that ask for light and give it\n"
-    "  functions    all functions of the Shading Language\n\n"
-    "candela filter --list tells of filters, candela --help and candela VERB --help of verbs\n";
+    "  functions    all functions of the Shading Language\n"
+    "  shaders      those that come with Candela; or one kind of them: surfaces, lights,\n"
+    "               displacements, volumes, imagers, filters\n\n"
+    "candela info tells more of a shader, candela --help and candela VERB --help of verbs\n";
 
-/// Empty if no shader of that name is at hand.
-std::string entryOfShader(const std::string &name) {
+/// Of a shader of that name or file that scenes here would use, unless it is one of the library.
+std::vector<std::string> entriesOfOwnShader(const std::string &name) {
     Console console(Console::Words::Messages);
+    const ShaderFolders folders = shaderFolders("", {}, console);
     std::string problem;
-    const auto source = readShader(name, shaderFolders("", {}, console).all, problem);
-    return source ? "shader " + name + "\n    " + source->name + "; candela info " + name +
-                        " tells of its parameters"
-                  : "";
+    const auto source = readShader(name, folders.all, problem);
+    const auto isOf = [&](const std::string &folder) {
+        return std::filesystem::path(source->name).parent_path() == folder;
+    };
+    if (!source || std::ranges::any_of(folders.library, isOf))
+        return {};
+    return shaderEntries(*source, folders.all, console);
 }
 
 int tell(const std::string &word) {
@@ -44,8 +53,7 @@ int tell(const std::string &word) {
         return 0;
     }
     std::vector<std::string> entries = referenceOf(word);
-    if (const std::string shader = entryOfShader(word); !shader.empty())
-        entries.push_back(shader);
+    std::ranges::move(entriesOfOwnShader(word), std::back_inserter(entries));
     for (std::size_t k = 0; k < entries.size(); ++k)
         std::printf("%s%s\n", k > 0 ? "\n" : "", entries[k].c_str());
     if (!entries.empty())

@@ -7,13 +7,13 @@
 #include "language/runtime/services.h"
 #include "language/semantics/front.h"
 #include "render/console.h"
+#include "render/shader_entry.h"
 #include "render/shader_folders.h"
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
-#include <sstream>
 
 namespace candela {
 
@@ -32,49 +32,12 @@ std::string yesOrWhereNot(bool holds, int line) {
     return yesNo(holds) + (holds || line <= 0 ? std::string() : fmt::format(" (line {})", line));
 }
 
-std::string numberText(float number) { return fmt::format("{}", number); }
-
-/// "0.5", "(1, 0, 0)", "\"shader\" (0, 0, 0)", "{ 1, 2 }"
-std::string defaultText(const ir::ShaderParameter &parameter) {
-    if (parameter.computed)
-        return "computed where the shader starts";
-    const size_t elements = size_t(parameter.arraySize);
-    std::string list;
-    const auto add = [&](const std::string &text) { list += (list.empty() ? "" : ", ") + text; };
-    for (const std::string &text : parameter.stringDefaults)
-        add('"' + text + '"');
-    const size_t width = parameter.defaults.size() / elements;
-    for (size_t at = 0; at < parameter.defaults.size(); at += std::max<size_t>(1, width)) {
-        std::string element;
-        for (size_t c = 0; c < width; ++c)
-            element += (c ? ", " : "") + numberText(parameter.defaults[at + c]);
-        add(width == 1 ? element : "(" + element + ")");
-    }
-    const bool isGeometric =
-        parameter.type == "point" || parameter.type == "vector" || parameter.type == "normal";
-    const std::string space = isGeometric ? '"' + parameter.defaultSpace + "\" " : "";
-    return space + (elements > 1 ? "{ " + list + " }" : list);
-}
-
-/// The comment in one line.
-std::string inOneLine(const std::string &doc) {
-    std::istringstream words(doc);
-    std::string line;
-    for (std::string word; words >> word;)
-        if (word.find("SPDX-") == word.npos && word != "Apache-2.0")
-            line += (line.empty() ? "" : " ") + word;
-    return line;
-}
-
 void printParameters(const CompiledShader &compiled) {
     if (!compiled.parameters.empty())
         fmt::print("  parameters\n");
     for (size_t i = 0; i < compiled.parameters.size(); ++i) {
-        const ir::ShaderParameter &p = compiled.parameters[i];
-        const std::string size = p.arraySize > 1 ? fmt::format("[{}]", p.arraySize) : "";
         const std::string doc = inOneLine(compiled.parameterDocs[i]);
-        fmt::print("    {}{}{} {}{} = {}{}\n", p.output ? "output " : "",
-                   p.varying ? "varying " : "", p.type, p.name, size, defaultText(p),
+        fmt::print("    {}{}\n", declarationOf(compiled.parameters[i]),
                    doc.empty() ? "" : "  -- " + doc);
     }
 }

@@ -92,6 +92,21 @@ def complaints_of_limits(page, root):
             yield f"{page}: {path} has {name} = {value}, not {number}"
 
 
+def complaints_of_shaders(page, program):
+    """The page of the library shows every shader, and its captions name what the sheets show."""
+    text = page.read_text()
+    told = subprocess.run([program, "help", "shaders"], capture_output=True, text=True).stdout
+    shown = re.findall(r"^```\n\$ candela help \w+\n(?:\.\.\.\n)?(.*?)^```", text, re.MULTILINE | re.DOTALL)
+    if "\n".join(shown) != told:
+        yield f"{page}: it does not show all that candela help shaders does"
+    captions = re.findall(r"!\[.*\]\((\w+)s\.png\)\n\n(.*): from the left", text)
+    for kind, names in captions:
+        if re.findall(rf"^{kind} (\w+)\(", told, re.MULTILINE) != re.findall(r"`(\w+)`", names):
+            yield f"{page}: the caption of {kind}s names others; tools/shader-swatches makes the sheet"
+    if len(captions) != len(shown):
+        yield f"{page}: {len(shown)} kinds have {len(captions)} sheets"
+
+
 def complaints_of(page, program, root):
     for block in BLOCK.findall(page.read_text()):
         command, *shown = block.rstrip("\n").split("\n")
@@ -115,6 +130,7 @@ def main():
     complaints += [text for page in pages for text in complaints_of_listings(page, program)]
     complaints += [text for page in pages for text in complaints_of_links(page)]
     complaints += complaints_of_limits(root / "docs" / "limits.md", root)
+    complaints += complaints_of_shaders(root / "docs" / "reference" / "shaders.md", program)
     print("\n".join(complaints))
     print(f"{len(pages)} pages, {blocks} blocks, {len(complaints)} complaints")
     sys.exit(1 if complaints or not blocks else 0)

@@ -74,10 +74,10 @@ void addlevel(string level, coarser; float width, height, weight)
    Light goes elsewhere, none is lost or made. Same units as before.
    J. Vos, T. van den Berg, "Report on disability glare", CIE 135/1, 1999. */
 filter bloom(
-    float fieldofview = 45; /* degrees that the picture is wide, to its viewer's eye */
-    float age = 25;         /* of the viewer, years */
-    float pigment = .5;     /* of the eye: 0 black, .5 brown, 1.2 very light blue */
-    float strength = 1;     /* times as much light is scattered */)
+    float fieldofview = 45; /* how wide the picture is to its viewer's eye [1 to 170, degrees] */
+    float age = 25;         /* of the viewer [0 to 120, years] */
+    float pigment = .5;     /* of the eye [0, black, .5, brown, to 1.2, very light blue] */
+    float strength = 1;     /* times as much light is scattered [0 up] */)
 {
     float weights[LEVELS];
     float pixel = fieldofview / xsize; /* degrees */

@@ -20,14 +20,15 @@ float weightsacross(string kernel; float width; output float weights[])
 /* Convolves the picture with a kernel, given by name and width or as weights.
    A pixel alone becomes the kernel's picture; beyond the border, the border holds. */
 filter convolve(
-    string kernel = "gaussian"; /* box, triangle, gaussian, catmull-rom or lanczos */
-    float width = 5;            /* all of it, pixels; a gaussian deviates by a quarter */
-    float xwidth = 0;           /* the same across; 0: width */
-    float ywidth = 0;           /* and down */
-    float weights3[9] = {0};    /* instead: weights by rows from the top, as they are */
-    float weights5[25] = {0};   /* the same, of five rows and columns */
-    float weights7[49] = {0};   /* of seven */
-    float normalize = 0;        /* 1: weights are divided by their sum */)
+    string kernel = "gaussian"; /* its form ["box", "triangle", "gaussian", "catmull-rom" or
+                                   "lanczos"] */
+    float width = 5;            /* all of it; a gaussian deviates by a quarter [0 to 512, pixels] */
+    float xwidth = 0;           /* the same across [0, as width says, to 512, pixels] */
+    float ywidth = 0;           /* and down [0, as width says, to 512, pixels] */
+    float weights3[9] = {0};    /* instead: weights of 3 by 3 pixels, by rows from the top [any] */
+    float weights5[25] = {0};   /* the same, of 5 by 5 [any] */
+    float weights7[49] = {0};   /* of 7 by 7 [any] */
+    float normalize = 0;        /* whether weights are divided by their sum [0 or 1] */)
 {
     float x, y, i, j;
     float weights[49];

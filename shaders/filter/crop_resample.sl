@@ -66,12 +66,17 @@ void resample(string from, to, kernel;
 
 /* Cuts a part out of the picture and makes it anew in another size, across and then down. */
 filter crop_resample(
-    float crop[4] = {0, 1, 0, 1};  /* left, right, top, bottom, as parts of the picture */
-    float width = 0;               /* of what comes out, pixels; 0: in proportion to the height */
-    float height = 0;              /* the same; both 0: the part as it is */
-    string kernel = "catmull-rom"; /* box, triangle, gaussian, catmull-rom or lanczos */
-    float kernelwidth = 0;         /* its width, pixels, of the coarser picture; 0: the usual */
-    float negative = 0;            /* 1: keeps what kernels with negative lobes bring below 0 */)
+    float crop[4] = {0, 1, 0, 1};  /* left, right, top and bottom, as parts of the picture [0 to
+                                      1] */
+    float width = 0;               /* of what comes out [0, in proportion to the height, or 1 up,
+                                      pixels] */
+    float height = 0;              /* the same; both 0: the part as it is [0 or 1 up, pixels] */
+    string kernel = "catmull-rom"; /* its form ["box", "triangle", "gaussian", "catmull-rom" or
+                                      "lanczos"] */
+    float kernelwidth = 0;         /* its width, of the coarser picture [0, the usual, or above,
+                                      pixels] */
+    float negative = 0;            /* whether what kernels with negative lobes bring below 0 is
+                                      kept [0 or 1] */)
 {
     float x, y;
     float left = clamp(ceil(crop[0] * xsize - 1e-3), 0, xsize - 1);

@@ -1,12 +1,4 @@
-/* SPDX-License-Identifier: Apache-2.0
-   Spreads what single samples have brought to a few pixels over as many that nobody sees it:
-   H. Rushmeier and G. Ward, "Energy preserving non-linear filters", SIGGRAPH 94. The picture's sum
-   stays. For radiance: it comes before tone mapping.
-   By variance: a pixel whose 95 % interval is wide becomes the mean of its converged neighbours;
-   the difference goes to the pixels about it, each getting less than the eye sees. By fraction,
-   where no variance is known: a pixel that stands out is a Gaussian so wide that it adds no more
-   than a fraction to any pixel.
-   docs/filters/energy_preserving.md. */
+/* SPDX-License-Identifier: Apache-2.0 */
 
 #include "choices.h"
 
@@ -33,15 +25,28 @@ float receives(float x, y, object; color facing)
            && comp(square, 0) + comp(square, 1) + comp(square, 2) < TURN * TURN ? 1 : 0;
 }
 
+/* Spreads what single samples have brought to a few pixels over as many that nobody sees it:
+   H. Rushmeier and G. Ward, "Energy preserving non-linear filters", SIGGRAPH 94. The picture's sum
+   stays. For radiance: it comes before tone mapping.
+   By variance: a pixel whose 95 % interval is wide becomes the mean of its converged neighbours;
+   the difference goes to the pixels about it, each getting less than the eye sees. By fraction,
+   where no variance is known: a pixel that stands out is a Gaussian so wide that it adds no more
+   than a fraction to any pixel.
+   docs/filters/energy_preserving.md. */
 filter energy_preserving(
-    string by = "variance";  /* or "fraction" */
-    float steps = 8;         /* by variance: converged is what is known to so many grey steps */
-    float levels = 128;      /* grey steps from black to the average */
-    float average = 0;       /* luminance, cd/m^2; 0: the picture's, but for lamps */
-    float fraction = .01;    /* by fraction: of its neighbourhood that a pixel may add to others */
-    float radius = 8;        /* by fraction: pixels that a Gaussian goes out, at most */
-    float textured = 1;      /* 1: what the albedo explains is no noise; 0: as the paper has it */
-    float withinobjects = 1; /* 1: nothing goes across outlines and edges of objects; 0: it does */)
+    string by = "variance";  /* how outliers are found ["variance" or "fraction"] */
+    float steps = 8;         /* by variance: converged is what is known to so many grey steps
+                                [above 0] */
+    float levels = 128;      /* grey steps from black to the average [1 up] */
+    float average = 0;       /* luminance [0, the picture's but for lamps, or above, cd/m^2] */
+    float fraction = .01;    /* by fraction: of its neighbourhood that a pixel may add to others
+                                [0 to 1] */
+    float radius = 8;        /* by fraction: how far a Gaussian goes out at most [0 to 32,
+                                pixels] */
+    float textured = 1;      /* 1: what the albedo explains is no noise; 0: as the paper has it
+                                [0 or 1] */
+    float withinobjects = 1; /* whether nothing goes across outlines and edges of objects [0 or
+                                1] */)
 {
     float x, y, i, j, k;
 

@@ -5,13 +5,16 @@
    With aperture N, shutter t and speed S: value = L q S t / (78 N^2), L in cd/m^2, q = .65
    (ISO 12232); 2^EV = N^2/t. The meter chooses N^2/t = L S/K, K = 12.5 cd/m^2 (ISO 2720). */
 filter exposure_ev(
-    float EV = -1000;       /* exposure value of aperture and shutter; -1000: from those two */
-    float aperture = 0;     /* f-number */
-    float shutter = 0;      /* time, s; without it or aperture or EV: the meter's choice */
-    float ISO = 100;        /* speed of the sensor */
-    float compensation = 0; /* EV brighter */
-    float K = 12.5;         /* the meter's constant, cd/m^2 */
-    float q = .65;          /* of the lens: what share of light it passes, with its angles */)
+    float EV = -1000;       /* exposure value of aperture and shutter [-20 to 30; -1000: from
+                               those two] */
+    float aperture = 0;     /* f-number [.5 to 64; 0: as EV or the meter says] */
+    float shutter = 0;      /* time; without it or aperture or EV: the meter's choice [0 up,
+                               seconds] */
+    float ISO = 100;        /* speed of the sensor [above 0] */
+    float compensation = 0; /* how much brighter [any, EV] */
+    float K = 12.5;         /* the meter's constant [above 0, cd/m^2] */
+    float q = .65;          /* of the lens: what share of light it passes, with its angles [0 to
+                               1] */)
 {
     float apertureovertime; /* N^2/t, 1/s */
     float x, y;

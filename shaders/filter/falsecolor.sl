@@ -134,14 +134,18 @@ float maketicks(output float mantissas[], exponents[]; float top, decades, dense
 filter falsecolor(
     string quantity = "luminance"; /* "luminance", of a radiance, cd/m^2; "illuminance", of an
                                       irradiance, W/m^2, in lx; "matteilluminance", of a radiance
-                                      of matte surfaces and their albedo, lx */
-    string map = "Cs";             /* the picture of that radiance or irradiance */
-    float scale = 0;               /* the value at the top; 0: what .5 % of the pixels exceed */
-    float log = 0;                 /* 1: a logarithmic scale */
-    float decades = 0;             /* how many it has; 0: down to what 98 % exceed */
-    string palette = "spectrum";   /* "spectrum", "heat" or "grey" */
-    float contours = 0;            /* 1: lines at the legend's values; 2: on the picture itself */
-    float legend = 1;              /* 0: none; 1: on the picture's right; 2: beside it */)
+                                      of matte surfaces and their albedo, lx [one of these] */
+    string map = "Cs";             /* the picture of that radiance or irradiance [a map's name] */
+    float scale = 0;               /* the value at the top [0, what .5 % of the pixels exceed, or
+                                      above, cd/m^2 or lx] */
+    float log = 0;                 /* whether the scale is logarithmic [0 or 1] */
+    float decades = 0;             /* how many it has [0, down to what 98 % exceed, or above,
+                                      decades] */
+    string palette = "spectrum";   /* its colours ["spectrum", "heat" or "grey"] */
+    float contours = 0;            /* 1: lines at the legend's values; 2: on the picture itself
+                                      [0, 1 or 2] */
+    float legend = 1;              /* 0: none; 1: on the picture's right; 2: beside it [0, 1 or
+                                      2] */)
 {
     checkchoice("quantity", quantity, "luminance|illuminance|matteilluminance", "illuminance");
     checkchoice("palette", palette, "spectrum|heat|grey", "spectrum");

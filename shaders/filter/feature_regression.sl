@@ -1,11 +1,4 @@
-/* SPDX-License-Identifier: Apache-2.0
-   Denoises a picture by first-order regression on features (after Moon et al. 2014 and Bitterli et
-   al. 2016): about each pixel the colour is taken to be the albedo times a linear function of the
-   place. Who takes part in the fit, and by how much, is what non-local means makes of the light
-   alone, the colour over the albedo, whose noise the variance tells, and of the normals.
-   Where colour falls as albedo rises (the outline of a lamp), albedo explains nothing: there the
-   colour itself is a linear function of the place.
-   docs/filters/feature_regression.md. */
+/* SPDX-License-Identifier: Apache-2.0 */
 
 #define WIDEST 64          /* Pixels each way that may be told to be looked at. */
 #define ALBEDO_FLOOR .0002 /* What has no albedo is seen by this much. */
@@ -33,14 +26,24 @@ float inside(float at, size)
     return at >= 0 && at < size ? 1 : 0;
 }
 
+/* Denoises a picture by first-order regression on features (after Moon et al. 2014 and Bitterli et
+   al. 2016): about each pixel the colour is taken to be the albedo times a linear function of the
+   place. Who takes part in the fit, and by how much, is what non-local means makes of the light
+   alone, the colour over the albedo, whose noise the variance tells, and of the normals.
+   Where colour falls as albedo rises (the outline of a lamp), albedo explains nothing: there the
+   colour itself is a linear function of the place.
+   docs/filters/feature_regression.md. */
 filter feature_regression(
-    float search = 5;       /* pixels each way, where light like a pixel's own is sought */
-    float patch = 2;        /* pixels each way of the patches that are compared */
-    float tolerance = .35;  /* of patches, in standard errors */
-    float radius = 7;       /* pixels each way that a fit reaches */
-    float fittolerance = .3; /* of the light that a fit takes in, in standard errors */
-    float contrast = .12;   /* and besides, as a share of the light */
-    float bend = .3;        /* of normals: the length of their difference that counts as another */)
+    float search = 5;        /* how far away light like a pixel's own is sought [0 to 64, pixels
+                                each way] */
+    float patch = 2;         /* how large the patches are that are compared [0 to 64, pixels each
+                                way] */
+    float tolerance = .35;   /* of patches [above 0, standard errors] */
+    float radius = 7;        /* how far a fit reaches [0 to 64, pixels each way] */
+    float fittolerance = .3; /* of the light that a fit takes in [above 0, standard errors] */
+    float contrast = .12;    /* and besides, as a share of the light [0 to 1] */
+    float bend = .3;         /* of normals: the length of their difference that counts as
+                                another [0 to 2] */)
 {
     float x, y, i, j, k;
     float reach = min(search, WIDEST), around = min(patch, WIDEST), fit = min(radius, WIDEST);

@@ -35,10 +35,10 @@ color displayed(color c; float L, L_dmin, L_dmax)
    would see ("human"). Gives display values. G. Larson, H. Rushmeier, C. Piatko, "A visibility matching tone reproduction operator for high
    dynamic range scenes", IEEE TVCG 3(4), 1997. */
 filter histogram_adjust(
-    float L_dmax = 100;          /* greatest luminance of the display, cd/m^2 */
-    float L_dmin = 1;            /* least luminance of the display, cd/m^2 */
-    string contrast = "human";   /* what bounds it: "human", "linear", or "none" */
-    float fieldofview = 45;      /* degrees across; the eye adapts to one degree */)
+    float L_dmax = 100;        /* greatest luminance of the display [above L_dmin, cd/m^2] */
+    float L_dmin = 1;          /* least luminance of the display [above 0, cd/m^2] */
+    string contrast = "human"; /* what bounds it ["human", "linear" or "none"] */
+    float fieldofview = 45;    /* across; the eye adapts to one degree [1 to 170, degrees] */)
 {
     float frequency[BINS];
     float share[BINS + 1]; /* of what the eye sees: darker than where a bin begins */

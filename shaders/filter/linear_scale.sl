@@ -4,10 +4,11 @@
 
 /* Scales luminance by one factor: to a white that is given, the brightest pixel, or a mean. */
 filter linear_scale(
-    float L_white = 0;         /* luminance that becomes 1, cd/m^2; 0: as `reference` says */
-    string reference = "maximum"; /* of the picture: "maximum" becomes 1, its "mean" .5, or its
-                                     geometric mean, "logmean", .18 */
-    float gain = 1;            /* times this */)
+    float L_white = 0;            /* luminance that becomes 1 [0, as `reference` says, or above,
+                                     cd/m^2] */
+    string reference = "maximum"; /* "maximum" of the picture becomes 1, its "mean" .5, or its
+                                     geometric mean, "logmean", .18 [one of these] */
+    float gain = 1;               /* times this [0 up] */)
 {
     checkchoice("reference", reference, "maximum|mean|logmean", "maximum");
     float white = L_white;

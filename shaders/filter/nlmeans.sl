@@ -1,8 +1,4 @@
-/* SPDX-License-Identifier: Apache-2.0
-   Denoises a picture by non-local means (Buades, Coll and Morel 2005): each pixel becomes the mean
-   of those about it whose neighbourhoods look like its own. What is alike the variance tells
-   (Rousselle, Knaus and Zwicker 2012), and normals and albedo do.
-   docs/filters/nlmeans.md. */
+/* SPDX-License-Identifier: Apache-2.0 */
 
 #define WIDEST 64 /* Pixels each way that may be told to be looked at. */
 
@@ -28,13 +24,18 @@ float inside(float at, size)
     return at >= 0 && at < size ? 1 : 0;
 }
 
+/* Denoises a picture by non-local means (Buades, Coll and Morel 2005): each pixel becomes the mean
+   of those about it whose neighbourhoods look like its own. What is alike the variance tells
+   (Rousselle, Knaus and Zwicker 2012), and normals and albedo do.
+   docs/filters/nlmeans.md. */
 filter nlmeans(
-    float search = 7;      /* pixels each way, where pixels like one are sought */
-    float patch = 2;       /* pixels each way of the neighbourhoods that are compared */
-    float tolerance = .45; /* of their differences, in standard errors */
-    float bend = .3;       /* of normals: the length of their difference that counts as another;
-                              0: they do not count */
-    float shade = .05;     /* of albedos, likewise */)
+    float search = 7;      /* how far away pixels like one are sought [0 to 64, pixels each way] */
+    float patch = 2;       /* how large the neighbourhoods are that are compared [0 to 64, pixels
+                              each way] */
+    float tolerance = .45; /* of their differences [above 0, standard errors] */
+    float bend = .3;       /* of normals: the length of their difference that counts as another
+                              [0, they do not count, to 2] */
+    float shade = .05;     /* of albedos, likewise [0 to 1] */)
 {
     float x, y, i, j, k;
     float reach = min(search, WIDEST), around = min(patch, WIDEST);

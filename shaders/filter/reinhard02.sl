@@ -23,12 +23,14 @@ float gaussianweights(float deviation; output float weights[])
    Gives display values. E. Reinhard, M. Stark, P. Shirley, J. Ferwerda, "Photographic tone
    reproduction for digital images", SIGGRAPH 2002. */
 filter reinhard02(
-    float key = .18;       /* value of the geometric mean, before highlights are rolled off */
-    float L_white = 0;     /* luminance that becomes 1 if local is 0, cd/m^2; 0: the greatest */
-    float local = 0;       /* 1: dodging and burning */
-    float sharpness = 8;   /* the paper's phi: how much edges tell, against noise */
-    float threshold = .05; /* contrast of centre and surround that ends a neighbourhood */
-    float scales = 8;      /* neighbourhoods that are tried; each is 1.6 times as wide */)
+    float key = .18;       /* value of the geometric mean, before highlights are rolled off [0 to
+                              1] */
+    float L_white = 0;     /* luminance that becomes 1 if local is 0 [0, the greatest, or above,
+                              cd/m^2] */
+    float local = 0;       /* whether it dodges and burns [0 or 1] */
+    float sharpness = 8;   /* the paper's phi: how much edges tell, against noise [1 to 15] */
+    float threshold = .05; /* contrast of centre and surround that ends a neighbourhood [0 to 1] */
+    float scales = 8;      /* neighbourhoods that are tried; each is 1.6 times as wide [1 to 12] */)
 {
     float middle = exp(meanlogluminance(0, 1e-4));
     float toscaled = key / middle;

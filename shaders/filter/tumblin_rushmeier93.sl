@@ -9,12 +9,13 @@ float betaof(float l) { return (-.4 * l - 2.584) * l + 2.0208; }
    Gives display values: 1 is L_dmax. J. Tumblin and H. Rushmeier, "Tone reproduction for realistic images",
    IEEE Computer Graphics and Applications 13(6), 1993. */
 filter tumblin_rushmeier93(
-    float L_dmax = 86;       /* greatest luminance of the display, cd/m^2 */
-    float C_max = 35;        /* greatest contrast of the display */
-    float displayoffset = 0; /* decades from the display's middle to what one adapts to; .84 is as
-                                much as the scene's, so that its middle is the display's */
-    float L_mean = 0;        /* geometric mean of the scene, cd/m^2; 0: the picture's */
-    float clip = 1;          /* 0: leaves values below 0 and above 1 */)
+    float L_dmax = 86;       /* greatest luminance of the display [above 0, cd/m^2] */
+    float C_max = 35;        /* greatest contrast of the display [above 1] */
+    float displayoffset = 0; /* from the display's middle to what one adapts to; .84 is as much
+                                as the scene's, so that its middle is the display's [any,
+                                decades] */
+    float L_mean = 0;        /* geometric mean of the scene [0, the picture's, or above, cd/m^2] */
+    float clip = 1;          /* 0: leaves values below 0 and above 1 [0 or 1] */)
 {
     float lambert = PI * 1e-4; /* 1 cd/m^2 */
     float middle = L_mean > 0 ? log(L_mean, 10) : meanlogluminance(1e-4, 0) / log(10);

@@ -4,9 +4,10 @@
 /* Tone reproduction: one factor, by which what can just be told apart stays so on the display.
    Gives display values: 1 is L_dmax. G. Ward, "A contrast-based scalefactor for luminance display",
    Graphics Gems IV, 1994. */
-filter ward94(float L_dmax = 100;   /* greatest luminance of the display, cd/m^2 */
-              float logaverage = 0; /* 0: adapted to the mean; 1: to the mean of logarithms */
-              float L_wa = 0;       /* adapted to this luminance, cd/m^2; 0: to the picture's */)
+filter ward94(
+    float L_dmax = 100;   /* greatest luminance of the display [above 0, cd/m^2] */
+    float logaverage = 0; /* 0: adapted to the mean; 1: to the mean of logarithms [0 or 1] */
+    float L_wa = 0;       /* adapted to this luminance [0, the picture's, or above, cd/m^2] */)
 {
     float x, y;
 

@@ -1,7 +1,4 @@
-/* SPDX-License-Identifier: Apache-2.0
-   A light with many controls, after Barzel, "Lighting Controls for Computer Cinematography" (1997),
-   with the parameters that such lights are given in many scenes. It stands at the origin of shader
-   space and looks along z. */
+/* SPDX-License-Identifier: Apache-2.0 */
 
 /* How far (x, y) is from the inner towards the outer of two superellipses about the origin: 0 within
    the first, 1 outside of the second. */
@@ -19,27 +16,45 @@ float beyondEllipse(float x, y, a, b, A, B, roundness)
     return beyond;
 }
 
-light uberlight(string lighttype = "spot";  /* "spot", "omni" or "arealight" */
-                float intensity = 1;
-                color lightcolor = 1;
-                float cuton = .01, cutoff = 1e6; /* distances between which it shines */
-                float nearedge = 0, faredge = 0; /* widths of soft edges outside of these */
-                float falloff = 0, falloffdist = 1; /* power of the distance; where it counts 1 */
-                float maxintensity = 1;          /* nearer than falloffdist */
-                float parallelrays = 0;
-                float shearx = 0, sheary = 0;
-                float width = 1, height = 1;     /* halves of the opening, at a distance of 1 */
-                float wedge = .1, hedge = .1;    /* widths of its soft rim */
-                float roundness = 1;             /* 0: a rectangle */
-                float beamdistribution = 0;      /* power of the cosine off the axis */
-                string slidename = "";           /* a picture to be projected */
-                float noiseamp = 0, noisefreq = 4;
-                vector noiseoffset = 0;
-                string shadowmap = "", shadowname = ""; /* either of them */
-                float shadowblur = .01, shadowbias = .01, shadownsamps = 16;
-                color shadowcolor = 0;           /* of the light where it is in shadow */
-                float raytraceshadow = 0;
-                float __nonspecular = 0, __nondiffuse = 0; /* 1: makes no highlights, no shades */)
+/* A light with many controls, after Barzel, "Lighting Controls for Computer Cinematography" (1997),
+   with the parameters that such lights are given in many scenes. It stands at the origin of shader
+   space and looks along z. */
+light uberlight(
+    string lighttype = "spot";  /* what it is ["spot", "omni" or "arealight"] */
+    float intensity = 1;        /* scales the colour [above 0] */
+    color lightcolor = 1;       /* colour of the light, channel by channel [0 up] */
+    float cuton = .01;          /* nearer than this it does not shine [0 up, length] */
+    float cutoff = 1e6;         /* nor farther away than this [0 up, length] */
+    float nearedge = 0;         /* width of the soft edge before cuton [0 up, length] */
+    float faredge = 0;          /* width of the soft edge behind cutoff [0 up, length] */
+    float falloff = 0;          /* power of the distance that divides the light; 2: as nature has
+                                   it [0 to 4] */
+    float falloffdist = 1;      /* where falloff leaves the light as it is [above 0, length] */
+    float maxintensity = 1;     /* what it comes to at its place, if it falls off [0 up] */
+    float parallelrays = 0;     /* whether rays run along the axis [0 or 1] */
+    float shearx = 0;           /* how far the opening is to the right, at a distance of 1 [any,
+                                   length] */
+    float sheary = 0;           /* how far it is up [any, length] */
+    float width = 1;            /* half of the opening's width, at a distance of 1 [above 0,
+                                   length] */
+    float height = 1;           /* half of its height [above 0, length] */
+    float wedge = .1;           /* width of its soft rim to the sides [0 up, length] */
+    float hedge = .1;           /* width of its soft rim up and down [0 up, length] */
+    float roundness = 1;        /* 1: an ellipse; 0: a rectangle [0 to 1] */
+    float beamdistribution = 0; /* power of the cosine off the axis [0 to 1000] */
+    string slidename = "";      /* a picture to be projected [a file; "": none] */
+    float noiseamp = 0;         /* depth of the pattern of noise that it wears [0 to 1] */
+    float noisefreq = 4;        /* how fine that is [0 up, 1/length] */
+    vector noiseoffset = 0;     /* where in the noise it stands [any, length] */
+    string shadowmap = "";      /* a shadow map [a file; "": none] */
+    string shadowname = "";     /* another one [a file; "": none] */
+    float shadowblur = .01;     /* share of the maps that is averaged [0 to 1] */
+    float shadowbias = .01;     /* nearer by more than this hides [0 up, length] */
+    float shadownsamps = 16;    /* places of the maps that are compared [1 to 1024] */
+    color shadowcolor = 0;      /* of the light where it is in shadow, channel by channel [0 up] */
+    float raytraceshadow = 0;   /* whether rays look for what is in the way [0 or 1] */
+    float __nonspecular = 0;    /* share of highlights that it does not make [0 or 1] */
+    float __nondiffuse = 0;     /* share of diffuse light that it does not make [0 or 1] */)
 {
     point here = transform("shader", Ps);
     point from = point "shader" (0, 0, 0);

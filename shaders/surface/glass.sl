@@ -2,9 +2,10 @@
    Smooth clear glass: a body whose surface reflects and refracts by Fresnel's equations for
    unpolarised light. Normals point out of the body. Radiance is carried through unscaled (the
    factor eta^2 of the way in is undone on the way out). */
-surface glass(float eta = 1.5; /* refractive index of the body, against what is around it */
-              float Kr = 1;    /* share of the reflected light that is kept */
-              float Kt = 1;    /* share of the refracted light that is kept */)
+surface glass(
+    float eta = 1.5; /* refractive index of the body, against what is around it [.3 to 4] */
+    float Kr = 1;    /* share of the reflected light that is kept [0 to 1] */
+    float Kt = 1;    /* share of the refracted light that is kept [0 to 1] */)
 {
     normal unit = normalize(N);
     vector incoming = normalize(I);

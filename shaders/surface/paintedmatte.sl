@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0
    Matte paint of albedo Kd * Cs that states its importance: a cosine lobe about the normal. */
-surface paintedmatte(float Kd = .5; /* albedo, times the surface's colour */)
+surface paintedmatte(float Kd = .5; /* albedo, times the surface's colour [0 to 1] */)
 {
     normal facing = faceforward(normalize(N), I);
     color reflected = 0;

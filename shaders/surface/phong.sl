@@ -2,9 +2,9 @@
    The Phong model that the paper uses to show the extended illuminance(): a diffuse lobe about
    the normal and a power of the cosine about the mirror direction. It states both as cones, each
    with the share of uniform light that it reflects. Not energy conserving at grazing angles. */
-surface phong(float Kd = .4; /* diffuse albedo */
-              float Ks = .6; /* height of the specular lobe */
-              float exp = 2; /* its exponent */)
+surface phong(float Kd = .4; /* diffuse albedo [0 to 1] */
+              float Ks = .6; /* height of the specular lobe [0 to 1] */
+              float exp = 2; /* its exponent: the higher, the narrower [0 to 10000] */)
 {
     normal facing = faceforward(normalize(N), I);
     vector mirrored = reflect(normalize(I), facing);

@@ -1,11 +1,4 @@
-/* SPDX-License-Identifier: Apache-2.0
-   Rough metal: microfacets with the GGX distribution and Smith's height-correlated masking,
-   scattering once.
-   Seen aslant, its lobe is a ridge in the plane of incidence, as much narrower across as the cosine
-   says. Cones are round: seven of them stand along the ridge, where facets tilted by some times
-   alpha mirror the eye to, each about as wide as the ridge is across or as far as the next; face on
-   they are about one axis and of several widths. An eighth holds the long tail. Their numbers
-   minimise the second moment of what a direction is worth, at alpha = .01. */
+/* SPDX-License-Identifier: Apache-2.0 */
 #define OUTSET_1 .65
 #define OUTSET_2 1.45
 #define OUTSET_3 4.2
@@ -24,8 +17,15 @@ float above(normal facing; vector axis; float share)
     return facing . axis > 0 ? share : 0;
 }
 
-surface roughmetal(float reflectance = 1; /* of each facet, in the surface's colour */
-                   float alpha = .1;      /* GGX width; not the square root of it */)
+/* Rough metal: microfacets with the GGX distribution and Smith's height-correlated masking,
+   scattering once.
+   Seen aslant, its lobe is a ridge in the plane of incidence, as much narrower across as the cosine
+   says. Cones are round: seven of them stand along the ridge, where facets tilted by some times
+   alpha mirror the eye to, each about as wide as the ridge is across or as far as the next; face on
+   they are about one axis and of several widths. An eighth holds the long tail. Their numbers
+   minimise the second moment of what a direction is worth, at alpha = .01. */
+surface roughmetal(float reflectance = 1; /* of each facet, times the surface's colour [0 to 1] */
+                   float alpha = .1;      /* GGX width; not the square root of it [.001 to 1] */)
 {
     normal facing = faceforward(normalize(N), I);
     vector toEye = -normalize(I);

@@ -1,14 +1,18 @@
 /* SPDX-License-Identifier: Apache-2.0
    Wood: rings about the line through c0 and c1, in shader space, in the surface's colour and a
    darker one. */
-surface wood(float Ka = 1, Kd = .6, Ks = .4; /* shares of ambient, diffuse, specular light */
-             float roughness = .1;           /* of the highlights */
-             color specularcolor = 1;
-             float grain = 5;                /* rings per unit of length */
-             float swirl = .25;              /* how far they leave the circle, in rings */
-             float swirlfreq = 1;            /* how soon */
-             color darkcolor = color(.5, .4, .3); /* late wood, times the surface's colour */
-             point c0 = point "shader" (0, 0, 0), c1 = point "shader" (0, 0, 1);)
+surface wood(
+    float Ka = 1;                        /* share of ambient light that is sent on [0 to 1] */
+    float Kd = .6;                       /* albedo, times the colour of the wood [0 to 1] */
+    float Ks = .4;                       /* strength of the highlights [0 to 1] */
+    float roughness = .1;                /* their width; the exponent is 8 over it [.001 to 1] */
+    color specularcolor = 1;             /* their colour, channel by channel [0 to 1] */
+    float grain = 5;                     /* how many rings there are [0 up, 1/length] */
+    float swirl = .25;                   /* how far they leave the circle [0 up, rings] */
+    float swirlfreq = 1;                 /* how soon they do [0 up, 1/length] */
+    color darkcolor = color(.5, .4, .3); /* of late wood, times the surface's colour [0 to 1] */
+    point c0 = point "shader" (0, 0, 0); /* on the line that rings are about [anywhere] */
+    point c1 = point "shader" (0, 0, 1); /* there too, apart from c0 [anywhere] */)
 {
     normal Nf = faceforward(normalize(N), I);
     point q = transform("shader", P), a = transform("shader", c0);

@@ -6,7 +6,12 @@
 
    On its way to these points light is weakened by the volumes that it crosses under the integrator
    "path" alone; under "classic" it arrives as if the air were clear. */
-volume haze(color scattering = .1, absorption = 0; float anisotropy = 0, steps = 4;)
+volume haze(
+    color scattering = .1; /* what a length of 1 scatters of light [0 up, 1/length] */
+    color absorption = 0;  /* what it swallows besides [0 up, 1/length] */
+    float anisotropy = 0;  /* mean cosine of the angle by which light is turned [-1, back, to 1,
+                              ahead] */
+    float steps = 4;       /* points along a ray at which its light is gathered [1 to 64] */)
 {
     float far = length(I);
     color extinction = scattering + absorption;

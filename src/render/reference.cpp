@@ -4,6 +4,7 @@
 #include "interface/ri/request_meanings.h"
 #include "interface/ri/state_parameters.h"
 #include "language/semantics/builtins.h"
+#include "render/shader_library_reference.h"
 
 #include <fmt/format.h>
 
@@ -96,6 +97,8 @@ std::vector<std::string> referenceOf(const std::string &word) {
     for (const sl::Builtin &function : sl::builtins())
         if (word == "functions" || function.name == word)
             entries.push_back(entryOf(function));
+    for (const std::string &shader : libraryShaderEntries(word))
+        entries.push_back(shader);
     return entries;
 }
 
@@ -112,6 +115,8 @@ std::vector<std::string> referenceWords() {
         words.emplace_back(statement.word);
     for (const sl::Builtin &function : sl::builtins())
         words.emplace_back(function.name);
+    for (const std::string &shader : libraryShaderNames())
+        words.push_back(shader);
     return words;
 }
 
