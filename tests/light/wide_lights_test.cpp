@@ -4,6 +4,7 @@
 #include "foundation/base/student.h"
 #include "tests/support/frames.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace candela::test {
@@ -56,6 +57,44 @@ std::string lit(int number, const Wide &light, const std::string &radiance) {
 double varianceOf(const FramePixels &pixels) {
     const MeanAndError mean = meanAndError({pixels.red.begin(), pixels.red.end()});
     return mean.standardError * mean.standardError * double(pixels.red.size());
+}
+
+/// Ball lamps that the eye is in: they surround nothing that they light.
+constexpr Wide ballsAroundTheEye[] = {
+    {"Ball", "Sphere .05 -.05 .05 360"},
+    {"Scaled", "Scale .01 .01 .01 Sphere 5 -5 5 360"},
+    {"Mirrored", "Scale -1 1 1 Translate .02 0 0 Sphere .05 -.05 .05 360"},
+    {"OneSide", "Sides 1 Sphere .05 -.05 .05 360"},
+    {"Large", "Translate 0 0 -4 Sphere 5 -5 5 360"},
+};
+
+TEST(BallsAroundTheEye, LightFloorsAsSeenFromElsewhere) {
+    const std::string camera = "Format 32 32 1\nProjection \"perspective\" \"fov\" [.5]\n";
+    const std::string sun = "LightSource \"distantlight\" 2 \"intensity\" [.001]\n";
+    std::vector<Frame> frames;
+    for (const Wide &ball : ballsAroundTheEye)
+        for (const std::string &beside : {std::string(), sun})
+            for (const char *floor :
+                 {"Surface \"matte\" \"Kd\" [.7]\n", "Surface \"plastic\" \"roughness\" [.3]\n"})
+                for (const char *eye : {"", "Translate 0 0 -2\n"}) {
+                    const std::string unseen =
+                        std::string("Attribute \"visibility\" \"int camera\" [0]\n") + ball.shape;
+                    frames.push_back({ball.name + (" over " + std::string(floor)), camera + eye,
+                                      lit(1, {ball.name, unseen.c_str()}, "12") + beside + floor +
+                                          "Polygon \"P\" [-20 -20 3 -20 20 3 20 20 3 20 -20 3]\n"});
+                }
+    const auto pictures = render(frames, {16, 1, "light/shaders"});
+    ASSERT_EQ(pictures.size(), frames.size());
+    for (std::size_t i = 0; i < frames.size(); i += 2) {
+        const RedComparison both = compareRed(pictures[i], pictures[i + 1]);
+        EXPECT_GT(both.mean, 1e-4) << frames[i].name;
+        EXPECT_LE(std::abs(both.difference.mean), 5 * both.difference.standardError + 1e-6)
+            << frames[i].name;
+        const double lightVaries = 1e-3 * both.mean; // Over what the eye sees, from near and far.
+        EXPECT_LE(varianceOf(pictures[i]),
+                  1.5 * varianceOf(pictures[i + 1]) + lightVaries * lightVaries)
+            << frames[i].name;
+    }
 }
 
 struct Setting {

@@ -44,6 +44,11 @@ std::vector<Row> rows() {
     const std::string wall = "Surface \"matte\" \"Ka\" [0] \"Kd\" [.5]\n" + sphere("0 0 0", "1");
     // A6: the indirect part is the same all over the wall of a sphere.
     const double indirect = .5 / (1 - .5) * 4 * pi / (4 * pi);
+    // A lamp around the eye, which is at the origin where no camera is said, lights what is below.
+    const std::string aroundEye = lamp(sphere("0 0 0", ".05")), below = "1 0 -1" + up;
+    const double ofLamp = pi * .0025 / 2 / std::sqrt(2.0);
+    const std::string floor = "Surface \"matte\" \"Ka\" [0] \"Kd\" [0]\n"
+                              "Polygon \"P\" [-5 -5 -1  -5 5 -1  5 5 -1  5 -5 -1]\n";
     return {
         {"candela", candle, "0 0 0" + up, 1.0 / 179, exactly},
         {"point", pointLight, "0 0 0" + up, .25, exactly},
@@ -73,6 +78,19 @@ std::vector<Row> rows() {
              "Surface \"constant\"\nColor [0 0 0]\n"
              "Polygon \"P\" [-1e5 -1e5 -1  1e5 -1e5 -1  1e5 1e5 -1  -1e5 1e5 -1]\n",
          "0 0 -.99999 1 0 0\n", pi / 2},
+        {"lampAroundEye", aroundEye, below, ofLamp},
+        {"lampAroundEyeOverFloor", aroundEye + floor, below, ofLamp},
+        {"lampAroundEyeAndSun",
+         "LightSource \"distantlight\" 2 \"from\" [0 0 1] \"to\" [0 0 0] \"intensity\" [.01]\n" +
+             aroundEye,
+         below, ofLamp + .01},
+        {"lampAroundEyeWithin", aroundEye + lamp(sphere("0 0 0", ".02"), 100, false), below,
+         ofLamp},
+        {"lampAroundEyeBesideAnother", aroundEye + lamp(sphere("1 0 1", ".05")), below,
+         ofLamp + pi * .0025 / 4},
+        {"lampAroundEyeUnderSky",
+         aroundEye + lamp("ReverseOrientation\n" + sphere("0 0 0", "100"), .001), below,
+         ofLamp + .001 * (pi - pi * .0025 / 2 / std::sqrt(2.0))},
         {"furnace",
          "Surface \"matte\" \"Ka\" [0] \"Kd\" [.5]\n"
          "AreaLightSource \"arealight\" 1 \"radiance\" [1] \"onesided\" [0]\n" +

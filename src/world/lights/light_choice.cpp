@@ -14,7 +14,7 @@ namespace {
 constexpr double largestBelow1 = 0x1.fffffffffffffp-1;
 /// What either side gets at least where both may shine: estimates know nothing of shadows.
 constexpr double leastShare = 0.1;
-/// What those that surround the scene get together beside others where no scattered rays find them.
+/// What one that surrounds a point gets beside others where no scattered rays find it.
 constexpr double surroundingShare = 0.5;
 /// What a cosine weighs at least where light is possible, and the room culling leaves for rounding.
 constexpr double leastCosine = 0.01, margin = 1e-5;
@@ -59,7 +59,7 @@ double infiniteShare(double infinite, double finite) {
     return leastShare + (1 - 2 * leastShare) * (infinite / (infinite + finite));
 }
 
-/// The probability of those that surround, if there are any, from the irradiances of all others.
+/// The probability of one that surrounds, if there is any, from the irradiances of all others.
 double shareOfSurrounding(bool any, double others, bool found) {
     if (!any || found)
         return 0;
@@ -105,17 +105,30 @@ int pick(std::span<const InfiniteLight> lights, const Normal &n, double sum, dou
 LightChoice::LightChoice(std::span<const EmitterBound> bounds,
                          std::span<const std::int32_t> finiteSources,
                          std::span<const InfiniteLight> infinite, int sourceCount,
-                         std::span<const std::int32_t> surrounding)
+                         const SurroundingLight &surrounding)
     : tree_(bounds), finiteSources_(finiteSources.begin(), finiteSources.end()),
-      surrounding_(surrounding.begin(), surrounding.end()), places_(sourceCount, -1) {
+      surrounding_(surrounding), places_(sourceCount, -1) {
     for (std::size_t i = 0; i < finiteSources_.size(); ++i)
         places_[finiteSources_[i]] = std::int32_t(i);
     for (const InfiniteLight &light : infinite) {
         places_[light.source] = std::int32_t(tree_.size() + infinite_.size());
         infinite_.push_back(sound(light));
     }
-    for (std::int32_t source : surrounding_)
-        places_[source] = std::int32_t(tree_.size() + infinite_.size());
+    if (!isSurrounded())
+        return;
+    places_[surrounding_.source] = std::int32_t(tree_.size() + infinite_.size());
+    std::vector<EmitterBound> all(bounds.begin(), bounds.end());
+    std::vector<std::int32_t> sources = finiteSources_;
+    if (surrounding_.bound.power > 0)
+        all.push_back(surrounding_.bound), sources.push_back(surrounding_.source);
+    outside_ = std::make_unique<const LightChoice>(all, sources, infinite, sourceCount);
+}
+
+bool LightChoice::isOutside(const float *const P[3], int i) const {
+    if (!isSurrounded())
+        return false;
+    const Vec3 off = Vec3{P[0][i], P[1][i], P[2][i]} - surrounding_.centre;
+    return !(dot(off, off) < surrounding_.radius * surrounding_.radius);
 }
 
 LightChoice::Shares LightChoice::sharesAt(const float *const P[3], const float *const N[3],
@@ -123,7 +136,7 @@ LightChoice::Shares LightChoice::sharesAt(const float *const P[3], const float *
     double finite;
     const double infinite = irradiance(infinite_, normalAt(N, 0));
     tree_.irradiance(1, P, N, &finite);
-    return {infinite, shareOfSurrounding(!surrounding_.empty(), infinite + finite, found),
+    return {infinite, shareOfSurrounding(isSurrounded(), infinite + finite, found),
             infiniteShare(infinite, finite)};
 }
 
@@ -141,20 +154,22 @@ void LightChoice::choose(int count, const float *const P[3], const float *const 
         return;
     }
     for (int i = 0; i < count; ++i) {
+        const float *const p[3] = {P[0] + i, P[1] + i, P[2] + i};
+        const float *const n[3] = {N[0] + i, N[1] + i, N[2] + i};
+        if (isOutside(P, i)) {
+            outside_->choose(1, p, n, u + i, source + i, probability + i);
+            continue;
+        }
         if (isSingle(scattered, i)) {
             source[i] = single(), probability[i] = 1;
             continue;
         }
-        const float *const p[3] = {P[0] + i, P[1] + i, P[2] + i};
-        const float *const n[3] = {N[0] + i, N[1] + i, N[2] + i};
         const auto [infinite, around, share] = sharesAt(p, n, scattered && scattered[i] > 0);
         u[i] = u[i] >= 0 ? std::min(u[i], largestBelow1) : 0;
         if (u[i] < around) {
-            u[i] = stretched(u[i], 0, around) * double(surrounding_.size());
-            const std::size_t k = std::min(std::size_t(u[i]), surrounding_.size() - 1);
-            u[i] = std::min(u[i] - double(k), largestBelow1);
-            source[i] = surrounding_[k];
-            probability[i] = rounded(around / double(surrounding_.size()));
+            u[i] = stretched(u[i], 0, around);
+            source[i] = surrounding_.source;
+            probability[i] = rounded(around);
             continue;
         }
         u[i] = stretched(u[i], around, 1 - around);
@@ -186,17 +201,21 @@ void LightChoice::probability(int count, const float *const P[3], const float *c
     }
     const int others = tree_.size() + int(infinite_.size());
     for (int i = 0; i < count; ++i) {
+        const float *const p[3] = {P[0] + i, P[1] + i, P[2] + i};
+        const float *const n[3] = {N[0] + i, N[1] + i, N[2] + i};
+        if (isOutside(P, i)) {
+            outside_->probability(1, p, n, source + i, probability + i);
+            continue;
+        }
         probability[i] = isSingle(scattered, i) && source[i] == single() ? 1.0f : 0.0f;
         if (isSingle(scattered, i))
             continue;
         const std::int32_t place = placeOf(source[i]);
         if (place < 0)
             continue;
-        const float *const p[3] = {P[0] + i, P[1] + i, P[2] + i};
-        const float *const n[3] = {N[0] + i, N[1] + i, N[2] + i};
         const auto [infinite, around, share] = sharesAt(p, n, scattered && scattered[i] > 0);
         if (place >= others) {
-            probability[i] = rounded(around / double(surrounding_.size()));
+            probability[i] = rounded(around);
             continue;
         }
         if (place >= tree_.size()) {

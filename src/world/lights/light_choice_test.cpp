@@ -70,48 +70,65 @@ TEST(LightChoice, OneSourceHasProbabilityOneAndKeepsU) {
         }
 }
 
-/// A dome and a lamp: where scattered rays find the dome, all samples are the lamp's.
-TEST(LightChoice, WhatSurroundsIsLeftToScatteredRays) {
+/// A dome and a lamp: where scattered rays find the dome, all samples are the lamp's; from outside
+/// the dome is a lamp like the other, whatever rays there are.
+TEST(LightChoice, WhatSurroundsAPointIsLeftToScatteredRays) {
     const std::vector<EmitterBound> one{lamp({1, 2, 3}, 0.7f)}, none;
-    const std::vector<std::int32_t> five{5}, noSource, dome{2};
+    const std::vector<std::int32_t> five{5}, noSource;
     const std::vector<InfiniteLight> noInfinite;
+    const SurroundingLight dome{2, {{{-4, -4, -4}, {4, 4, 4}}, {}, pi, pi, 9}, {0, 0, 0}, 4};
     const LightChoice both(one, five, noInfinite, 9, dome),
         alone(none, noSource, noInfinite, 9, dome);
-    const Vec3 p{0.1f, 0.3f, 0.7f}, up{0, 0.6f, 0.8f}, down{0, -0.6f, -0.8f};
-    const float *P[3] = {&p.x, &p.y, &p.z};
+    const Vec3 within{0.1f, 0.3f, 0.7f}, outside{0, 0, -9}, up{0, 0.6f, 0.8f},
+        down{0, -0.6f, -0.8f};
     struct Case {
         const LightChoice &choice;
-        Vec3 N;
-        float scattered, ofDome, ofLamp;
+        Vec3 P, N;
+        float scattered;
+        double ofDome, ofLamp; ///< Below 0: any share.
     };
-    for (const Case &test : {Case{both, up, 1, 0, 1},
-                             {both, up, 0, .5f, .5f},
-                             {both, down, 0, 1, 0},
-                             {both, down, 1, 0, 1},
-                             {alone, up, 0, 1, 0},
-                             {alone, up, 1, 0, 0}}) {
+    for (const Case &test : {Case{both, within, up, 1, 0, 1},
+                             {both, within, up, 0, .5, .5},
+                             {both, within, down, 0, 1, 0},
+                             {both, within, down, 1, 0, 1},
+                             {alone, within, up, 0, 1, 0},
+                             {alone, within, up, 1, 0, 0},
+                             {both, outside, up, 1, -1, -1},
+                             {both, outside, up, 0, -1, -1},
+                             {alone, outside, up, 1, 1, 0},
+                             {alone, outside, up, 0, 1, 0},
+                             {alone, {0, 0, -4}, up, 1, 1, 0}}) {
+        const float *P[3] = {&test.P.x, &test.P.y, &test.P.z};
         const float *N[3] = {&test.N.x, &test.N.y, &test.N.z};
+        double share[2];
+        for (int k : {0, 1}) {
+            const std::int32_t source = k == 0 ? 2 : 5;
+            float probability;
+            test.choice.probability(1, P, N, &source, &probability, &test.scattered);
+            share[k] = probability;
+            const double expected = k == 0 ? test.ofDome : test.ofLamp;
+            if (expected >= 0) {
+                EXPECT_EQ(probability, &test.choice == &both || k == 0 ? expected : 0);
+            } else {
+                EXPECT_GT(probability, 0.01f);
+            }
+        }
         int found[2] = {0, 0};
-        for (double u = 0.005; u < 1; u += 0.01) {
+        for (double u = 0.0005; u < 1; u += 0.001) {
             double rest = u;
             std::int32_t source;
             float probability;
             test.choice.choose(1, P, N, &rest, &source, &probability, &test.scattered);
             found[0] += source == 2, found[1] += source == 5;
             if (source >= 0) {
-                EXPECT_EQ(probability, source == 2 ? test.ofDome : test.ofLamp);
+                EXPECT_EQ(probability, share[source == 2 ? 0 : 1]);
             }
             EXPECT_TRUE(rest >= 0 && rest < 1);
         }
-        EXPECT_EQ(found[0], std::lround(100 * test.ofDome));
-        EXPECT_EQ(found[1], std::lround(100 * test.ofLamp));
-        for (std::int32_t source : {2, 5}) {
-            float probability;
-            test.choice.probability(1, P, N, &source, &probability, &test.scattered);
-            EXPECT_EQ(probability, source == 2             ? test.ofDome
-                                   : &test.choice == &both ? test.ofLamp
-                                                           : 0);
-        }
+        for (int k : {0, 1}) // A single lamp is picked whether it shines there or not.
+            if (share[k] > 0) {
+                EXPECT_NEAR(found[k], 1000 * share[k], 1);
+            }
     }
 }
 

@@ -425,16 +425,27 @@ void LightBuilder::bindCategories(const ShaderLibrary &library) {
 
 namespace {
 
+/// Steradians of the sky above the eye that an element fills. Of a ball around the eye, which may
+/// be a lamp like others, those above the scene's centre.
+double skyFilledBy(LightElement element, const Vec3 &centre) {
+    const bool isAroundEye =
+        element.form == LightElement::Form::Sphere && length(element.corner) <= element.edgeA.x;
+    if (isAroundEye)
+        element.corner = element.corner - centre;
+    return solidAngleOf(element);
+}
+
 /// 1 for sources that shine from far and wide: those without a place, and those of lights that fill
-/// much of the sky above the eye.
-std::vector<std::uint8_t> wideSources(const LightTable &table,
+/// much of the sky.
+std::vector<std::uint8_t> wideSources(const SceneState &state,
                                       std::span<const EmitterBound> bounds) {
     constexpr double leastSolidAngle = 1;
+    const LightTable &table = state.lights;
     std::vector<double> solidAngle(table.lights.size());
     for (const LightSource &source : table.sources)
         for (std::int32_t k = 0; k < source.members; ++k)
             solidAngle[source.light] +=
-                solidAngleOf(table.elements[table.members[source.firstMember + k]]);
+                skyFilledBy(table.elements[table.members[source.firstMember + k]], state.centre);
     std::vector<std::uint8_t> wide;
     for (std::size_t k = 0; k < bounds.size(); ++k)
         wide.push_back(bounds[k].box.empty() ||
@@ -442,10 +453,10 @@ std::vector<std::uint8_t> wideSources(const LightTable &table,
     return wide;
 }
 
-/// The sphere within which the eye and all other sources that have a place are, if scattered rays
-/// can meet it as a light; -1 = none.
-std::int32_t surroundingSource(const LightTable &table, const PointTables &points,
-                               std::span<const EmitterBound> bounds) {
+/// The largest sphere, if all other sources that have a place are within it and scattered rays can
+/// meet it as a light; none has source -1. What it surrounds besides, each point asks for itself.
+SurroundingLight surroundingLight(const LightTable &table, const PointTables &points,
+                                  std::span<const EmitterBound> bounds) {
     const auto moves = [&](const LightElement &element) {
         return element.instance != noHit && points.instances[element.instance].steps > 0;
     };
@@ -463,9 +474,8 @@ std::int32_t surroundingSource(const LightTable &table, const PointTables &point
         if (const float radius = radiusOf(k); radius > largest)
             dome = std::int32_t(k), largest = radius;
     if (dome < 0)
-        return -1;
+        return {};
     Box3 others;
-    others.add(Vec3{0, 0, 0});
     for (std::size_t k = 0; k < bounds.size(); ++k)
         if (std::int32_t(k) != dome)
             others.add(bounds[k].box);
@@ -473,7 +483,9 @@ std::int32_t surroundingSource(const LightTable &table, const PointTables &point
     Vec3 farthest;
     for (int c = 0; c < 3; ++c)
         farthest[c] = std::max(others.high[c] - centre[c], centre[c] - others.low[c]);
-    return length(farthest) < largest ? dome : -1;
+    if (!others.empty() && !(length(farthest) < largest))
+        return {};
+    return {dome, bounds[dome], centre, largest};
 }
 
 } // namespace
@@ -484,8 +496,8 @@ void LightBuilder::prepareChoices() {
     estimateLights(state_);
     table.number(state_.points);
     const std::vector<EmitterBound> bounds = boundsOfSources();
-    const std::int32_t dome = surroundingSource(table, state_.points, bounds);
-    const std::vector<std::uint8_t> wide = wideSources(table, bounds);
+    const SurroundingLight dome = surroundingLight(table, state_.points, bounds);
+    const std::vector<std::uint8_t> wide = wideSources(state_, bounds);
     for (std::size_t set = 0; set < state_.lightSets.size(); ++set)
         table.choices.push_back({choiceOf(int(set), lampGroup, bounds, wide, dome),
                                  choiceOf(int(set), wideGroup, bounds, wide, dome)});
@@ -549,20 +561,21 @@ std::vector<EmitterBound> LightBuilder::boundsOfSources() const {
 
 /// The choice among the sources of a group that are on for a light set; `dome` surrounds them.
 LightChoice LightBuilder::choiceOf(int set, LightGroup group, std::span<const EmitterBound> bounds,
-                                   std::span<const std::uint8_t> wide, std::int32_t dome) const {
+                                   std::span<const std::uint8_t> wide,
+                                   const SurroundingLight &dome) const {
     const LightTable &table = state_.lights;
     std::vector<EmitterBound> finite;
     std::vector<std::int32_t> numbers;
     std::vector<InfiniteLight> infinite;
-    std::vector<std::int32_t> surrounding;
+    SurroundingLight surrounding;
     const double disc = std::numbers::pi * state_.radius * state_.radius;
     for (std::int32_t k = 0; k < std::int32_t(bounds.size()); ++k) {
         if (!table.on(set, table.sources[k].light + 1) || wide[k] != (group == wideGroup))
             continue;
         if (bounds[k].box.empty())
             infinite.push_back({k, float(bounds[k].power / disc), true, {}, 1});
-        else if (k == dome)
-            surrounding.push_back(k);
+        else if (k == dome.source)
+            surrounding = dome;
         else if (bounds[k].power > 0)
             finite.push_back(bounds[k]), numbers.push_back(k);
     }

@@ -38,7 +38,7 @@ private:
     void finishGeometry(int light);
     std::vector<EmitterBound> boundsOfSources() const;
     LightChoice choiceOf(int lightSet, LightGroup, std::span<const EmitterBound>,
-                         std::span<const std::uint8_t> wide, std::int32_t dome) const;
+                         std::span<const std::uint8_t> wide, const SurroundingLight &dome) const;
     /// For Lights::setOfAll(); a set that is there already serves.
     void addSetOfAll();
     void fillSwitches();
