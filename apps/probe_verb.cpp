@@ -143,8 +143,9 @@ void addScene(CLI::App &probe, Arguments &a) {
     RenderSettings &r = a.settings.render;
     probe
         .add_option("--integrator", a.integrator,
-                    "path, bidir, vcm or classic; default: as the RIB has it")
-        ->check(CLI::IsMember({"path", "bidir", "vcm", "classic"}));
+                    "path, bidir, vcm, radiosity or classic; default: as the RIB has it")
+        ->check(CLI::IsMember({"path", "bidir", "vcm", "radiosity", "classic"}));
+    addSolutionFiles(probe, r);
     probe.add_option("--threads", r.threads, "Threads; default: all cores")
         ->check(CLI::Range(1, 1024));
     probe.add_option("--seed", r.seed, "Seed of all random choices; default 0");
@@ -171,7 +172,8 @@ void addProbe(CLI::App &app, int &status) {
                  "cd/m^2, or over the grid of a work plane");
     probe->footer(
         "Answers come a line each, in the order of the points: R G B (W/m^2, or W/m^2/sr), their "
-        "mean, lx (cd/m^2), half the width of its 95 % interval, samples. A line that is no point "
+        "mean, lx (cd/m^2), half the width of its 95 % interval, samples (0 where a solution of "
+        "radiosity has told all). A line that is no point "
         "is answered by nan. Points are in world space.\n"
         "Example: echo 5 0 3 0 1 0 | candela probe --until 1% room.rib\n"
         "Exit status: 0 all went well, 1 something was wrong and has been reported, the rest was "

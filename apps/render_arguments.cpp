@@ -79,13 +79,7 @@ void RenderArguments::addTo(CLI::App &app) {
                    "Goes on from this checkpoint of the same scene and settings; it goes on being "
                    "written unless --checkpoint names another")
         ->type_name("FILE");
-    app.add_option("--solution", settings.solutionFile,
-                   "Radiosity: begins with the solution in this file, of whatever view of the same "
-                   "scene; written if it is not there")
-        ->type_name("FILE");
-    app.add_option("--solution-mesh", settings.solutionMesh,
-                   "Radiosity: writes the solution's elements and their radiance, PLY")
-        ->type_name("FILE");
+    addSolutionFiles(app, settings);
     app.add_option("--output-dir", settings.outputDirectory,
                    "Folder for pictures; default: this one");
     addSearchPaths(app, settings);

@@ -32,4 +32,15 @@ void addSearchPaths(CLI::App &verb, RenderSettings &settings) {
             ->allow_extra_args(false);
 }
 
+void addSolutionFiles(CLI::App &verb, RenderSettings &settings) {
+    verb.add_option(
+            "--solution", settings.solutionFile,
+            "Radiosity: begins with the solution in this file, of whatever view of the same "
+            "scene; written if it is not there")
+        ->type_name("FILE");
+    verb.add_option("--solution-mesh", settings.solutionMesh,
+                    "Radiosity: writes the solution's elements and their radiance, PLY")
+        ->type_name("FILE");
+}
+
 } // namespace candela

@@ -22,4 +22,7 @@ void addTestingOptions(CLI::App &, TestingArguments &, RenderSettings &);
 /// --shader-path, --archive-path, --texture-path.
 void addSearchPaths(CLI::App &, RenderSettings &);
 
+/// --solution, --solution-mesh.
+void addSolutionFiles(CLI::App &, RenderSettings &);
+
 } // namespace candela

@@ -46,6 +46,12 @@ radiosity::SolverSettings solverSettings(const NamedParameters &named, std::uint
     return solver;
 }
 
+/// Option "trace" "maxdepth": how often light may be scattered.
+int maxDepthOf(const Options &options) {
+    constexpr int usual = 64;
+    return int(options.named.number("trace:maxdepth", usual));
+}
+
 /// PixelVariance is said of pixels as displays show them, before gamma: here, of radiance.
 double varianceOf(const Options &options) {
     const double gain = options.exposure.value_or(ExposureRecord{}).gain;
@@ -54,11 +60,6 @@ double varianceOf(const Options &options) {
 }
 
 } // namespace
-
-int maxDepthOf(const Options &options) {
-    constexpr int usual = 64;
-    return int(options.named.number("trace:maxdepth", usual));
-}
 
 IntegratorSettings integratorSettings(const Scene &scene, const RenderSettings &settings) {
     const Options &options = scene.options();

@@ -12,9 +12,6 @@
 
 namespace candela {
 
-/// Option "trace" "maxdepth": how often light may be scattered.
-int maxDepthOf(const Options &);
-
 IntegratorSettings integratorSettings(const Scene &, const RenderSettings &);
 
 /// As RIB and command line name it.

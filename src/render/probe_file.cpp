@@ -8,6 +8,7 @@
 #include "render/picture_output.h"
 #include "render/probe_points.h"
 #include "render/read_scenes.h"
+#include "render/solution_keeping.h"
 
 #include <cerrno>
 #include <csignal>
@@ -47,11 +48,14 @@ public:
           name_(std::make_shared<const std::string>(settings.points == "-" ? "standard input"
                                                                            : settings.points)) {}
 
-    void probe(const Scene &scene, ShaderLibrary &shaders) {
+    void probe(const Scene &scene, ShaderLibrary &shaders, const std::string &world) {
         ProbeSettings probe = settings_.probe;
-        probe.seed = settings_.render.seed;
-        probe.hemisphereOnly = settings_.render.hemisphereOnly;
-        probe.maxDepth = maxDepthOf(scene.options());
+        probe.integrator = integratorSettings(scene, settings_.render);
+        const FrameIdentity identity =
+            solutionIdentity(scene, settings_.render, world, shaders.fingerprint());
+        if (!keepSolution(scene, settings_.render, identity, probe.integrator,
+                          listeners_.diagnostics))
+            return;
         TransportStatistics transport;
         Prober prober(scene, probe, transport, listeners_.diagnostics);
         listeners_.console.begin("probing");
@@ -226,16 +230,17 @@ int probeFile(const ProbeFileSettings &settings) {
         return 1;
     }
     int worlds = 0;
-    readScenes({settings.scene}, render, listeners,
-               [&](const Scene &scene, ShaderLibrary &shaders, const SceneFingerprints &) {
-                   if (worlds++ > 0)
-                       return;
-                   try {
-                       ProbeRun(settings, listeners).probe(scene, shaders);
-                   } catch (const std::bad_alloc &) {
-                       diagnostics.error({}, "there is not enough memory to probe this scene");
-                   }
-               });
+    readScenes(
+        {settings.scene}, render, listeners,
+        [&](const Scene &scene, ShaderLibrary &shaders, const SceneFingerprints &fingerprints) {
+            if (worlds++ > 0)
+                return;
+            try {
+                ProbeRun(settings, listeners).probe(scene, shaders, fingerprints.world);
+            } catch (const std::bad_alloc &) {
+                diagnostics.error({}, "there is not enough memory to probe this scene");
+            }
+        });
     if (worlds > 1)
         diagnostics.warning(
             {std::make_shared<const std::string>(settings.scene)},

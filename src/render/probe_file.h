@@ -20,7 +20,7 @@ struct ProbeFileSettings {
     /// Of a plane: a picture in place of the table. PNG: in false colours; else EXR.
     std::string output;
     std::vector<std::string> falsecolor; ///< Parameters of that filter: NAME=VALUE.
-    ProbeSettings probe;                 ///< Seed and depth are the scene's.
+    ProbeSettings probe;                 ///< The scene has its integrator.
     AnswerFormat format = AnswerFormat::Plain;
     RenderSettings render; ///< Of pictures' settings those that concern the scene.
 };

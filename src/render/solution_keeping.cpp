@@ -16,7 +16,7 @@ namespace {
 using radiosity::Solution;
 using radiosity::SolutionData;
 
-constexpr std::string_view mark = "candela solution 1\n";
+constexpr std::string_view mark = "candela solution 2\n";
 
 /// Nothing, and `problem`, if the file holds none of this scene.
 std::optional<SolutionData> readSolution(const std::string &file, const FrameIdentity &identity,

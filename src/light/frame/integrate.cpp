@@ -6,8 +6,8 @@
 #include "light/bidir/light_pass.h"
 #include "light/bidir/plan.h"
 #include "light/frame/adaptive_sampling.h"
+#include "light/path/solve.h"
 #include "light/path/split.h"
-#include "light/radiosity/solution.h"
 
 #include <algorithm>
 #include <atomic>
@@ -183,23 +183,6 @@ private:
     std::vector<std::unique_ptr<Worker>> workers_; ///< One a thread.
 };
 
-/// The solution that the settings bring, or else one that is made now.
-std::unique_ptr<radiosity::Solution>
-solutionFor(const Scene &scene, const IntegratorSettings &settings, DiagnosticSink &diagnostics) {
-    std::unique_ptr<radiosity::Solution> solution;
-    if (settings.solved)
-        solution = radiosity::Solution::restored(scene, *settings.solved);
-    if (settings.solved && !solution)
-        diagnostics.warning({}, "the solution that has been kept is of other faces than this view "
-                                "has (levels of detail go by the camera): it is solved anew");
-    if (!solution)
-        solution = std::make_unique<radiosity::Solution>(scene, settings.solver, diagnostics,
-                                                         settings.solving);
-    if (settings.whenSolved)
-        settings.whenSolved(*solution);
-    return solution;
-}
-
 } // namespace
 
 void integrate(const Scene &scene, const IntegratorSettings &settings,
@@ -214,12 +197,9 @@ void integrate(const Scene &scene, const IntegratorSettings &settings,
     frame.guide = &guide;
     if (settings.kind == IntegratorKind::Bidirectional && !(plan.lightPaths > 0))
         taken.kind = IntegratorKind::Path;
-    std::unique_ptr<radiosity::Solution> solution;
-    if (settings.kind == IntegratorKind::Radiosity) {
-        solution = solutionFor(scene, settings, diagnostics);
-        statistics.solver = solution->statistics();
-        frame.solution = solution.get();
-    }
+    const std::unique_ptr<radiosity::Solution> solution =
+        solve(scene, settings, statistics, diagnostics);
+    frame.solution = solution.get();
     FramePasses(frame, plan, sink, progress).run();
 }
 

@@ -3,9 +3,11 @@
 
 #include "foundation/base/parallel.h"
 #include "light/bidir/eye_wave.h"
+#include "light/path/solve.h"
 #include "light/probe/light_sets.h"
 #include "light/probe/placed_points.h"
 #include "light/probe/sensors.h"
+#include "light/probe/solved_points.h"
 #include "light/sampling/sobol.h"
 
 #include <algorithm>
@@ -27,21 +29,23 @@ struct Shared {
     Shared(const Scene &scene, const ProbeSettings &settings, TransportStatistics &statistics,
            DiagnosticSink &diagnostics)
         : scene(scene), settings(settings), rule(settings.samples, settings.accuracy),
-          filter(scene.options().filter, diagnostics),
-          frame(scene, integrator, filter, channels, statistics, diagnostics) {
-        integrator.kind = scene.isClassic()         ? IntegratorKind::Classic
-                          : scene.isBidirectional() ? IntegratorKind::Bidirectional
-                                                    : IntegratorKind::Path;
-        integrator.seed = settings.seed;
-        integrator.maxDepth = settings.maxDepth;
-        integrator.hemisphereOnly = settings.hemisphereOnly;
+          integrator(settings.integrator), filter(scene.options().filter, diagnostics),
+          frame(scene, integrator, filter, channels, statistics, diagnostics),
+          solution(solve(scene, integrator, statistics, diagnostics)) {
         integrator.atPoints = true;
+        frame.solution = solution.get();
         if (scene.isBidirectional())
             lightSets.emplace(frame, batches);
         if (!hasLightPaths() && scene.isBidirectional())
             integrator.kind = IntegratorKind::Path;
     }
     bool hasLightPaths() const { return lightSets && !lightSets->isEmpty(); }
+    /// The solution tells what sensors on its surfaces take, but for a bounce of their own.
+    bool isToldBySolution() const {
+        return solution && settings.quantity == ProbeQuantity::Irradiance &&
+               integrator.finalPass != FinalPass::Gather;
+    }
+    bool samplesSources() const { return integrator.finalPass == FinalPass::Direct; }
 
     const Scene &scene;
     const ProbeSettings settings;
@@ -51,6 +55,7 @@ struct Shared {
     PixelFilterSampler filter;
     const std::array<ChannelInfo, 2> channels{{{"Ci", colorSamples}, {"Oi", colorSamples}}};
     FrameContext frame;
+    std::unique_ptr<radiosity::Solution> solution;
     std::optional<LightSets> lightSets;
 };
 
@@ -65,15 +70,62 @@ std::unique_ptr<PathWave> makeWave(Shared &shared) {
 class Worker {
 public:
     explicit Worker(Shared &shared)
-        : shared_(shared), wave_(makeWave(shared)), sphere_(sphereRays) {}
+        : shared_(shared), wave_(makeWave(shared)), sphere_(sphereRays) {
+        if (shared.isToldBySolution())
+            solved_.emplace(shared.scene, *shared.solution, !shared.samplesSources(),
+                            Prober::blockSize);
+    }
 
     void answer(std::span<const ProbePoint> points, std::span<ProbeAnswer> answers) {
         placed_.clear(), active_.clear();
         estimates_.assign(points.size(), {});
-        for (int k = 0; k < int(points.size()); ++k) {
-            placed_.push_back(place(points[std::size_t(k)], shared_.scene, shared_.settings));
-            active_.push_back(k);
+        known_.assign(points.size(), Color{});
+        for (const ProbePoint &point : points)
+            placed_.push_back(place(point, shared_.scene, shared_.settings));
+        if (solved_)
+            answerSolved(answers);
+        for (int k = 0; k < int(points.size()); ++k)
+            if (!solved_ || !solved_->at(k))
+                active_.push_back(k);
+        sample(SensorTakes::All, answers);
+    }
+
+private:
+    /// Of those that lie on surfaces: what the solution tells, and samples the rest.
+    void answerSolved(std::span<ProbeAnswer> answers) {
+        solved_->lookUp(placed_);
+        for (int k = 0; k < int(placed_.size()); ++k)
+            if (const auto &irradiance = solved_->at(k)) {
+                known_[std::size_t(k)] = *irradiance;
+                active_.push_back(k);
+            }
+        if (shared_.samplesSources())
+            return sample(SensorTakes::Sources, answers);
+        addAmbientLight(answers);
+    }
+
+    /// All that is missing of the active points.
+    void addAmbientLight(std::span<ProbeAnswer> answers) {
+        takes_ = SensorTakes::Ambient;
+        slots_.count = 0;
+        for (int k : active_)
+            fill(slots_.count++, placed_[std::size_t(k)], 0, 0);
+        measure();
+        for (int slot = 0; slot < slots_.count; ++slot) {
+            const std::size_t point = std::size_t(active_[std::size_t(slot)]);
+            const Color irradiance = sampleOf(point, slot);
+            ProbeAnswer &answer = answers[point];
+            for (int c = 0; c < colorSamples; ++c)
+                answer.value[std::size_t(c)] = double(irradiance[c]);
+            answer.photometric = double(luminousEfficacy * luminance(irradiance));
         }
+        toCheck_.swap(active_);
+        findEnclosed(answers);
+    }
+
+    /// All that is to be answered of the active points.
+    void sample(SensorTakes takes, std::span<ProbeAnswer> answers) {
+        takes_ = takes;
         for (int look = 0, from = 0; !active_.empty(); ++look) {
             const int to = shared_.rule.samplesAt(look);
             takeSamples(from, to);
@@ -82,7 +134,6 @@ public:
         }
     }
 
-private:
     /// Samples [from, to) of each batch of each active point.
     void takeSamples(int from, int to) {
         // Where batches have light paths of their own, they do not share waves.
@@ -113,7 +164,7 @@ private:
             }
             measure();
             for (int slot = 0; slot < slots_.count; ++slot)
-                estimates_[pointAt(first + slot)].add(batchAt(first + slot), valueOf(slot));
+                add(pointAt(first + slot), batchAt(first + slot), slot);
         }
     }
 
@@ -124,15 +175,27 @@ private:
         }
         slots_.time[slot] = shared_.scene.options().camera.shutterOpen;
         slots_.point[slot] = point.number;
-        slots_.pixelKey[slot] = pixelKey(point.number, batch, shared_.settings.seed);
+        slots_.pixelKey[slot] = pixelKey(point.number, batch, shared_.integrator.seed);
         slots_.sampleIndex[slot] = std::uint32_t(sample);
     }
 
     void measure() {
         if (shared_.settings.quantity == ProbeQuantity::Irradiance)
-            measureIrradiance(*wave_, slots_, light_, rays_);
+            measureIrradiance(*wave_, slots_, light_, rays_, takes_);
         else
             measureRadiance(*wave_, slots_, rays_);
+    }
+
+    void add(std::size_t point, int batch, int slot) {
+        estimates_[point].add(batch, sampleOf(point, slot));
+    }
+
+    /// What has been measured at the slot, and what is known of its point.
+    Color sampleOf(std::size_t point, int slot) const {
+        Color value = valueOf(slot);
+        for (int c = 0; c < colorSamples; ++c)
+            value[c] += known_[point][c];
+        return value;
     }
 
     Color valueOf(int slot) const {
@@ -159,6 +222,10 @@ private:
             toCheck_.push_back(point);
             return true;
         });
+        findEnclosed(answers);
+    }
+
+    void findEnclosed(std::span<ProbeAnswer> answers) {
         for (int point : toCheck_)
             answers[std::size_t(point)].enclosed = answers[std::size_t(point)].photometric == 0 &&
                                                    isEnclosed(placed_[std::size_t(point)]);
@@ -223,7 +290,10 @@ private:
     ProbeRays rays_;
     SphereRays sphere_;
     std::vector<PlacedPoint> placed_;
+    std::optional<SolvedPoints> solved_;
+    SensorTakes takes_ = SensorTakes::All;
     std::vector<PointEstimate> estimates_;
+    std::vector<Color> known_;          ///< Of the points, without samples.
     std::vector<int> active_, toCheck_; ///< Points under way; those that have just ended.
 };
 

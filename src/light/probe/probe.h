@@ -26,9 +26,9 @@ struct ProbeSettings {
     ProbeQuantity quantity = ProbeQuantity::Irradiance;
     int samples = 256;              ///< A point, at most.
     std::optional<double> accuracy; ///< See StoppingRule; unset = all samples are taken.
-    std::uint32_t seed = 0;
-    int maxDepth = 64;           ///< Scatterings of light on its way; direct light has had none.
-    bool hemisphereOnly = false; ///< As IntegratorSettings has it.
+    /// Kind, seed, final pass... of frames; light is scattered maxDepth times on its way at most,
+    /// direct light having had none.
+    IntegratorSettings integrator;
     /// How far a sensor stands off its point, metres; unset = as far as floats need to be on the
     /// right side of a surface through the point.
     std::optional<float> offset;
@@ -37,8 +37,8 @@ struct ProbeSettings {
 struct ProbeAnswer {
     std::array<double, colorSamples> value{}; ///< W m^-2, or W m^-2 sr^-1.
     double photometric = 0;                   ///< lx, or cd m^-2.
-    double halfWidth = 0; ///< Of the interval that holds its expectation in 95 cases of 100; lx...
-    int samples = 0;
+    double halfWidth = 0;  ///< Of the interval that holds its expectation in 95 cases of 100; lx...
+    int samples = 0;       ///< 0 where a solution has told all.
     bool reached = true;   ///< The accuracy.
     bool enclosed = false; ///< Nothing comes to it from any side: it lies within something opaque.
 };

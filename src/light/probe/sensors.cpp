@@ -35,11 +35,6 @@ struct Part {
     }
 };
 
-/// Directions find lights, too, so that light samples share with them.
-bool looksAlongDirections(const Scene &scene) {
-    return !scene.isClassic() && !scene.lights().areLeftToSamples();
-}
-
 /// The light of samples times the cosine at the sensor; 0 where there is none or it comes from
 /// behind.
 CANDELA_HOT void receive(int count, const float *__restrict factor,
@@ -71,13 +66,13 @@ CANDELA_HOT void addTimes(int count, const float *__restrict value, float factor
         sum[i] += value[i] * factor;
 }
 
-LightQuery queryOf(const Scene &scene, const Part &part, const SensorLight &work) {
+LightQuery queryOf(const Part &part, const SensorLight &work) {
     LightQuery query;
     query.count = part.count;
     query.P = part.of(part.slots.origin);
     query.Ps = part.of(part.slots.Ps);
     query.N = part.of(part.slots.aim);
-    query.scattered = looksAlongDirections(scene) ? work.one : nullptr;
+    query.scattered = work.sharesWithDirections ? work.one : nullptr;
     query.lightSet = work.lightSet;
     query.time = part.slots.time + part.first;
     query.choice = work.choice;
@@ -94,7 +89,7 @@ void addSamples(PathWave &wave, const Part &part, SensorLight &work) {
     const ConstVec3Planes N = part.of(part.slots.aim);
     unitDirections(count, samples.L[0], samples.L[1], samples.L[2], unit[0], unit[1], unit[2]);
     std::fill_n(work.directionPdf, count, 0.0f);
-    if (looksAlongDirections(scene))
+    if (work.sharesWithDirections)
         work.mixture.pdf({unit[0], unit[1], unit[2]}, work.directionPdf);
     lightSampleFactors(count, samples.pdfSolidAngle, work.directionPdf, work.one, work.factor);
     for (float *value : samples.value)
@@ -126,8 +121,8 @@ void addAmbient(const Scene &scene, const Part &part, SensorLight &work) {
         addTimes(part.count, ambient[c], pi, part.slots.value[c] + part.first);
 }
 
-/// Direct light; and, but under `classic`, directions to look along for more.
-void lightSensors(PathWave &wave, const Part &part, SensorLight &work, ProbeRays &rays) {
+/// Direct light.
+void lightSensors(PathWave &wave, const Part &part, SensorLight &work) {
     const Scene &scene = wave.frame.scene;
     const Lights lights = scene.lights();
     const ConstVec3Planes N = part.of(part.slots.aim);
@@ -136,8 +131,7 @@ void lightSensors(PathWave &wave, const Part &part, SensorLight &work, ProbeRays
                        N, nullptr);
     part.draw(lightPositionPair, work.u, work.v);
     part.draw(lightChoicePair, work.choice, work.ignored);
-    const LightQuery query = queryOf(scene, part, work);
-    addAmbient(scene, part, work);
+    const LightQuery query = queryOf(part, work);
     if (scene.isClassic()) {
         for (int light = 0; light < lights.count(); ++light) {
             lights.sampleOne(light, query, work.sample.samples);
@@ -149,6 +143,10 @@ void lightSensors(PathWave &wave, const Part &part, SensorLight &work, ProbeRays
         lights.sample(group, query, work.sample.samples);
         addSamples(wave, part, work);
     }
+}
+
+/// Directions to look along for more. The mixture is that of the same sensors.
+void drawDirections(const Part &part, SensorLight &work, ProbeRays &rays) {
     float *const to[3] = {rays.direction[0] + part.first, rays.direction[1] + part.first,
                           rays.direction[2] + part.first};
     part.draw(directionPair, work.u, work.v);
@@ -211,14 +209,23 @@ ProbeRays::ProbeRays()
     std::fill_n(depth, ProbeSlots::capacity, -1); // A sensor scatters nothing.
 }
 
-void measureIrradiance(PathWave &wave, ProbeSlots &slots, SensorLight &work, ProbeRays &rays) {
+void measureIrradiance(PathWave &wave, ProbeSlots &slots, SensorLight &work, ProbeRays &rays,
+                       SensorTakes takes) {
     const Scene &scene = wave.frame.scene;
+    const bool looksAround = takes == SensorTakes::All && !scene.isClassic();
+    work.sharesWithDirections = looksAround && !scene.lights().areLeftToSamples();
     std::fill_n(work.lightSet, chunkSize, scene.lights().setOfAll());
     for (int c = 0; c < colorSamples; ++c)
         std::fill_n(slots.value[c], slots.count, 0.0f);
-    for (int first = 0; first < slots.count; first += chunkSize)
-        lightSensors(wave, {slots, first, std::min(chunkSize, slots.count - first)}, work, rays);
-    if (scene.isClassic())
+    for (int first = 0; first < slots.count; first += chunkSize) {
+        const Part part{slots, first, std::min(chunkSize, slots.count - first)};
+        addAmbient(scene, part, work);
+        if (takes != SensorTakes::Ambient)
+            lightSensors(wave, part, work);
+        if (looksAround)
+            drawDirections(part, work, rays);
+    }
+    if (!looksAround)
         return;
     std::fill_n(rays.lightSet, slots.count, scene.lights().setOfAll());
     spreadOfDirections(slots.count, rays.pdf, rays.spread);

@@ -39,6 +39,8 @@ struct SensorLight {
     float *choice, *u, *v, *ignored, *directionPdf, *factor;
     Planes<std::int32_t> integers;
     std::int32_t *lightSet, *air, *inShadow, *shadowed;
+    /// Directions find lights, too, so that light samples share with them.
+    bool sharesWithDirections = false;
     Planes<std::uint32_t> around; ///< Of those in air.
 };
 
@@ -52,11 +54,17 @@ struct ProbeRays {
     int *lane, *depth, *lightSet;
 };
 
+/// What a sensor takes: all light; that of light sources; or that of ambient lights alone, where
+/// the rest is known.
+enum class SensorTakes { All, Sources, Ambient };
+
 /// The irradiance at the slots: one light of each group by chance, and what comes along a direction
 /// of the cosine lobe, weighted against each other as at any vertex. Light may be scattered
-/// IntegratorSettings::maxDepth times on its way. Under `classic` it is every light, and no other
-/// surface. Ambient lights come from everywhere alike.
-void measureIrradiance(PathWave &, ProbeSlots &, SensorLight &, ProbeRays &);
+/// IntegratorSettings::maxDepth times on its way, and paths end on a solution where there is one.
+/// Under `classic` it is every light, and no other surface. Ambient lights come from everywhere
+/// alike.
+void measureIrradiance(PathWave &, ProbeSlots &, SensorLight &, ProbeRays &,
+                       SensorTakes = SensorTakes::All);
 
 /// The radiance that comes to the slots against their directions.
 void measureRadiance(PathWave &, ProbeSlots &, ProbeRays &);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "light/radiosity/fields.h"
 
+#include <algorithm>
+
 namespace candela::radiosity {
 
 double flux(const Mesh &mesh, const std::vector<Color> &field) {
@@ -10,7 +12,33 @@ double flux(const Mesh &mesh, const std::vector<Color> &field) {
     return flux;
 }
 
+namespace {
+
+/// Either side's flux goes to that side's nodes: polynomials would carry it across.
+void pullSides(const Mesh &mesh, int element, std::vector<Color> &field) {
+    const Sides &sides = mesh.sides(element);
+    const std::span<const Node> own = mesh.nodes(element);
+    Color *const to = field.data() + std::size_t(mesh.stride()) * std::size_t(element);
+    std::fill_n(to, own.size(), Color{});
+    for (int c = 0; c < Basis::children; ++c) {
+        const int child = mesh.element(element).firstChild + c;
+        const Color *const from = field.data() + std::size_t(mesh.stride()) * std::size_t(child);
+        for (std::size_t i = 0; i < own.size(); ++i) {
+            const int side = sides[std::size_t(c) * mostNodes + i];
+            if (side < 0)
+                continue;
+            const float share = mesh.nodes(child)[i].area / own[std::size_t(side)].area;
+            for (std::size_t k = 0; k < colorSamples; ++k)
+                to[side][k] += share * from[i][k];
+        }
+    }
+}
+
+} // namespace
+
 void pull(const Mesh &mesh, int element, std::vector<Color> &field) {
+    if (mesh.element(element).sides >= 0)
+        return pullSides(mesh, element, field);
     const Basis &basis = mesh.basis(element);
     const std::size_t stride = std::size_t(mesh.stride());
     const std::size_t first = stride * std::size_t(mesh.element(element).firstChild);

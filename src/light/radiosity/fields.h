@@ -50,7 +50,7 @@ template <class Serve> void forEachRootNode(const Mesh &mesh, const Serve &serve
 /// Of all faces: a field's brightest colour times area.
 double flux(const Mesh &, const std::vector<Color> &);
 
-/// Values of an element from those of its children.
+/// Values of an element from those of its children; of cut ones, side by side.
 void pull(const Mesh &, int element, std::vector<Color> &);
 /// Values of child `c` of an element: the element's own, where it lies.
 void push(const Mesh &, int element, int c, const std::vector<Color> &from, std::vector<Color> &to);

@@ -2,50 +2,21 @@
 #include "light/radiosity/links.h"
 
 #include "foundation/base/parallel.h"
-#include "light/radiosity/transfer.h"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 
 namespace candela::radiosity {
 
 namespace {
 
-/// Of the tolerance: what has leaked into a body by rounding is not exchanged there.
-constexpr double negligible = 1e-5;
-/// Where normals turn by more than this over an element, the rule knows too little of it.
-constexpr float bent = 0.94f;
-/// And where the corners tell so little of its size, contours do.
-constexpr float fullest = 1.2f;
-/// What a pair in partial view gets wrong, in shares of what it exchanges.
-constexpr double partialError = 0.25;
-/// Rays find no way between pairs that exchange so many tolerances at most: there is none.
-constexpr double closed = 1;
-
-bool isBent(const Mesh &mesh, int e) {
-    for (const Node &node : mesh.nodes(e))
-        if (dot(node.N, mesh.element(e).normal) < bent)
-            return true;
-    return false;
-}
-
-/// What becomes of a pair.
-struct Verdict {
-    enum Kind { Nothing, Linked, Divided } kind = Nothing; ///< Or its larger end is opened.
-    Transfer transfer;
-    Color visibility{};
-    bool isRough = false;
-};
-
 class Refinement {
 public:
     Refinement(Mesh &mesh, const ClusterTree &tree, const LinkSettings &settings, Fields &fields)
-        : mesh_(mesh), settings_(settings), fields_(fields),
+        : mesh_(mesh), settings_(settings), fields_(fields), elements_(mesh, settings, fields),
           clusters_(mesh, tree, fields.*settings.sent, everyOneHears() ? settings.tolerance : 0) {}
 
     Links run() {
-        measureRoughness();
         std::vector<Pair> pairs{{~0, ~0}};
         while (!pairs.empty())
             pairs = round(pairs);
@@ -54,26 +25,6 @@ public:
     }
 
 private:
-    /// By how much exitance differs below an element from what its basis makes of it.
-    void measureRoughness() {
-        roughness_.assign(std::size_t(mesh_.size()), 0);
-        const std::size_t stride = std::size_t(mesh_.stride());
-        const std::vector<Color> &sent = fields_.*settings_.sent;
-        std::vector<Color> pushed(sent.size());
-        for (int e = mesh_.size() - 1; e >= 0; --e) { // Children stand behind their parents.
-            const int child = mesh_.element(e).firstChild;
-            for (int c = 0; child >= 0 && c < Basis::children; ++c) {
-                push(mesh_, e, c, sent, pushed);
-                float missed = roughness_[std::size_t(child + c)];
-                const std::size_t first = stride * std::size_t(child + c);
-                for (std::size_t i = first; i < first + mesh_.nodes(child + c).size(); ++i)
-                    for (std::size_t k = 0; k < colorSamples; ++k)
-                        missed = std::max(missed, std::fabs(pushed[i][k] - sent[i][k]));
-                roughness_[std::size_t(e)] = std::max(roughness_[std::size_t(e)], missed);
-            }
-        }
-    }
-
     /// Clusters know nothing of lamps that are off for some of their faces.
     bool everyOneHears() const {
         if (settings_.sent != &Fields::emission)
@@ -87,15 +38,11 @@ private:
         return true;
     }
 
-    bool isDivisible(int e) const {
-        return mesh_.element(e).firstChild >= 0 ||
-               (mesh_.element(e).area > 4 * settings_.leastArea && !isFull_);
-    }
-
     /// Judges all pairs at once and returns those that come in the place of divided ones.
     std::vector<Pair> round(const std::vector<Pair> &pairs) {
         isFull_ = std::size_t(mesh_.size()) > settings_.mostElements ||
                   links_.links.size() > settings_.mostLinks;
+        elements_.beginRound(isFull_);
         std::vector<Verdict> verdicts(std::min<std::size_t>(pairs.size(), roundSize));
         std::vector<Pair> next;
         for (std::size_t first = 0; first < pairs.size(); first += roundSize) {
@@ -121,14 +68,14 @@ private:
             std::vector<std::size_t> place, begin;
             for (std::size_t k = first; k < last; ++k) {
                 verdicts[k] =
-                    hasCluster(pairs[k]) ? judgeClusters(pairs[k]) : judgeUnoccluded(pairs[k]);
+                    hasCluster(pairs[k]) ? judgeClusters(pairs[k]) : elements_.judge(pairs[k]);
                 if (verdicts[k].kind != Verdict::Linked)
                     continue;
                 place.push_back(k), begin.push_back(asked.size());
                 if (hasCluster(pairs[k]))
                     clusters_.look(pairs[k], asked);
                 else
-                    asked.push_back(pairs[k]);
+                    asked.push_back(ElementOracle::seenOf(pairs[k], verdicts[k]));
             }
             begin.push_back(asked.size());
             std::vector<Visibility> visibility(asked.size());
@@ -138,7 +85,7 @@ private:
                     std::span(visibility).subspan(begin[k], begin[k + 1] - begin[k]);
                 Verdict &verdict = verdicts[place[k]];
                 if (!hasCluster(pairs[place[k]])) {
-                    judgeOccluded(pairs[place[k]], seen.front(), verdict);
+                    elements_.judgeOccluded(pairs[place[k]], seen.front(), verdict);
                     continue;
                 }
                 verdict.visibility = meanVisibility(seen);
@@ -155,106 +102,30 @@ private:
         return verdict;
     }
 
-    Verdict judgeUnoccluded(const Pair &pair) const {
-        Verdict verdict;
-        const auto [a, b] = pair;
-        const Color *exitance = exitanceOf(b);
-        const std::size_t count = mesh_.nodes(b).size();
-        float most = 0, least = INFINITY;
-        for (std::size_t j = 0; j < count; ++j) {
-            most = std::max(most, brightest(exitance[j]));
-            least = std::min(least, brightest(exitance[j]));
-        }
-        const double area = mesh_.element(a).area;
-        if (!(most * area > negligible * settings_.tolerance) ||
-            (a == b && mesh_.element(a).isFlat) || !isHeard(pair))
-            return verdict;
-        if (a == b && isBent(mesh_, a) && isDivisible(a)) {
-            verdict.kind = Verdict::Divided;
-            return verdict;
-        }
-        if (a != b && areTurnedAway(mesh_, a, b))
-            return verdict;
-        verdict.transfer = transferBetween(mesh_, a, b);
-        const double exchanged = double(verdict.transfer.largest) * most * area;
-        const double missed = (double(verdict.transfer.receiverError) * most +
-                               double(verdict.transfer.senderError) * (most - least) +
-                               double(verdict.transfer.curvature) * roughness_[std::size_t(b)]) *
-                              area;
-        const bool isTooBent = isBent(mesh_, a) || isBent(mesh_, b) ||
-                               (verdict.transfer.isNear && mesh_.element(b).fullness >= fullest);
-        if ((missed > settings_.tolerance || (isTooBent && mayExchange(pair, most))) &&
-            (isDivisible(a) || isDivisible(b)))
-            verdict.kind = Verdict::Divided;
-        else if (exchanged > 0)
-            verdict.kind = Verdict::Linked;
-        return verdict;
-    }
-
-    /// Of lamps, whether they are on for the receiver.
-    bool isHeard(const Pair &pair) const {
-        return settings_.sent != &Fields::emission ||
-               mesh_.scene().lights().isOn(mesh_.domainOf(pair.receiver).lightSet,
-                                           mesh_.domainOf(pair.sender).light);
-    }
-
-    /// Even if they faced each other all over.
-    bool mayExchange(const Pair &pair, double exitance) const {
-        const Element &a = mesh_.element(pair.receiver), &b = mesh_.element(pair.sender);
-        const double distance = std::max(0.0f, length(b.centre - a.centre) - a.radius - b.radius);
-        const double factor = b.area / (M_PI * distance * distance + b.area);
-        return factor * exitance * a.area > settings_.tolerance;
-    }
-
-    void judgeOccluded(const Pair &pair, const Visibility &visibility, Verdict &verdict) const {
-        verdict.visibility = visibility.mean;
-        const auto [a, b] = pair;
-        float exitance = 0;
-        for (std::size_t j = 0; j < mesh_.nodes(b).size(); ++j)
-            exitance = std::max(exitance, brightest(exitanceOf(b)[j]));
-        const double exchanged =
-            double(verdict.transfer.largest) * exitance * mesh_.element(a).area;
-        const bool mayDivide = isDivisible(a) || isDivisible(b);
-        const float seen = brightest(visibility.mean);
-        if (seen == 0) {
-            verdict.kind = mayDivide && exchanged > closed * settings_.tolerance ? Verdict::Divided
-                                                                                 : Verdict::Nothing;
-            return;
-        }
-        const double missed = exchanged * 2 * std::min(seen, 1 - seen) * partialError;
-        if (mayDivide && missed > settings_.tolerance) {
-            verdict.kind = Verdict::Divided;
-            return;
-        }
-        verdict.isRough =
-            double(errorAtCorners(mesh_, a, b, verdict.transfer)) * exitance > settings_.contrast;
-        refineKernel(mesh_, a, b, verdict.transfer);
-        if (seen < 1)
-            for (std::size_t k = 0; k < visibility.share.size(); ++k)
-                verdict.transfer.kernel[k] *= visibility.share[k];
-    }
-
     void link(const Pair &pair, const Verdict &verdict) {
         if (hasCluster(pair)) {
             links_.clusters.push_back({pair.receiver, pair.sender, verdict.visibility});
             return;
         }
-        links_.links.push_back({pair.receiver, pair.sender, verdict.visibility,
-                                links_.kernels.size(), verdict.isRough, verdict.transfer.isNear});
+        links_.links.push_back({pair.receiver, ElementOracle::seenOf(pair, verdict).sender,
+                                verdict.visibility, links_.kernels.size(), verdict.isRough,
+                                verdict.transfer.isNear, pair.sender});
         const std::size_t count =
             mesh_.nodes(pair.receiver).size() * mesh_.nodes(pair.sender).size();
         links_.kernels.insert(links_.kernels.end(), verdict.transfer.kernel.begin(),
                               verdict.transfer.kernel.begin() + std::ptrdiff_t(count));
     }
 
-    /// The larger of the two, if it can be.
-    int dividedOf(const Pair &pair) const {
+    /// The larger of the two, if it can be, unless the verdict names one.
+    int dividedOf(const Pair &pair, const Verdict &verdict) const {
+        if (verdict.end != Verdict::none)
+            return verdict.end;
         const bool isLarger =
             hasCluster(pair) ? clusters_.radius(pair.receiver) >= clusters_.radius(pair.sender)
                              : mesh_.element(pair.receiver).area >= mesh_.element(pair.sender).area;
         const int larger = isLarger ? pair.receiver : pair.sender;
         const int other = isLarger ? pair.sender : pair.receiver;
-        return isCluster(larger) || isDivisible(larger) ? larger : other;
+        return isCluster(larger) || elements_.isDivisible(larger) ? larger : other;
     }
 
     void divide(std::span<const Pair> pairs, const std::vector<Verdict> &verdicts,
@@ -262,7 +133,7 @@ private:
         std::vector<int> leaves;
         for (std::size_t k = 0; k < pairs.size(); ++k)
             if (verdicts[k].kind == Verdict::Divided)
-                if (const int e = dividedOf(pairs[k]);
+                if (const int e = dividedOf(pairs[k], verdicts[k]);
                     !isCluster(e) && mesh_.element(e).firstChild < 0)
                     leaves.push_back(e);
         std::ranges::sort(leaves);
@@ -280,10 +151,9 @@ private:
         for (int e = first; e < mesh_.size(); ++e)
             if (!letsLightThrough(e)) // What comes from behind, the parent knows.
                 reflect(mesh_, e, fields_);
-        roughness_.resize(std::size_t(mesh_.size()), 0);
         for (std::size_t k = 0; k < pairs.size(); ++k)
             if (verdicts[k].kind == Verdict::Divided)
-                addChildren(pairs[k], next);
+                addChildren(pairs[k], dividedOf(pairs[k], verdicts[k]), next);
     }
 
     bool letsLightThrough(int e) const {
@@ -294,9 +164,8 @@ private:
         return false;
     }
 
-    void addChildren(const Pair &pair, std::vector<Pair> &next) const {
+    void addChildren(const Pair &pair, int divided, std::vector<Pair> &next) const {
         const auto [a, b] = pair;
-        const int divided = dividedOf(pair);
         std::vector<int> parts;
         if (isCluster(divided))
             clusters_.open(divided, parts);
@@ -314,17 +183,13 @@ private:
         }
     }
 
-    const Color *exitanceOf(int e) const {
-        return (fields_.*settings_.sent).data() + std::size_t(e) * std::size_t(mesh_.stride());
-    }
-
     static constexpr std::size_t roundSize = 1 << 16;
     Mesh &mesh_;
     const LinkSettings &settings_;
     Fields &fields_;
+    ElementOracle elements_;
     const ClusterOracle clusters_;
     Links links_;
-    std::vector<float> roughness_; ///< By element.
     bool isFull_ = false;
 };
 

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Links: which elements exchange light at which level (Hanrahan, Salzman and Aupperle 1991; the
-// oracle is that of Gortler and others 1993: what the bases miss of the kernel).
+// Links: which elements exchange light at which level.
 #pragma once
 
-#include "light/radiosity/cluster_links.h"
-#include "light/radiosity/sources.h"
+#include "light/radiosity/link_oracle.h"
 
 namespace candela::radiosity {
 
@@ -16,22 +14,14 @@ struct Link {
     /// for it one by one (near_light.h).
     bool isRough = false;
     bool isNear = false; ///< See Transfer.
+    /// Whose outline sends what the sender knows: its own, or a sliver's (donors.h).
+    std::int32_t outline = -1;
 };
 
 struct Links {
     std::vector<ClusterLink> clusters;
     std::vector<Link> links; ///< By receiver.
     std::vector<float> kernels;
-};
-
-struct LinkSettings {
-    double tolerance = 0; ///< Of the irradiance that a link gets wrong, times area: W.
-    double contrast = 0;  ///< Irradiance that links may get wrong without being rough, W m^-2.
-    float leastArea = 0;  ///< No element is divided below it.
-    std::size_t mostElements = 0, mostLinks = 0;
-    SourceSettings sources; ///< For elements that refinement makes.
-    /// Exchanged: exitance; or emission, of lamps that are on for the receiver.
-    std::vector<Color> Fields::*sent = &Fields::exitance;
 };
 
 /// Links for all light that is sent, dividing elements where it has to.

@@ -2,9 +2,11 @@
 #include "light/radiosity/mesh.h"
 
 #include "foundation/base/parallel.h"
+#include "light/radiosity/cuts.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 namespace candela::radiosity {
@@ -53,6 +55,11 @@ bool seesNothingOfItself(std::span<const Node> nodes, std::span<const Vec3> corn
     return true;
 }
 
+bool isPlane(std::span<const Node> nodes, Vec3 normal) {
+    constexpr float same = 0.9999f; // Cosine.
+    return std::ranges::all_of(nodes, [&](const Node &node) { return dot(node.N, normal) > same; });
+}
+
 } // namespace
 
 Mesh::Mesh(const Scene &scene, int order)
@@ -94,6 +101,7 @@ void Mesh::makeFaces() {
     }
     elements_ = std::move(kept), nodes_ = std::move(nodes);
     leaveOutSkies();
+    findCuts(0);
 }
 
 /// Lamps that are much larger than all else: elements of them would be all there is. They are
@@ -130,6 +138,29 @@ void Mesh::subdivide(std::span<const int> elements) {
         }
     }
     measure(first);
+    findCuts(first);
+    findSides(elements);
+}
+
+void Mesh::findSides(std::span<const int> parents) {
+    std::vector<int> cut;
+    std::ranges::copy_if(parents, std::back_inserter(cut), [&](int e) { return element(e).isCut; });
+    const std::vector<Sides> found = sidesOf(*this, cut);
+    for (std::size_t k = 0; k < cut.size(); ++k) {
+        Element &parent = elements_[std::size_t(cut[k])];
+        parent.sides = std::int32_t(sides_.size());
+        sides_.push_back(found[k]);
+        const int nodes = basis(cut[k]).nodes();
+        for (int c = 0; c < Basis::children; ++c)
+            for (int i = 0; i < nodes; ++i)
+                parent.isTorn |= found[k][std::size_t(c * mostNodes + i)] < 0;
+    }
+}
+
+void Mesh::findCuts(int first) {
+    const std::vector<std::uint8_t> cut = cutElements(*this, first);
+    for (std::size_t k = 0; k < cut.size(); ++k)
+        elements_[std::size_t(first) + k].isCut = cut[k] != 0;
 }
 
 /// What elements from `first` on know of the surface.
@@ -180,6 +211,7 @@ void Mesh::measure(int first) {
                 own.radius = std::max(own.radius, length(corner - own.centre));
             for (int i = 0; i < basis.nodes(); ++i)
                 own.radius = std::max(own.radius, length(node[i].P - own.centre));
+            own.isPlane = isPlane({node, std::size_t(basis.nodes())}, own.normal);
             own.isFlat = seesNothingOfItself({node, std::size_t(basis.nodes())}, line, own.radius);
         }
     });

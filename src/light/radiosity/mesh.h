@@ -34,8 +34,16 @@ struct Element {
     float turned = 1;            ///< -1: seen from the face's side the corners go the other way.
     /// Its vector area, over that of the polygon of its corners: what curved edges add.
     float fullness = 1;
-    bool isFlat = true; ///< No part of it sees another.
+    bool isFlat = true;  ///< No part of it sees another.
+    bool isPlane = true; ///< And its normals are the same.
+    bool isCut = false;  ///< Something stands on it, and what is on either side is apart (cuts.h).
+    std::int32_t sides = -1; ///< Of cut elements with children: Mesh::sides().
+    bool isTorn = false;     ///< Of these: some side has none of its own nodes.
 };
+
+/// Of a cut element: on whose side each node of its children is, at child times mostNodes + node:
+/// the nearest of its own nodes that nothing hides from it; -1 = of none.
+using Sides = std::array<std::int8_t, Basis::children * mostNodes>;
 
 struct Node {
     Vec3 P, N;
@@ -62,6 +70,7 @@ public:
         return {nodes_.data() + std::size_t(e) * std::size_t(stride_),
                 std::size_t(basis(e).nodes())};
     }
+    const Sides &sides(int e) const { return sides_[std::size_t(element(e).sides)]; }
     double area() const { return area_; } ///< Of all faces with elements.
 
     /// Gives those elements, leaves, their children; in this order.
@@ -76,11 +85,17 @@ public:
     static Place inFace(const Element &e, Place own) {
         return {e.origin.u + e.scale * own.u, e.origin.v + e.scale * own.v};
     }
+    /// A place of the face in the element.
+    static Place inElement(const Element &e, Place inFace) {
+        return {(inFace.u - e.origin.u) / e.scale, (inFace.v - e.origin.v) / e.scale};
+    }
 
 private:
     void makeFaces();
     void leaveOutSkies();
     void measure(int first);
+    void findCuts(int first);
+    void findSides(std::span<const int> parents);
 
     const Scene &scene_;
     int order_, stride_;
@@ -90,6 +105,7 @@ private:
     std::vector<Face> faces_;
     std::vector<Element> elements_;
     std::vector<Node> nodes_;
+    std::vector<Sides> sides_;
     double area_ = 0;
 };
 

@@ -11,7 +11,8 @@ namespace candela::radiosity {
 /// A link whose light is gathered so.
 struct NearRecord {
     std::int32_t receiver = 0, sender = 0;
-    std::int32_t isNear = 0; ///< See Transfer.
+    std::int32_t outline = 0; ///< See Link.
+    std::int32_t isNear = 0;  ///< See Transfer.
     Color visibility{};
     std::array<float, mostNodes> share{}; ///< Of the mean visibility, at the receiver's nodes.
 };
@@ -27,9 +28,13 @@ public:
 
     std::vector<NearRecord> records() const;
 
+    bool isAt(int element) const {
+        return !first_.empty() && first_[std::size_t(element)] != first_[std::size_t(element) + 1];
+    }
     /// Adds what rough links bring of the element's own, irradiance at a point of it with the unit
-    /// normal N; `at` is its place in the element.
-    void add(const Mesh &, int element, Place at, Vec3 P, Vec3 N, Color &irradiance) const;
+    /// normal N, for which the element's nodes count as `value` says.
+    void add(const Mesh &, int element, const float *value, Vec3 P, Vec3 N,
+             Color &irradiance) const;
 
 private:
     struct Source {

@@ -15,7 +15,9 @@ struct SolverSettings {
     /// before points ask for it themselves.
     double contrast = 1.5e-3;
     double leastElement = 1e-6; ///< The smallest element, in shares of all area.
-    int directSamples = 64;     ///< Of light sources, at each node.
+    /// Elements that something stands on are made smaller than that.
+    double cutElement = 2e-5;
+    int directSamples = 64; ///< Of light sources, at each node.
     std::uint32_t seed = 0;
     int mostIterations = 100;
     std::size_t mostElements = 2'000'000, mostLinks = 20'000'000;

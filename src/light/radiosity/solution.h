@@ -5,6 +5,7 @@
 
 #include "light/radiosity/links.h"
 #include "light/radiosity/near_light.h"
+#include "light/radiosity/places.h"
 #include "light/radiosity/settings.h"
 #include "light/radiosity/solution_data.h"
 #include "light/vertex/surface_vertices.h"
@@ -59,13 +60,16 @@ private:
     double evenIrradiance(const std::vector<Color> &sent) const;
     /// The sum of fields at a place of a face.
     Color at(std::int32_t face, Place, std::initializer_list<const std::vector<Color> *>) const;
+    /// Points of a batch's sides, and what is answered there.
+    struct Asked;
+    void answer(const Asked &, const NodeWeights &, const Answer &) const;
     /// What is asked for at points: smooth light, and what is near.
     struct Answering {
         std::vector<Color> smooth;
         NearLight near;
     };
     Answering answering(const Links &, const std::vector<Color> &sent);
-    Color at(std::int32_t face, Place, Vec3 P, Vec3 N, const Answering &) const;
+    void addNear(const Asked &, const NodeWeights &, const Answering &, Color &) const;
 
     Mesh mesh_;
     ClusterTree tree_;

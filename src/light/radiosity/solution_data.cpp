@@ -33,7 +33,7 @@ bool canGather(const std::vector<NearRecord> &records, int elements) {
     const auto isKnown = [&](std::int32_t element) { return element >= 0 && element < elements; };
     return std::ranges::is_sorted(records, {}, &NearRecord::receiver) &&
            std::ranges::all_of(records, [&](const NearRecord &record) {
-               return isKnown(record.receiver) && isKnown(record.sender);
+               return isKnown(record.receiver) && isKnown(record.sender) && isKnown(record.outline);
            });
 }
 

@@ -12,8 +12,6 @@ namespace {
 constexpr float pi = std::numbers::pi_v<float>;
 /// Senders nearer than so many of their radii are integrated in closed form.
 constexpr float nearby = 6;
-/// Cosine of normals that are the same.
-constexpr float plane = 0.9999f;
 /// Receivers whose basis misses more of what they get than this share of it take a finer rule.
 constexpr float roughly = 0.01f;
 
@@ -134,8 +132,7 @@ Sender::Sender(const Mesh &mesh, int e) {
         nodes[std::size_t(count++)] = node;
     corners = element.corners, sides = cornersOf(mesh, e).size();
     area = element.area, turned = element.turned, fullness = element.fullness;
-    for (const Node &node : mesh.nodes(e))
-        isPlane &= dot(node.N, element.normal) > plane;
+    isPlane = element.isPlane;
 }
 
 float Sender::factor(Vec3 P, Vec3 N, bool byContour, float *row, float &missed) const {
@@ -207,17 +204,54 @@ Transfer transferBetween(const Mesh &mesh, int receiver, int sender) {
     return transfer;
 }
 
-float errorAtCorners(const Mesh &mesh, int receiver, int sender, const Transfer &transfer) {
+namespace {
+
+/// A point of an element's border.
+struct BorderPoint {
+    Place at;
+    Vec3 P;
+};
+
+/// The corners, and, where the border is straight, its point that is nearest to `to`.
+int borderPoints(const Mesh &mesh, int e, Vec3 to, std::array<BorderPoint, 5> &points) {
+    const std::span<const Vec3> corners = cornersOf(mesh, e);
+    const std::span<const Place> places = Basis::corners(mesh.basis(e).isTriangle());
+    int count = 0;
+    float least = INFINITY;
+    BorderPoint nearest;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        points[std::size_t(count++)] = {places[k], corners[k]};
+        const std::size_t next = (k + 1) % corners.size();
+        const Vec3 edge = corners[next] - corners[k];
+        const float squared = std::max(dot(edge, edge), 1e-30f);
+        const float share = std::clamp(dot(to - corners[k], edge) / squared, 0.0f, 1.0f);
+        const Vec3 P = corners[k] + edge * share;
+        if (const float distance = length(P - to); distance < least) {
+            least = distance;
+            nearest = {{places[k].u + share * (places[next].u - places[k].u),
+                        places[k].v + share * (places[next].v - places[k].v)},
+                       P};
+        }
+    }
+    if (mesh.element(e).isPlane)
+        points[std::size_t(count++)] = nearest;
+    return count;
+}
+
+} // namespace
+
+float errorAtBorder(const Mesh &mesh, int receiver, int sender, const Transfer &transfer) {
     const Element &a = mesh.element(receiver), &b = mesh.element(sender);
     if (receiver == sender || length(b.centre - a.centre) > nearby * (a.radius + b.radius))
         return transfer.receiverError;
     const Sender from(mesh, sender);
     const Basis &basis = mesh.basis(receiver);
-    const std::span<const Vec3> corners = cornersOf(mesh, receiver);
+    std::array<BorderPoint, 5> points;
+    const int count = borderPoints(mesh, receiver, b.centre, points);
     float worst = transfer.receiverError, missed = 0;
     std::array<float, mostNodes> row, value;
-    for (std::size_t k = 0; k < corners.size(); ++k) {
-        const Place at = Basis::corners(basis.isTriangle())[k];
+    for (int k = 0; k < count; ++k) {
+        const auto &[at, border] = points[std::size_t(k)];
         basis.values(at, value.data());
         float told = 0;
         for (int i = 0; i < basis.nodes(); ++i)
@@ -225,7 +259,8 @@ float errorAtCorners(const Mesh &mesh, int receiver, int sender, const Transfer 
                 told += value[std::size_t(i)] * transfer(i, j);
         const Vec3 N = between(shapeOf(mesh, receiver), mesh.nodes(receiver).data(), at).N;
         // A little inside: on the very edge the factor jumps.
-        const Vec3 P = corners[k] + (a.centre - corners[k]) * 0.1f;
+        const float inside = 0.1f * std::min(1.0f, b.radius / a.radius);
+        const Vec3 P = border + (a.centre - border) * inside;
         worst = std::max(worst,
                          std::fabs(from.factor(P, N, transfer.isNear, row.data(), missed) - told));
     }
@@ -234,8 +269,10 @@ float errorAtCorners(const Mesh &mesh, int receiver, int sender, const Transfer 
 
 void refineKernel(const Mesh &mesh, int receiver, int sender, Transfer &transfer) {
     const float rough = roughly * transfer.largest;
-    const bool finerReceiver = transfer.receiverError > rough;
-    const bool finerSender = transfer.isNear && transfer.senderError > rough;
+    // Polynomials on what something stands on lead across it.
+    const bool finerReceiver = transfer.receiverError > rough && !mesh.element(receiver).isCut;
+    const bool finerSender =
+        transfer.isNear && transfer.senderError > rough && !mesh.element(sender).isCut;
     if (receiver == sender || (!finerReceiver && !finerSender))
         return;
     const std::array<Sender, 4> quarters = quartersOf(mesh, sender);

@@ -44,8 +44,9 @@ struct Transfer {
 
 Transfer transferBetween(const Mesh &, int receiver, int sender);
 
-/// By how much the kernel misses irradiance near the receiver's corners, by a unit of exitance.
-float errorAtCorners(const Mesh &, int receiver, int sender, const Transfer &);
+/// By how much the kernel misses irradiance near the receiver's corners, and where its border comes
+/// nearest to the sender, by a unit of exitance.
+float errorAtBorder(const Mesh &, int receiver, int sender, const Transfer &);
 
 /// Integrates anew what the rules say roughly, by those of quarters of the elements.
 void refineKernel(const Mesh &, int receiver, int sender, Transfer &);
