@@ -51,7 +51,7 @@ std::string declarationOf(const ir::ShaderParameter &parameter) {
 
 std::string entryOf(const sl::TypedShader &shader, DiagnosticSink &diagnostics) {
     std::string names, lines;
-    const auto parameters = ir::parametersOf(shader, {}, {}, diagnostics);
+    const auto parameters = ir::parametersOf(shader, {}, diagnostics);
     for (std::size_t i = 0; parameters && i < parameters->size(); ++i) {
         const ir::ShaderParameter &parameter = (*parameters)[i];
         names += (i ? ", " : "") + parameter.name;

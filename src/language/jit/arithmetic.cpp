@@ -87,10 +87,15 @@ Value *logicOperation(CodeFunction &code, Op op, ir::Uniformity result,
     case Op::Select: return make.CreateSelect(operand(0), operand(1), operand(2));
     case Op::FloatFromBool:
         return make.CreateUIToFP(operand(0), code.lanes.type(ir::Type::Float, result));
-    default: // IntegerFromFloat.
-        return make.CreateIntrinsic(
-            llvm::Intrinsic::fptosi_sat,
-            {code.lanes.type(ir::Type::Integer, result), operand(0)->getType()}, {operand(0)});
+    default: { // IntegerFromFloat, StringFromFloat.
+        auto *type = code.lanes.type(ir::Type::Integer, result);
+        Value *whole = make.CreateIntrinsic(llvm::Intrinsic::fptosi_sat,
+                                            {type, operand(0)->getType()}, {operand(0)});
+        return op == Op::IntegerFromFloat
+                   ? whole
+                   : make.CreateOr(make.CreateNot(whole), // stringOfNumber().
+                                   llvm::ConstantInt::get(type, 0x80000000u));
+    }
     }
 }
 

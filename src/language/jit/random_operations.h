@@ -66,6 +66,7 @@ public:
             unary(b_, Op::IntegerFromFloat, mul(b_, pools_.floats[3], number(b_, 5)))};
         pools_.strings = {text(b_, "one"), text(b_, "two"), text(b_, "%f and %c;")};
         pools_.strings.push_back(select(b_, pools_.bools[1], pools_.strings[0], pools_.strings[1]));
+        pools_.strings.push_back(unary(b_, Op::StringFromFloat, pools_.floats[3]));
         arrays_ = {addArray(b_, ir::Type::Float, 5), addArray(b_, ir::Type::Float, 3)};
         boolArray_ = addArray(b_, ir::Type::Bool, 4);
     }

@@ -46,7 +46,9 @@ std::string ServiceCalls::typesOf(const ir::Instruction &i) const {
 llvm::Constant *ServiceCalls::texts(const ir::ServiceUse &use) {
     std::vector<llvm::Constant *> all;
     for (int text : use.texts)
-        all.push_back(strings_.global(values_.function().strings[std::size_t(text)]));
+        all.push_back(text == ir::ServiceUse::atRunTime
+                          ? llvm::Constant::getNullValue(code_.pointerType)
+                          : strings_.global(values_.function().strings[std::size_t(text)]));
     auto *type = llvm::ArrayType::get(code_.pointerType, all.size());
     return new llvm::GlobalVariable(code_.module, type, true, llvm::GlobalValue::PrivateLinkage,
                                     llvm::ConstantArray::get(type, all), "texts");

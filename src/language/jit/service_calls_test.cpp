@@ -423,6 +423,43 @@ TEST(Services, OnlyEqualQueriesWhereTheyAreVisibleAreShared) {
     EXPECT_EQ(log.count("note", 3), 2);
 }
 
+/// A constant under a condition, else what the lane's parameter block says; and nothing where its
+/// number is that of no string.
+TEST(Services, NamesMayBeChosenAtRunTime) {
+    Runners runners;
+    ir::Function function;
+    function.parameters = {{"name", 0}};
+    Builder b(function);
+    const ValueId given = unary(b, ir::Op::StringFromFloat, parameter(b, 0));
+    const ValueId name = select(b, isNegative(b, x(b)), text(b, "constant"), given);
+    result(b, queryNamed(b, ir::testSample, name, {}, {x(b), y(b)}, 2)[1]);
+    command(b, ir::testNote, {"printed"}, {given});
+    b.finish();
+    ASSERT_EQ(ir::verify(function), "");
+    const char *const strings[] = {"zero", "one", "two"};
+    ServiceLog first;
+    for (const auto &[runner, run] : runners.of(function)) {
+        Batch batch(function, 40, {0xffff, 0x0ff0, 0x00f1}, 0);
+        for (int lane = 0; lane < batch.padded(); ++lane)
+            batch.parameters[std::size_t(lane)] = float(lane % 5) - 1;
+        ServiceLog log;
+        batch.services = ir::testServices(&log);
+        batch.services.strings = {strings, 3};
+        batch.run(function, run);
+        for (int lane = 0; lane < 40; ++lane) {
+            const int number = lane % 5 - 1;
+            const std::string expected = batch.of(lane).x < 0        ? "constant"
+                                         : number < 0 || number >= 3 ? ""
+                                                                     : strings[number];
+            EXPECT_EQ(log.count(expected, lane), batch.runs(lane)) << runner << ", lane " << lane;
+        }
+        std::erase_if(log.lanes,
+                      [](const ir::LaneAsked &asked) { return asked.service != "sample"; });
+        first.lanes = first.lanes.empty() ? log.lanes : first.lanes;
+        EXPECT_EQ(log.lanes, first.lanes) << runner;
+    }
+}
+
 struct Told {
     std::vector<std::string> all;
     static void note(void *told, const char *service, const char *file, std::int32_t line) {

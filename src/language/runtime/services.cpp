@@ -15,6 +15,15 @@ static void reportAbsent(const ServiceCall &call) {
                                  call.site->line);
 }
 
+const char *ServiceCall::string(int k, int lane) const {
+    const std::int32_t string = operand(k, lane).integer;
+    if (string >= 0)
+        return site->strings + string;
+    const StringTable none, &table = args->services ? args->services->strings : none;
+    const std::int32_t number = ~string;
+    return number < table.count ? table.strings[number] : "";
+}
+
 void askService(ServiceCall call) {
     std::fill_n(call.results, call.site->resultCount * call.laneCount, 0.0f);
     if (call.mask == 0)

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <string_view>
 
 namespace candela {
@@ -70,7 +71,7 @@ struct ServiceSite {
     std::int32_t operandCount, resultCount;
     std::int32_t line;        ///< Of the source; 0 = the compiler's own.
     const char *file;         ///< Likewise; never null.
-    const char *const *texts; ///< The constant strings.
+    const char *const *texts; ///< The constant strings; see ServiceCall::text().
     const char *types;        ///< A letter an operand: f float, i integer or bool, s string.
     /// Where operands that are strings stand: see ServiceCall::string().
     const char *strings;
@@ -96,9 +97,27 @@ struct ServiceCall {
 
     bool asks(int lane) const { return mask >> lane & 1; }
     ServiceCell operand(int k, int lane) const { return operands[k * laneCount + lane]; }
-    const char *string(int k, int lane) const { return site->strings + operand(k, lane).integer; }
+    /// An operand that is a string.
+    const char *string(int k, int lane) const;
+    /// Text 0, which may be another in each lane: it is the last operand then, and null in the
+    /// site's list. Equal ones are equal operands.
+    bool hasOneText() const { return site->texts[0] != nullptr; }
+    const char *text(int lane) const {
+        return hasOneText() ? site->texts[0] : string(site->operandCount - 1, lane);
+    }
     float &result(int k, int lane) const { return results[k * laneCount + lane]; }
 };
+
+/// Strings that instances give, by their numbers. Strings are integers where code runs: those of
+/// its own are offsets into ServiceSite::strings, these are below 0.
+struct StringTable {
+    const char *const *strings = nullptr;
+    std::int32_t count = 0;
+};
+/// A string of the table; of numbers that it has not, an empty one.
+constexpr std::int32_t stringOfNumber(std::int32_t number) {
+    return ~number | std::numeric_limits<std::int32_t>::min();
+}
 
 /// Called from any thread.
 using ServiceFunction = void (*)(void *context, const ServiceCall &);
@@ -107,6 +126,7 @@ using ServiceFunction = void (*)(void *context, const ServiceCall &);
 struct ShaderServices {
     void *context = nullptr;
     std::array<ServiceFunction, serviceCount> functions{}; ///< By Service.
+    StringTable strings;
 
     ServiceFunction &operator[](Service service) { return functions[std::size_t(service)]; }
 };

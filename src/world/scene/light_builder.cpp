@@ -89,15 +89,14 @@ bool emitsAlike(const ShaderCode &code) {
 /// and no others are wanted; or it would if the map were there, and rays have to find them.
 enum class Shadows { Unsaid, Own, ByRays };
 
-Shadows shadowsOf(const ShaderCode &code, const ShaderLibrary &library) {
+Shadows shadowsOf(const ShaderInstance &light, const ShaderLibrary &library) {
+    const auto traces = [](const ir::ServiceUse &use) {
+        return use.info->service == Service::transmission;
+    };
+    if (std::ranges::any_of(light.code->shader().whole.services, traces))
+        return Shadows::Own;
     Shadows result = Shadows::Unsaid;
-    const ir::Function &text = code.shader().whole;
-    for (const ir::ServiceUse &use : text.services) {
-        if (use.info->service == Service::transmission)
-            return Shadows::Own;
-        if (use.info->service != Service::shadow)
-            continue;
-        const std::string &map = text.strings[use.texts[0]];
+    for (const std::string &map : light.code->namesAsked(Service::shadow, light.parameterOffset)) {
         if (map.empty())
             continue;
         if (library.hasShadowMap(map))
@@ -146,7 +145,7 @@ void LightBuilder::declare(const std::vector<std::shared_ptr<const LightRecord>>
             tags = tagsOf(*record, *instance->code);
         }
         light.si = record->units == LightUnits::Si;
-        const Shadows shadows = instance ? shadowsOf(*instance->code, library_) : Shadows::Unsaid;
+        const Shadows shadows = instance ? shadowsOf(*instance, library_) : Shadows::Unsaid;
         light.castsShadow = shadows == Shadows::ByRays ||
                             (shadows == Shadows::Unsaid && (!state_.classic || record->shadows));
         placeShader(record->shader.currentFromShader, state_.points.shutter, light);

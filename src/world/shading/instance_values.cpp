@@ -129,7 +129,7 @@ std::optional<std::vector<float>> givenValues(const ir::LoweredShader &shader,
                                               DiagnosticSink &diagnostics) {
     const Parameter *given = record.parameters.find(parameter.name);
     if (!given || !isUsable(*given, parameter, shader, record, diagnostics) ||
-        parameter.type == "string") // Strings are folded into the code already.
+        parameter.type == "string") // LoweredText has those.
         return std::nullopt;
     std::vector<float> values = given->floats;
     if (isTriple(parameter.type))
@@ -151,14 +151,6 @@ void reportUnknown(const ir::LoweredShader &shader, const ShaderRecord &record,
 }
 
 } // namespace
-
-std::vector<ir::StringValue> stringValues(const ShaderRecord &record) {
-    std::vector<ir::StringValue> values;
-    for (const Parameter &parameter : record.parameters.all)
-        if (parameter.declaration.type == ValueType::String)
-            values.push_back({parameter.name, parameter.strings});
-    return values;
-}
 
 std::vector<ToldParameter> toldParameters(const ir::LoweredShader &shader,
                                           const ShaderRecord &record, const Options &options) {

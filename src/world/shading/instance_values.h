@@ -13,9 +13,6 @@
 
 namespace candela {
 
-/// The string parameters that the record gives.
-std::vector<ir::StringValue> stringValues(const ShaderRecord &);
-
 /// What shaders tell others of their parameters (surface(), lightsource()...): numbers in current
 /// space, colours as they are, or strings.
 struct ToldParameter {

@@ -128,6 +128,14 @@ void ShaderAnswers::transmission(const ServiceCall &call) const {
             call.result(c, lane) = 1;
 }
 
+int ShaderAnswers::numberOf(const std::string &text) {
+    const auto [entry, isNew] = numbers_.try_emplace(text, int(strings_.size()));
+    if (isNew)
+        strings_.push_back(entry->first.c_str());
+    services_.strings = silent_.strings = {strings_.data(), std::int32_t(strings_.size())};
+    return entry->second;
+}
+
 void ShaderAnswers::bindOptions(const Options &options) {
     options_ = options;
     textures_.bind(options);

@@ -9,6 +9,8 @@
 #include "world/texture/textures.h"
 
 #include <atomic>
+#include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -26,6 +28,9 @@ public:
     const ShaderServices &services(bool prints = true) const {
         return prints ? services_ : silent_;
     }
+    /// The number of a string that an instance gives, and the string; not while a shader runs.
+    int numberOf(const std::string &);
+    std::string stringOf(int number) const { return strings_[std::size_t(number)]; }
     /// The options of the frame; not while a shader runs.
     void bindOptions(const Options &);
     /// As Textures has it, for the options bound last.
@@ -45,6 +50,8 @@ private:
     DiagnosticSink &diagnostics_;
     std::atomic<std::size_t> printedBytes_{0};
     ShaderServices services_, silent_; ///< silent_ hears print and says nothing.
+    std::map<std::string, int> numbers_;
+    std::vector<const char *> strings_; ///< Those, by number.
     Options options_;
     const RayAnswers *rays_ = nullptr;
     std::vector<std::vector<ToldParameter>> lights_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// One specialisation of a shader (its text with strings and control-relevant parameters folded in,
-// and the primitive variables that override parameters) with native code for each question, and the
-// parameter blocks of all instances that share it.
+// One specialisation of a shader (its text with control-relevant parameters folded in, and strings
+// unless they only name pictures, and the primitive variables that override parameters) with native
+// code for each question, and the parameter blocks of all instances that share it.
 #pragma once
 
 #include "interface/ri/attributes.h"
@@ -71,6 +71,8 @@ public:
     /// It has become another shader.
     bool isStandIn() const { return isStandIn_; }
 
+    /// The names by which the instance with that block may ask a service for something.
+    std::vector<std::string> namesAsked(Service, std::int32_t offset) const;
     /// True if any question that the facts allow reads the input.
     bool reads(ShaderInput input) const { return shader_.whole.inputsRead[int(input)]; }
     /// Primitive variables that stand in for parameters: planes of ShaderArgs::variables.

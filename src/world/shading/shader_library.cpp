@@ -10,6 +10,7 @@
 #include "language/jit/function_hash.h"
 #include "world/shading/instance_values.h"
 #include "world/shading/light_stand_in.h"
+#include "world/shading/lowered_shaders.h"
 #include "world/shading/shader_source.h"
 
 #include <algorithm>
@@ -33,9 +34,9 @@ struct ShaderLibrary::State {
     std::shared_ptr<Jit> jit;
     std::shared_ptr<const ShaderMessages> messages;
     std::shared_ptr<ShaderAnswers> answers;
-    std::map<std::string, std::optional<ir::LoweredShader>> lowered; ///< By source and strings.
+    LoweredShaders lowered;
     std::map<const ir::LoweredShader *, std::vector<int>> controlRelevant; ///< Of those.
-    std::map<std::string, std::shared_ptr<ShaderCode>> codes; ///< And by folded values.
+    std::map<std::string, std::shared_ptr<ShaderCode>> codes; ///< By text and folded values.
     std::vector<std::shared_ptr<ShaderCode>> inOrder;
     std::size_t ready = 0; ///< How many of these have been compiled.
     std::set<std::string> said;
@@ -49,10 +50,8 @@ struct ShaderLibrary::State {
     /// The default surface with all its parameters at their defaults; none without a library.
     std::optional<ir::LoweredShader> standIn(ir::LightRule);
     void replace(ShaderCode &);
-    const ir::LoweredShader *lowerOnce(const sl::TypedShader &, const ShaderRecord &,
-                                       const Options &, const std::set<std::string> &variables,
-                                       const ToldValues &, std::string &key,
-                                       ir::LoweringOptions lowering = {});
+    LoweredText lowerOnce(const sl::TypedShader &, const ShaderRecord &, const Options &,
+                          std::string &key, const LoweredShaders::Wishes & = {});
     ToldValues askOthers(const OtherShaders &, const Options &, ir::LightRule);
 };
 
@@ -81,11 +80,6 @@ std::optional<ValueType> valueTypeOf(sl::BaseType type) {
 /// else.
 const char *defaultSurface(ir::LightRule rule) {
     return rule == ir::LightRule::Path ? "paintedmatte" : "defaultsurface";
-}
-
-/// Text that tells apart what is compiled apart.
-void addToKey(std::string &key, const std::string &part) {
-    key += std::to_string(part.size()) + ":" + part;
 }
 
 } // namespace
@@ -132,52 +126,14 @@ const sl::TypedShader *ShaderLibrary::State::find(ShaderKind kind, const ShaderR
     return isDefault && shader ? fromLibrary(kind, defaultSurface(rule)) : shader;
 }
 
-const ir::LoweredShader *ShaderLibrary::State::lowerOnce(const sl::TypedShader &shader,
-                                                         const ShaderRecord &record,
-                                                         const Options &options,
-                                                         const std::set<std::string> &variables,
-                                                         const ToldValues &told, std::string &key,
-                                                         ir::LoweringOptions lowering) {
-    addToKey(key, *shader.where.location().file + ":" + shader.name);
-    std::vector<ir::StringValue> strings;
-    for (ir::StringValue &value : stringValues(record))
-        for (const sl::Parameter &parameter : shader.parameters)
-            if (parameter.symbol->name == value.name &&
-                parameter.symbol->type.base == sl::BaseType::String &&
-                int(value.value.size()) == std::max(1, parameter.symbol->type.length)) {
-                addToKey(key, value.name);
-                for (const std::string &text : value.value)
-                    addToKey(key, text);
-                strings.push_back(std::move(value));
-                break;
-            }
-    for (const auto &[name, parameter] : told)
-        if (!parameter.strings.empty()) {
-            addToKey(key, name);
-            for (const std::string &text : parameter.strings)
-                addToKey(key, text);
-            strings.push_back({name, parameter.strings});
-        }
-    std::vector<std::string> overriding;
-    for (const sl::Parameter &parameter : shader.parameters)
-        if (variables.contains(parameter.symbol->name)) {
-            addToKey(key, "variable " + parameter.symbol->name);
-            overriding.push_back(parameter.symbol->name);
-        }
-    if (options.named.string("shading:highlights", "production") == "ri") {
-        lowering.highlightScale = 1;
-        addToKey(key, "RI's highlights");
-    }
-    lowering.mostTurns = int(options.named.number("shading:loopturns", ir::mostLoopTurns));
-    if (lowering.mostTurns != ir::mostLoopTurns)
-        addToKey(key, "turns " + std::to_string(lowering.mostTurns));
-    auto [entry, isNew] = lowered.try_emplace(key);
-    if (isNew) {
-        DiagnosticList words;
-        entry->second = ir::lower(shader, strings, overriding, words, lowering);
-        sayOnce(words);
-    }
-    return entry->second ? &*entry->second : nullptr;
+LoweredText ShaderLibrary::State::lowerOnce(const sl::TypedShader &shader,
+                                            const ShaderRecord &record, const Options &options,
+                                            std::string &key,
+                                            const LoweredShaders::Wishes &wishes) {
+    DiagnosticList words;
+    LoweredText text = lowered.find(shader, record, options, wishes, key, words);
+    sayOnce(words);
+    return text;
 }
 
 /// What the other shaders have for parameters, by the names that texts ask by.
@@ -198,7 +154,7 @@ ToldValues ShaderLibrary::State::askOthers(const OtherShaders &others, const Opt
             asked.record ? find(asked.kind, *asked.record, options, rule) : nullptr;
         std::string key;
         const ir::LoweredShader *lowered =
-            shader ? lowerOnce(*shader, *asked.record, options, {}, {}, key) : nullptr;
+            shader ? lowerOnce(*shader, *asked.record, options, key).shader : nullptr;
         if (!lowered)
             continue;
         for (ToldParameter &parameter : toldParameters(*lowered, *asked.record, options))
@@ -254,11 +210,11 @@ std::optional<ShaderInstance> ShaderLibrary::instance(ShaderKind kind, const Sha
                                 ? state_->askOthers(others, options, rule)
                                 : ToldValues{};
     std::string key = rule == ir::LightRule::Path ? "path " : "classic ";
-    ir::LoweringOptions lowering;
-    lowering.indirectByRays = kind == ShaderKind::Surface && rule == ir::LightRule::Classic;
-    const ir::LoweredShader *lowered =
-        shader ? state_->lowerOnce(*shader, record, options, variables, told, key, lowering)
-               : nullptr;
+    LoweredShaders::Wishes wishes{&variables, &told};
+    wishes.lowering.indirectByRays = kind == ShaderKind::Surface && rule == ir::LightRule::Classic;
+    const LoweredText text =
+        shader ? state_->lowerOnce(*shader, record, options, key, wishes) : LoweredText();
+    const ir::LoweredShader *lowered = text.shader;
     if (!lowered) {
         if (kind != ShaderKind::Surface || record.name.empty())
             return std::nullopt;
@@ -266,8 +222,12 @@ std::optional<ShaderInstance> ShaderLibrary::instance(ShaderKind kind, const Sha
                         attributes);
     }
 
-    std::vector<float> block =
-        parameterBlock(*lowered, record, options, told, state_->diagnostics, attributes);
+    const auto blockOf = [&](const ShaderRecord &at, DiagnosticSink &words) {
+        auto values = parameterBlock(*lowered, at, options, told, words, attributes);
+        text.placeStrings(*state_->answers, values);
+        return values;
+    };
+    std::vector<float> block = blockOf(record, state_->diagnostics);
     std::vector<ir::FoldedValue> folded;
     auto [controlRelevant, isNew] = state_->controlRelevant.try_emplace(lowered);
     if (isNew)
@@ -275,7 +235,7 @@ std::optional<ShaderInstance> ShaderLibrary::instance(ShaderKind kind, const Sha
     std::vector<std::vector<float>> blocks;
     DiagnosticList heard; // It is said of the first block.
     for (const ShaderRecord &moved : recordsInTime(record, options))
-        blocks.push_back(parameterBlock(*lowered, moved, options, told, heard, attributes));
+        blocks.push_back(blockOf(moved, heard));
     if (!blocks.empty())
         block = blocks.front();
     const auto isSteady = [&](const std::vector<float> &later) {
@@ -332,7 +292,7 @@ std::vector<ToldParameter> ShaderLibrary::parametersTold(ShaderKind kind,
     const sl::TypedShader *shader = state_->find(kind, record, options, rule);
     std::string key;
     const ir::LoweredShader *lowered =
-        shader ? state_->lowerOnce(*shader, record, options, {}, {}, key) : nullptr;
+        shader ? state_->lowerOnce(*shader, record, options, key).shader : nullptr;
     return lowered ? toldParameters(*lowered, record, options) : std::vector<ToldParameter>{};
 }
 
@@ -343,7 +303,8 @@ std::shared_ptr<const FilterCode> ShaderLibrary::filter(const ShaderRecord &reco
         ShaderKind::Filter, record.name, searchFolders(options, "shader"), record.parameters.where);
     std::string key = "filter ";
     const ir::LoweredShader *lowered =
-        shader ? state.lowerOnce(*shader, record, options, {}, {}, key) : nullptr;
+        shader ? state.lowerOnce(*shader, record, options, key, {.leavesStrings = false}).shader
+               : nullptr;
     if (!lowered)
         return nullptr;
     const std::vector<float> block =

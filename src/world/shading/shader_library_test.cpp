@@ -54,6 +54,31 @@ TEST(ShaderLibrary, CompilesWhatRenderingAsksAndNothingTwice) {
     EXPECT_EQ(world.diagnostics.text(), "");
 }
 
+/// Pictures are named by strings, which make no code of their own unless the text has them, or
+/// needs them for more than a name.
+TEST(ShaderLibrary, InstancesThatNameOtherPicturesShareCode) {
+    World world("");
+    const auto painted = [&](const std::string &picture) {
+        ShaderRecord record;
+        record.name = "paintedplastic";
+        record.parameters.all.push_back(
+            {"texturename", {StorageClass::Uniform, ValueType::String, 1}, {}, {picture}});
+        return *world.library.instance(ShaderKind::Surface, record, Options(), ir::LightRule::Path,
+                                       {});
+    };
+    const ShaderInstance one = painted("one.tx"), other = painted("other.tx"), none = painted("");
+    EXPECT_EQ(one.code, other.code);
+    EXPECT_NE(one.code, none.code);
+    EXPECT_EQ(painted("one.tx").code, one.code);
+    const auto namesOf = [](const ShaderInstance &instance) {
+        return instance.code->namesAsked(Service::texture, instance.parameterOffset);
+    };
+    EXPECT_EQ(namesOf(one), std::vector<std::string>{"one.tx"});
+    EXPECT_EQ(namesOf(other), std::vector<std::string>{"other.tx"});
+    EXPECT_TRUE(namesOf(none).empty());
+    EXPECT_EQ(world.diagnostics.text(), "");
+}
+
 /// LLVM knows no such CPU, so that there is code for nothing.
 TEST(ShaderLibrary, ShadersWithoutCodeBecomeTheDefaultSurfaceOrNoLight) {
     World world("no-such-cpu");

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <bit>
 #include <mutex>
 
 namespace candela {
@@ -83,65 +84,86 @@ bool Textures::hasLibrary() {
     return pictures_ != nullptr;
 }
 
-void Textures::warn(const ServiceCall &call, const std::string &message) {
+void Textures::warn(const ServiceCall &call, const std::string &name, const std::string &message) {
     const SourceLocation where{std::make_shared<const std::string>(call.site->file),
                                call.site->line, 0};
     diagnostics_.warning(call.site->line > 0 ? where : SourceLocation{},
-                         "texture \"" + std::string(call.site->texts[0]) + "\": " + message);
+                         "texture \"" + name + "\": " + message);
 }
 
-Textures::Texture &Textures::find(const ServiceCall &call, Use use) {
+Textures::Texture &Textures::find(const ServiceCall &call, const char *name, Use use) {
     struct Known {
         unsigned generation = 0;
         Use use = Use::Pixels;
         std::string name;
         Texture *texture = nullptr;
     };
-    const char *name = call.site->texts[0];
-    thread_local std::array<Known, 16> known;
-    Known &last = known[(reinterpret_cast<std::uintptr_t>(name) >> 4) % known.size()];
+    thread_local std::array<Known, 1024> known;
+    const std::uint64_t mixed = std::uintptr_t(name) * 0x9e3779b97f4a7c15u;
+    Known &last = known[(mixed >> 32) % known.size()];
     if (last.generation == generation_ && last.use == use && last.name == name)
         return *last.texture;
     const std::scoped_lock lock(mutex_);
     auto &texture = textures_[{name, use}];
     if (!texture) {
         texture = std::make_unique<Texture>();
-        open(*texture, call, use);
+        open(*texture, call, name, use);
     }
     last = {generation_, use, name, texture.get()};
     return *texture;
 }
 
-void Textures::open(Texture &texture, const ServiceCall &call, Use use) {
-    const std::string name = call.site->texts[0];
+namespace {
+
+/// Calls `answer` for each name by which lanes ask, with their part of the call.
+template <class Answer> void forEachName(const ServiceCall &call, Answer answer) {
+    const auto nameOf = [&](int lane) {
+        return call.operand(call.site->operandCount - 1, lane).integer;
+    };
+    ServiceCall part = call;
+    for (std::uint32_t rest = call.mask; rest != 0; rest &= ~part.mask) {
+        const int first = std::countr_zero(rest);
+        part.mask = rest;
+        if (!call.hasOneText())
+            for (int lane = first; lane < call.laneCount; ++lane)
+                if (nameOf(lane) != nameOf(first))
+                    part.mask &= ~(1u << lane);
+        answer(call.text(first), part);
+    }
+}
+
+} // namespace
+
+void Textures::open(Texture &texture, const ServiceCall &call, const std::string &name, Use use) {
     if (name.empty())
         return;
     if (use == Use::Depths && name == tracedShadows)
         return;
     const auto found = findTexture(name, folders_);
     if (!found)
-        return warn(call,
+        return warn(call, name,
                     "there is no such file in " + listOf(folders_) +
                         (use == Use::Depths ? "; lights that ask for it have their shadows by rays"
                                             : "; what is looked up in it is 0"));
     if (!found->isExact)
-        warn(call, "there is no such file; " + found->path + " is taken in its place");
+        warn(call, name, "there is no such file; " + found->path + " is taken in its place");
     if (!hasLibrary())
         return;
     if (megabytes_ > 0)
         pictures_->limitMemory(megabytes_);
     texture.path = found->path;
-    use == Use::Pixels ? openPixels(texture, call) : openDepths(texture, call);
+    use == Use::Pixels ? openPixels(texture, call, name) : openDepths(texture, call, name);
 }
 
-void Textures::openPixels(Texture &texture, const ServiceCall &call) {
+void Textures::openPixels(Texture &texture, const ServiceCall &call, const std::string &name) {
     std::string problem;
     texture.picture = pictures_->open(texture.path, texture.facts, problem);
     if (!texture.picture)
-        warn(call, texture.path + " cannot be read: " + problem + "; what is looked up in it is 0");
+        warn(call, name,
+             texture.path + " cannot be read: " + problem + "; what is looked up in it is 0");
 }
 
-void Textures::openDepths(Texture &texture, const ServiceCall &call) {
+void Textures::openDepths(Texture &texture, const ServiceCall &call, const std::string &name) {
     PictureData picture;
     std::string problem;
     auto map = pictures_->read(texture.path, PictureCurve::Linear, picture, problem)
@@ -150,7 +172,7 @@ void Textures::openDepths(Texture &texture, const ServiceCall &call) {
     if (map)
         texture.shadow = std::make_unique<ShadowMap>(std::move(*map));
     else
-        warn(call, texture.path + " cannot be used: " + problem + "; it hides nothing");
+        warn(call, name, texture.path + " cannot be used: " + problem + "; it hides nothing");
 }
 
 void Textures::look(Texture &texture, const ServiceCall &call, const LookupRow &row) {
@@ -159,12 +181,12 @@ void Textures::look(Texture &texture, const ServiceCall &call, const LookupRow &
         return;
     const std::scoped_lock lock(mutex_);
     if (!texture.isDamaged)
-        warn(call, texture.path + " is damaged: " + problem + "; what cannot be read is 0");
+        warn(call, call.text(std::countr_zero(call.mask)),
+             texture.path + " is damaged: " + problem + "; what cannot be read is 0");
     texture.isDamaged = true;
 }
 
-void Textures::texture(const ServiceCall &call) {
-    Texture &texture = find(call, Use::Pixels);
+void Textures::lookPixels(Texture &texture, const ServiceCall &call) {
     if (!texture.picture)
         return;
     static_assert(sizeof(ServiceCell) == sizeof(float));
@@ -175,8 +197,7 @@ void Textures::texture(const ServiceCall &call) {
           false, call.results});
 }
 
-void Textures::environment(const ServiceCall &call) {
-    Texture &texture = find(call, Use::Pixels);
+void Textures::lookAround(Texture &texture, const ServiceCall &call) {
     if (!texture.picture)
         return;
     float operands[lookupOperands * mostLanes];
@@ -205,8 +226,7 @@ void Textures::environment(const ServiceCall &call) {
          {call.laneCount, call.mask, operands, call.site->resultCount, false, true, call.results});
 }
 
-void Textures::shadow(const ServiceCall &call) {
-    const Texture &texture = find(call, Use::Depths);
+void Textures::lookDepths(const Texture &texture, const ServiceCall &call) const {
     if (!texture.shadow)
         return;
     for (int lane = 0; lane < call.laneCount; ++lane) {
@@ -223,17 +243,42 @@ void Textures::shadow(const ServiceCall &call) {
     }
 }
 
-void Textures::textureinfo(const ServiceCall &call) {
-    const Texture &texture = find(call, Use::Pixels);
+void Textures::tellFact(const Texture &texture, const ServiceCall &call) const {
     const std::vector<float> fact = textureFact(texture.facts, texture.picture != nullptr,
                                                 call.site->texts[1], call.site->texts[2]);
     if (fact.size() + 1 != std::size_t(call.site->resultCount))
         return;
     for (int lane = 0; lane < call.laneCount; ++lane) {
+        if (!call.asks(lane))
+            continue;
         call.result(0, lane) = 1;
         for (std::size_t k = 0; k < fact.size(); ++k)
             call.result(int(k) + 1, lane) = fact[k];
     }
+}
+
+void Textures::texture(const ServiceCall &call) {
+    forEachName(call, [this](const char *name, const ServiceCall &part) {
+        lookPixels(find(part, name, Use::Pixels), part);
+    });
+}
+
+void Textures::environment(const ServiceCall &call) {
+    forEachName(call, [this](const char *name, const ServiceCall &part) {
+        lookAround(find(part, name, Use::Pixels), part);
+    });
+}
+
+void Textures::shadow(const ServiceCall &call) {
+    forEachName(call, [this](const char *name, const ServiceCall &part) {
+        lookDepths(find(part, name, Use::Depths), part);
+    });
+}
+
+void Textures::textureinfo(const ServiceCall &call) {
+    forEachName(call, [this](const char *name, const ServiceCall &part) {
+        tellFact(find(part, name, Use::Pixels), part);
+    });
 }
 
 } // namespace candela

@@ -50,12 +50,16 @@ private:
         bool isDamaged = false;                          ///< It has been warned of.
     };
     enum class Use { Pixels, Depths };
-    Texture &find(const ServiceCall &, Use);
-    void open(Texture &, const ServiceCall &, Use);
-    void openPixels(Texture &, const ServiceCall &);
-    void openDepths(Texture &, const ServiceCall &);
+    Texture &find(const ServiceCall &, const char *name, Use);
+    void open(Texture &, const ServiceCall &, const std::string &name, Use);
+    void openPixels(Texture &, const ServiceCall &, const std::string &name);
+    void openDepths(Texture &, const ServiceCall &, const std::string &name);
+    void lookPixels(Texture &, const ServiceCall &);
+    void lookAround(Texture &, const ServiceCall &);
+    void lookDepths(const Texture &, const ServiceCall &) const;
+    void tellFact(const Texture &, const ServiceCall &) const;
     void look(Texture &, const ServiceCall &, const LookupRow &);
-    void warn(const ServiceCall &, const std::string &message);
+    void warn(const ServiceCall &, const std::string &name, const std::string &message);
     /// Loads the module if that is still to be done; false after an error, which is reported once.
     bool hasLibrary();
 

@@ -6,7 +6,6 @@ GRID = "each blobby has a grid of its own, and a few thousand triangles"
 LAYERS = "each ray meets thousands of surfaces, and the world is of nothing else"
 TURNS = "each loop has turns of its own, and a turn may be dear"
 PRINTED = "printf() may print what it likes"
-STRINGS = "a shader is compiled once for each of its strings"
 SPARSE = "a file of a terabyte of zeros is read to its end"
 
 KNOWN = {
@@ -30,8 +29,6 @@ KNOWN = {
     "displaced-by-the-thousand": "displaced cells are counted by displacing them",
     "strange-shadow": SPARSE,
     "scene-of-zeros-from-a-device": SPARSE,
-    "messages-of-textures": STRINGS,
-    "surfaces-by-strings": STRINGS,
     "shaders-each-another": "a thousand shaders, some ten milliseconds each",
     "filters": "thousands of filters, each run",
     "filter-of-png-bomb": "a filter takes seven times the memory of its picture",

@@ -54,8 +54,10 @@ std::vector<ir::StringValue> stringsFor(const sl::TypedShader &shader, Chance &c
     for (const sl::Parameter &parameter : shader.parameters)
         if (parameter.symbol->type.base == sl::BaseType::String && chance.oneIn(2)) {
             values.push_back({parameter.symbol->name, {}});
-            for (int n = 0; n < std::max(1, parameter.symbol->type.length); ++n)
+            for (int n = 0; n < std::max(1, parameter.symbol->type.length); ++n) {
                 values.back().value.push_back(chance.pick(words));
+                values.back().leftToRunTime.push_back(chance.oneIn(2));
+            }
         }
     return values;
 }

@@ -13,6 +13,12 @@ namespace candela::ir {
 /// the function.
 Values query(Builder &, const ServiceInfo &, const std::vector<std::string> &texts,
              const Values &operands, int results);
+/// The same with a first text that may be chosen at run time; `texts` are the rest.
+Values queryNamed(Builder &, const ServiceInfo &, ValueId name,
+                  const std::vector<std::string> &texts, Values operands, int results);
+/// The same question to another service.
+Values queryOther(Builder &, const ServiceInfo &, const ServiceUse &, const Values &operands,
+                  int results);
 /// Asks a service with effects.
 void command(Builder &, const ServiceInfo &, const std::vector<std::string> &texts,
              const Values &operands);

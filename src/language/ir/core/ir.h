@@ -103,8 +103,11 @@ struct Emission {
 /// instruction says.
 struct ServiceUse {
     const ServiceInfo *info = nullptr;
-    std::vector<int> texts; ///< Into Function::strings.
-    int results = 0;        ///< All of them floats.
+    static constexpr int atRunTime = -1;
+    std::vector<int>
+        texts;       ///< Into Function::strings; the first atRunTime: the last operand is it.
+    int results = 0; ///< All of them floats.
+    bool hasTextAtRunTime() const { return !texts.empty() && texts[0] == atRunTime; }
     bool operator==(const ServiceUse &) const = default;
 };
 

@@ -98,7 +98,9 @@ private:
     std::string service(const ServiceUse &use) const {
         std::string text = fmt::format(" {}", use.info->name);
         for (int constant : use.texts)
-            text += fmt::format(" \"{}\"", function_.strings[std::size_t(constant)]);
+            text += constant == ServiceUse::atRunTime
+                        ? " (last operand)"
+                        : fmt::format(" \"{}\"", function_.strings[std::size_t(constant)]);
         return text;
     }
 

@@ -75,8 +75,8 @@ inline void noteService(void *log, const ServiceCall &call) {
     for (int lane = 0; lane < call.laneCount; ++lane) {
         if (!call.asks(lane))
             continue;
-        LaneAsked asked{call.site->name, call.site->texts[0], call.firstLane + lane, {}};
-        for (int k = 0; k < call.site->operandCount; ++k)
+        LaneAsked asked{call.site->name, call.text(lane), call.firstLane + lane, {}};
+        for (int k = 0; k < call.site->operandCount - !call.hasOneText(); ++k)
             asked.operands.push_back(call.operand(k, lane).integer);
         to.lanes.insert(std::move(asked));
     }
@@ -104,7 +104,7 @@ inline void answerService(void *log, const ServiceCall &call) {
             float answer = 0.25f * float(k);
             if (perObject)
                 answer += float(call.args->objectIndex[call.firstLane + lane]);
-            for (int n = 0; n < call.site->operandCount; ++n)
+            for (int n = 0; n < call.site->operandCount - !call.hasOneText(); ++n)
                 answer = answer * 0.5f + call.operand(n, lane).number;
             call.result(k, lane) = answer;
         }

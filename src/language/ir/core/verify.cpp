@@ -164,20 +164,25 @@ private:
         const auto known = [&](int text) {
             return text >= 0 && std::size_t(text) < function_.strings.size();
         };
+        const int chosen = use.hasTextAtRunTime();
+        if (!expect(i, !chosen || (!i.operands.empty() && type(i.operands.back()) == Type::String),
+                    "has no string for its first text"))
+            return false;
         return expect(i, use.info && use.info->purity == purity, "asks no service of its kind") &&
                expect(i,
                       int(use.texts.size()) == use.info->texts &&
-                          std::all_of(use.texts.begin(), use.texts.end(), known),
+                          std::all_of(use.texts.begin() + chosen, use.texts.end(), known),
                       "wrong constant strings") &&
-               checkOperandsOf(i, use.info->operands) &&
+               checkOperandsOf(i, use.info->operands, chosen) &&
                (use.info->results == "*" ||
                 checkLetters(i, use.info->results, i.results, Type::Float, "result")) &&
                checkAll(i, i.results, use.results);
     }
 
-    /// Of a service; '*' behind the letters stands for further operands of any type.
-    bool checkOperandsOf(const Instruction &i, std::string_view letters) {
-        std::vector<ValueId> named = i.operands;
+    /// Of a service, but for the last ones, which its row does not know of; '*' behind the letters
+    /// stands for further operands of any type.
+    bool checkOperandsOf(const Instruction &i, std::string_view letters, int last) {
+        std::vector<ValueId> named(i.operands.begin(), i.operands.end() - last);
         if (letters.ends_with('*')) {
             letters.remove_suffix(1);
             named.resize(std::min(named.size(), letters.size()));

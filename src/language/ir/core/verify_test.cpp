@@ -78,6 +78,8 @@ TEST(Verify, CatchesCorruptions) {
         {"a command without", [](Function &f) { find(f, Op::Query).op = Op::Command; }},
         {"constant string missing", [](Function &f) { f.services[0].texts.pop_back(); }},
         {"no such constant string", [](Function &f) { f.services[0].texts[1] = 99; }},
+        {"a first string of run time that is no operand",
+         [](Function &f) { f.services[0].texts[0] = ServiceUse::atRunTime; }},
         {"another number of answers", [](Function &f) { f.services[0].results = 2; }},
         {"operands that nobody takes",
          [](Function &f) { find(f, Op::Query).operands = find(f, Op::Input).results; }},

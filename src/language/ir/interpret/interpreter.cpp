@@ -226,7 +226,12 @@ private:
     bool truth(const Instruction &i, int operand) const {
         return cells_.truth(i.operands[operand]);
     }
-    const std::string &text(ValueId v) const { return function_.strings[cells_.integer(v)]; }
+    /// Strings are indices of the function's own, or below 0.
+    bool sameText(int a, int b) const {
+        return a < 0 || b < 0
+                   ? a == b
+                   : function_.strings[std::size_t(a)] == function_.strings[std::size_t(b)];
+    }
 
     bool runSource(const Instruction &i) {
         switch (i.op) {
@@ -256,7 +261,8 @@ private:
             cells_.setInteger(i, evaluateCompare(i.op, number(i, 0), number(i, 1)));
             return true;
         case Op::StringEqual:
-            cells_.setInteger(i, text(i.operands[0]) == text(i.operands[1]));
+            cells_.setInteger(
+                i, sameText(cells_.integer(i.operands[0]), cells_.integer(i.operands[1])));
             return true;
         case Op::And: cells_.setInteger(i, truth(i, 0) && truth(i, 1)); return true;
         case Op::Or: cells_.setInteger(i, truth(i, 0) || truth(i, 1)); return true;
@@ -267,6 +273,9 @@ private:
         case Op::FloatFromBool: cells_.set(i, truth(i, 0) ? 1.0f : 0.0f); return true;
         case Op::IntegerFromFloat:
             cells_.setInteger(i, integerFromFloat(number(i, 0)));
+            return true;
+        case Op::StringFromFloat:
+            cells_.setInteger(i, stringOfNumber(integerFromFloat(number(i, 0))));
             return true;
         case Op::Call: runCall(i); return true;
         default: return false;

@@ -10,7 +10,7 @@ LaneService::LaneService(const Function &function, const Instruction &i)
 
 void LaneService::add(Type type, ServiceCell cell) {
     types_ += type == Type::Float ? 'f' : type == Type::String ? 's' : 'i';
-    if (type == Type::String) {
+    if (type == Type::String && cell.integer >= 0) {
         const std::string &text = function_.strings[std::size_t(cell.integer)];
         cell.integer = std::int32_t(strings_.size());
         strings_.append(text.c_str(), text.size() + 1);
@@ -22,7 +22,8 @@ std::vector<float> LaneService::ask(const ShaderArgs &args, int lane) const {
     const ServiceUse &use = serviceOf(function_, instruction_);
     std::vector<const char *> texts;
     for (int text : use.texts)
-        texts.push_back(function_.strings[std::size_t(text)].c_str());
+        texts.push_back(
+            text == ServiceUse::atRunTime ? nullptr : function_.strings[std::size_t(text)].c_str());
     const auto file = std::size_t(instruction_.file);
     const ServiceSite site{.name = use.info->name,
                            .service = use.info->service,

@@ -51,7 +51,7 @@ Components lightsource(BuiltinCall &call) {
     return {takeTold(call, 1, answer)};
 }
 
-/// Strings of other shaders are known when the shader is compiled.
+/// Strings of other shaders are known when the shader is compiled, or left to run time.
 ValueId toldString(BuiltinCall &call, const std::string &hidden) {
     Builder &b = call.b;
     const auto &strings = call.lowering.strings;
@@ -59,10 +59,7 @@ ValueId toldString(BuiltinCall &call, const std::string &hidden) {
     const sl::Type &type = call.expr.operands[1]->type;
     if (given == strings.end() || int(given->value.size()) != std::max(1, type.length))
         return number(b, 0);
-    Components value;
-    for (const std::string &element : given->value)
-        value.push_back(text(b, element));
-    call.assign(1, value);
+    call.assign(1, call.lowering.stringsAtRunTime.read(b, *given));
     return number(b, 1);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Strings are known when a shader is compiled: concat(), format() and match() are computed here.
-// printf() keeps its numbers for run time.
+// concat(), format() and match() are computed here, of strings that are known when a shader is
+// compiled. printf() keeps its numbers for run time, and strings that are left to it.
 #include "language/ir/core/builder_services.h"
 #include "language/ir/core/builder_sources.h"
 #include "language/ir/core/print_format.h"
@@ -74,6 +74,8 @@ std::optional<Expansion> expand(BuiltinCall &call) {
             result.pattern += escaped(formatPrint(piece.conversion(), {{0, known}}));
             continue;
         }
+        if (call.id() == sl::BuiltinId::format && call.isText(next - 1))
+            call.lowering.stringsAtRunTime.need(argument[0]);
         result.pattern += piece.conversion();
         const bool isColor = call.expr.operands[next - 1]->type.base == sl::BaseType::Color;
         const Components shown = isColor ? componentsOf(rgbOf(call.b, argument)) : argument;

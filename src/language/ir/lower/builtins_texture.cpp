@@ -15,7 +15,8 @@
 namespace candela::ir {
 namespace {
 
-std::string fileOf(const BuiltinCall &call) { return call.text(0, "the name of a texture"); }
+/// The name of a picture may be chosen at run time.
+ValueId fileOf(const BuiltinCall &call) { return call.arguments[0][0]; }
 
 void coordinatesFault(BuiltinCall &call, const std::string &expected) {
     call.lowering.messages.error(call.expr.where, std::string(call.expr.overload->function->name) +
@@ -130,12 +131,11 @@ Values textureOperands(Builder &b, const std::array<Reach, 2> &at, const LookupO
 }
 
 Components texture(BuiltinCall &call) {
-    const std::string file = fileOf(call);
     const PlaceScope place(call.b, call.expr.where);
     const LookupOptions options = readLookupOptions(call);
     const auto at = surfaceReach(call, 1, firstOption(call));
-    return asResult(call, query(call.b, info(Service::texture), {file},
-                                textureOperands(call.b, at, options), channelsOf(call)));
+    return asResult(call, queryNamed(call.b, info(Service::texture), fileOf(call), {},
+                                     textureOperands(call.b, at, options), channelsOf(call)));
 }
 
 /// Points or directions, then their changes along x, then those along y.
@@ -153,24 +153,23 @@ Values spatialOperands(Builder &b, const std::array<Reach, 3> &reach, const Look
 }
 
 Components environment(BuiltinCall &call) {
-    const std::string file = fileOf(call);
     const PlaceScope place(call.b, call.expr.where);
     const LookupOptions options = readLookupOptions(call);
     Values operands = spatialOperands(call.b, spatialReach(call, "direction"), options);
     operands.push_back(options.channel);
     operands.push_back(options.fill);
-    return asResult(call,
-                    query(call.b, info(Service::environment), {file}, operands, channelsOf(call)));
+    return asResult(call, queryNamed(call.b, info(Service::environment), fileOf(call), {}, operands,
+                                     channelsOf(call)));
 }
 
 Components shadow(BuiltinCall &call) {
-    const std::string file = fileOf(call);
     const PlaceScope place(call.b, call.expr.where);
     const LookupOptions options = readLookupOptions(call);
     Values operands = spatialOperands(call.b, spatialReach(call, "point"), options);
     operands.push_back(options.bias);
     operands.push_back(options.samples);
-    const ValueId hidden = query(call.b, info(Service::shadow), {file}, operands, 1)[0];
+    const ValueId hidden =
+        queryNamed(call.b, info(Service::shadow), fileOf(call), {}, operands, 1)[0];
     return asResult(call, {hidden, hidden, hidden});
 }
 
@@ -179,7 +178,6 @@ Components shadow(BuiltinCall &call) {
 /// and dPdt dPdt + ht n; what is of second order in h is left out. Nothing changes norm's length.
 Components bump(BuiltinCall &call) {
     Builder &b = call.b;
-    const std::string file = fileOf(call);
     const PlaceScope place(b, call.expr.where);
     const size_t end = firstOption(call);
     const auto isTriple = [&](size_t k) {
@@ -191,8 +189,8 @@ Components bump(BuiltinCall &call) {
     }
     const auto at = surfaceReach(call, 4, end);
     const Values height =
-        query(b, info(Service::textureSlopes), {file},
-              textureOperands(b, at, readLookupOptions(call)), 1 + twinCoordinates);
+        queryNamed(b, info(Service::textureSlopes), fileOf(call), {},
+                   textureOperands(b, at, readLookupOptions(call)), 1 + twinCoordinates);
     const Triple n = normalize(b, call.triple(1)), byS = call.triple(2), byT = call.triple(3);
     const Triple flat = cross(b, byS, byT);
     const Triple rise =
@@ -208,7 +206,7 @@ Components bump(BuiltinCall &call) {
 Components textureinfo(BuiltinCall &call) {
     Builder &b = call.b;
     const sl::Type &type = call.expr.operands[2]->type;
-    const std::string file = fileOf(call), fact = call.text(1, "the name of a texture's fact");
+    const std::string fact = call.text(1, "the name of a texture's fact");
     if (type.base == sl::BaseType::String) {
         call.lowering.messages.warning(call.expr.operands[2]->where,
                                        "textureinfo() tells numbers: strings have to be known "
@@ -216,8 +214,8 @@ Components textureinfo(BuiltinCall &call) {
         return {number(b, 0)};
     }
     const PlaceScope place(b, call.expr.where);
-    const Values answer = query(b, info(Service::textureinfo), {file, fact, sl::shapeOf(type)}, {},
-                                1 + numbersTold(type));
+    const Values answer = queryNamed(b, info(Service::textureinfo), fileOf(call),
+                                     {fact, sl::shapeOf(type)}, {}, 1 + numbersTold(type));
     return {takeTold(call, 2, answer)};
 }
 

@@ -113,7 +113,8 @@ void removeUnused(Function &function, std::vector<ShaderParameter> &parameters) 
     function.services = tables.services.apply(function.services);
     for (ServiceUse &use : function.services)
         for (int &text : use.texts)
-            text = tables.strings(text);
+            if (text != ServiceUse::atRunTime)
+                text = tables.strings(text);
     function.values = tables.values.apply(function.values);
     function.arrays = tables.arrays.apply(function.arrays);
     function.images = tables.images.apply(function.images);

@@ -117,8 +117,11 @@ bool isComputed(const sl::Expr &expr) {
 class Defaults {
 public:
     Defaults(const sl::TypedShader &shader, const std::vector<StringValue> &strings,
-             const ColorBasis &colors, DiagnosticSink &sink)
-        : shader_(shader), strings_(strings), colors_(colors), sink_(sink) {}
+             const ColorBasis &colors, std::set<std::string> &needed, DiagnosticSink &sink)
+        : shader_(shader), strings_(strings), colors_(colors), needed_(needed), sink_(sink) {
+        for (StringValue &given : known_)
+            given.leftToRunTime.clear();
+    }
 
     bool add(const sl::Parameter &parameter) {
         const sl::Symbol &symbol = *parameter.symbol;
@@ -173,8 +176,11 @@ private:
                 values.push_back(number(lowering.b, value));
             std::vector<std::string> texts = earlier.stringDefaults;
             for (const StringValue &given : strings_)
-                if (given.name == earlier.name && earlier.type == "string")
+                if (given.name == earlier.name && earlier.type == "string") {
                     texts = given.value;
+                    if (given.isLeft())
+                        needed_.insert(given.name);
+                }
             if (earlier.type == "string")
                 texts.resize(size_t(earlier.arraySize));
             for (const std::string &element : texts)
@@ -239,7 +245,7 @@ private:
         Function function;
         function.name = shader_.name;
         function.colors = colors_;
-        Lowering lowering(shader_, {}, strings_, function, sink_);
+        Lowering lowering(shader_, {}, known_, function, sink_);
         lowering.spaces.allowShaderOnly();
         declareEarlier(parameter, lowering);
         enter(lowering, nullptr);
@@ -275,23 +281,30 @@ private:
 
     const sl::TypedShader &shader_;
     const std::vector<StringValue> &strings_;
+    std::vector<StringValue> known_ = strings_; ///< None left to run time.
     const ColorBasis &colors_;
+    std::set<std::string> &needed_;
     DiagnosticSink &sink_;
 };
 
 } // namespace
 
-std::optional<std::vector<ShaderParameter>> parametersOf(const sl::TypedShader &shader,
-                                                         const std::vector<StringValue> &strings,
-                                                         const ColorBasis &colors,
-                                                         DiagnosticSink &sink) {
-    Defaults defaults(shader, strings, colors, sink);
+std::optional<std::vector<ShaderParameter>>
+parametersOf(const sl::TypedShader &shader, const std::vector<StringValue> &strings,
+             const ColorBasis &colors, std::set<std::string> &needed, DiagnosticSink &sink) {
+    Defaults defaults(shader, strings, colors, needed, sink);
     bool good = true;
     for (const sl::Parameter &parameter : shader.parameters)
         good = defaults.add(parameter) && good;
     if (!good)
         return std::nullopt;
     return std::move(defaults.parameters);
+}
+
+std::optional<std::vector<ShaderParameter>>
+parametersOf(const sl::TypedShader &shader, const ColorBasis &colors, DiagnosticSink &sink) {
+    std::set<std::string> none;
+    return parametersOf(shader, {}, colors, none, sink);
 }
 
 } // namespace candela::ir

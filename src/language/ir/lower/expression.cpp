@@ -21,13 +21,17 @@ bool isTruth(const sl::Expr &expr) {
     return expr.kind == sl::ExprKind::Binary && expr.op >= sl::BinaryOp::Less;
 }
 
-ValueId compareComponents(Builder &b, const Components &x, const Components &y, bool text) {
+ValueId sameComponents(Builder &b, const Components &x, const Components &y) {
     ValueId same = boolean(b, true);
-    for (size_t i = 0; i < x.size(); ++i) {
-        const ValueId one = text ? binary(b, Op::StringEqual, x[i], y[i]) : equal(b, x[i], y[i]);
-        same = i == 0 ? one : both(b, same, one);
-    }
+    for (size_t i = 0; i < x.size(); ++i)
+        same = i == 0 ? equal(b, x[i], y[i]) : both(b, same, equal(b, x[i], y[i]));
     return same;
+}
+
+ValueId sameText(Lowering &lowering, ValueId x, ValueId y) {
+    Builder &b = lowering.b;
+    return lowering.stringsAtRunTime.differ(b, x, y) ? boolean(b, false)
+                                                     : binary(b, Op::StringEqual, x, y);
 }
 
 /// Of triples, what holds in all components.
@@ -49,11 +53,12 @@ ValueId compare(Lowering &lowering, const sl::Expr &expr) {
     case sl::BinaryOp::LessEqual: return inAll(b, x, y, lessEqual);
     case sl::BinaryOp::Greater: return inAll(b, y, x, less);
     case sl::BinaryOp::GreaterEqual: return inAll(b, y, x, lessEqual);
-    case sl::BinaryOp::Equal: return compareComponents(b, x, y, text);
+    case sl::BinaryOp::Equal:
+        return text ? sameText(lowering, x[0], y[0]) : sameComponents(b, x, y);
     default:
-        if (x.size() == 1 && !text)
-            return notEqual(b, x[0], y[0]);
-        return negate(b, compareComponents(b, x, y, text));
+        if (text)
+            return negate(b, sameText(lowering, x[0], y[0]));
+        return x.size() == 1 ? notEqual(b, x[0], y[0]) : negate(b, sameComponents(b, x, y));
     }
 }
 

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <memory>
+#include <set>
 
 namespace candela::ir {
 
@@ -54,14 +55,12 @@ void declareParameters(Lowering &lowering, LoweredShader &lowered,
         ShaderParameter &declared = lowered.parameters[i];
         Components initial;
         if (symbol.type.base == sl::BaseType::String) {
-            std::vector<std::string> value = declared.stringDefaults;
+            StringValue value{declared.name, declared.stringDefaults};
             for (const StringValue &given : strings)
                 if (given.name == declared.name)
-                    value = given.value;
-            value.resize(size_t(declared.arraySize));
-            for (const std::string &element : value)
-                initial.push_back(text(b, element));
-            lowering.variables.declare(symbol, initial);
+                    value = given;
+            value.value.resize(size_t(declared.arraySize));
+            lowering.variables.declare(symbol, lowering.stringsAtRunTime.read(b, value));
             continue;
         }
         const bool isVariable =
@@ -222,12 +221,13 @@ bool memoryFits(const Lowering &lowering, const Function &function, DiagnosticSi
     return false;
 }
 
-} // namespace
-
-std::optional<LoweredShader> lower(const sl::TypedShader &shader,
-                                   const std::vector<StringValue> &strings,
-                                   const std::vector<std::string> &variables, DiagnosticSink &sink,
-                                   const LoweringOptions &options) {
+/// Once; `needed` gets the parameters whose strings cannot be left to run time after all: then it
+/// is of no use.
+std::optional<LoweredShader> lowerOnce(const sl::TypedShader &shader,
+                                       const std::vector<StringValue> &strings,
+                                       const std::vector<std::string> &variables,
+                                       std::set<std::string> &needed, DiagnosticSink &sink,
+                                       const LoweringOptions &options) {
     if (!arraysFit(shader, options.colors.samples, sink))
         return std::nullopt;
     LoweredShader lowered;
@@ -237,8 +237,8 @@ std::optional<LoweredShader> lower(const sl::TypedShader &shader,
     lowered.whole.mostTurns = options.mostTurns;
     lowered.whole.isEndless = sl::runsFor(shader.kind) == sl::RunsFor::Picture;
     lowered.whole.colors = options.colors;
-    auto parameters = parametersOf(shader, strings, options.colors, sink);
-    if (!parameters)
+    auto parameters = parametersOf(shader, strings, options.colors, needed, sink);
+    if (!parameters || !needed.empty())
         return std::nullopt;
     lowered.parameters = std::move(*parameters);
 
@@ -249,7 +249,8 @@ std::optional<LoweredShader> lower(const sl::TypedShader &shader,
     warnOfWhatLightsReadInVain(lowering);
     writeOutputs(lowering, lowered);
     const bool setsL = saysL(lowering);
-    if (lowering.messages.failed())
+    needed = lowering.stringsAtRunTime.needed();
+    if (lowering.messages.failed() || !needed.empty())
         return std::nullopt;
     lowering.b.finish();
     const auto tell = [&](const char *pass) {
@@ -270,7 +271,7 @@ std::optional<LoweredShader> lower(const sl::TypedShader &shader,
     if (slopes.fault && lowering.usesFootprints) { // Rather unfiltered textures than none.
         LoweringOptions less = options;
         less.footprints = false;
-        return lower(shader, strings, variables, sink, less);
+        return lowerOnce(shader, strings, variables, needed, sink, less);
     }
     if (!reportSlopes(lowering, lowered.whole, slopes, sink))
         return std::nullopt;
@@ -281,6 +282,34 @@ std::optional<LoweredShader> lower(const sl::TypedShader &shader,
     markShortLoops(lowered.whole);
     tell("clean up");
     return lowered;
+}
+
+} // namespace
+
+std::optional<LoweredShader> lower(const sl::TypedShader &shader, std::vector<StringValue> &strings,
+                                   const std::vector<std::string> &variables, DiagnosticSink &sink,
+                                   const LoweringOptions &options) {
+    while (true) {
+        DiagnosticList words;
+        std::set<std::string> needed;
+        auto lowered = lowerOnce(shader, strings, variables, needed, words, options);
+        if (needed.empty()) {
+            for (const Diagnostic &word : words.all())
+                sink.report(word);
+            return lowered;
+        }
+        for (StringValue &given : strings)
+            if (needed.contains(given.name))
+                given.leftToRunTime.clear();
+    }
+}
+
+std::optional<LoweredShader> lower(const sl::TypedShader &shader,
+                                   const std::vector<StringValue> &strings,
+                                   const std::vector<std::string> &variables, DiagnosticSink &sink,
+                                   const LoweringOptions &options) {
+    std::vector<StringValue> left = strings;
+    return lower(shader, left, variables, sink, options);
 }
 
 } // namespace candela::ir

@@ -7,6 +7,7 @@
 #include "language/ir/core/pass_listener.h"
 #include "language/syntax/base_type.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -35,7 +36,8 @@ struct ShaderParameter {
     int arraySize = 1;
     bool output = false;
     bool varying = false;
-    int firstSlot = -1; ///< Into Function::parameters; -1 for strings and what nothing reads.
+    /// Into Function::parameters; -1 for what nothing reads, and for strings that are constants.
+    int firstSlot = -1;
     /// Default value, components in row; points, vectors and normals in the space `defaultSpace`
     /// ("shader" unless the text says otherwise), matrices from there ("current" unless the text
     /// says otherwise), colors in the rendering colour space.
@@ -56,11 +58,21 @@ std::string toldName(const std::string &whose, const std::string &shape, const s
 /// The text asks other shaders of its primitive something.
 bool asksOtherShaders(const sl::TypedShader &);
 
-/// String parameters are compile-time constants of an instance.
+/// The value of a string parameter. Strings are constants of the code, but for those that are left
+/// to run time: only names of pictures, printf() and comparisons with strings of the text
+/// (textsOf()), none of which they are, can do with those.
 struct StringValue {
     std::string name;
     std::vector<std::string> value;
+    std::vector<bool> leftToRunTime{}; ///< By element; none where it is empty.
+
+    bool isLeft(size_t element) const {
+        return element < leftToRunTime.size() && leftToRunTime[element];
+    }
+    bool isLeft() const { return std::ranges::count(leftToRunTime, true) > 0; }
 };
+/// The strings that stand in the shader's text, in order, each once.
+std::vector<std::string> textsOf(const sl::TypedShader &);
 
 /// The hidden parameter that holds an attribute of the primitive, which the shader asks for: 1 and
 /// the value, or zeros if there is none of that type.
@@ -110,6 +122,13 @@ struct LoweringOptions {
 /// warned of. What semantics could not refuse (a space name that is not constant, a default that is
 /// none, derivatives that are not to be had) is reported; nothing is returned then. `variables`
 /// names the parameters that primitive variables override.
+///
+/// A string that is left to run time has a slot, with its number in ShaderServices::strings. Where
+/// the text turns out to need one after all, it is a constant, and no longer left in `strings`.
+std::optional<LoweredShader> lower(const sl::TypedShader &, std::vector<StringValue> &strings,
+                                   const std::vector<std::string> &variables, DiagnosticSink &,
+                                   const LoweringOptions & = {});
+/// The same for those who need not know what is left.
 std::optional<LoweredShader> lower(const sl::TypedShader &, const std::vector<StringValue> &strings,
                                    const std::vector<std::string> &variables, DiagnosticSink &,
                                    const LoweringOptions & = {});

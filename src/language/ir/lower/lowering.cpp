@@ -99,9 +99,10 @@ Components startOf(Builder &b, sl::ShaderKind kind, const sl::PredefinedVariable
 Lowering::Lowering(const sl::TypedShader &shader, const LoweringOptions &options,
                    const std::vector<StringValue> &strings, Function &function,
                    DiagnosticSink &sink)
-    : shader(shader), strings(strings), options(options), b(function, Budget(mostInstructions)),
-      messages(sink), variables(b, computedArrays(shader), fixedTexts(shader)),
-      spaces(b, messages, shader.kind), turn(variables.newCells({number(b, 0)})) {
+    : shader(shader), strings(strings), stringsAtRunTime(shader, strings), options(options),
+      b(function, Budget(mostInstructions)), messages(sink),
+      variables(b, computedArrays(shader), fixedTexts(shader)), spaces(b, messages, shader.kind),
+      turn(variables.newCells({number(b, 0)})) {
     for (const sl::PredefinedVariable &variable : sl::predefinedVariables())
         variables.declarePredefined(variable.id, variable.type.base,
                                     startOf(b, shader.kind, variable));
@@ -114,6 +115,8 @@ std::string requiredText(Lowering &lowering, ValueId value, const sl::Place &whe
                          const std::string &what) {
     if (const std::string *known = constantText(lowering.b, value))
         return *known;
+    if (lowering.stringsAtRunTime.need(value))
+        return "";
     lowering.messages.error(where, what + " must be known when the shader is compiled; here it "
                                           "depends on what happens at run time");
     return "";

@@ -10,6 +10,7 @@
 #include "language/ir/lower/lower.h"
 #include "language/ir/lower/messages.h"
 #include "language/ir/lower/spaces.h"
+#include "language/ir/lower/strings_at_run_time.h"
 #include "language/ir/lower/variables.h"
 #include "language/semantics/typed_ast.h"
 
@@ -49,6 +50,7 @@ struct Lowering {
     const sl::TypedShader &shader;
     /// The strings of the instance, and those that other shaders tell it.
     const std::vector<StringValue> &strings;
+    StringsAtRunTime stringsAtRunTime;
     const LoweringOptions options;
     Builder b;
     Messages messages;

@@ -26,9 +26,6 @@ struct LoopEffects {
 /// Of a Loop (condition, body and steps) or a light statement (body).
 LoopEffects loopEffects(const sl::Stmt &);
 
-/// The strings that stand in the shader's text, in order, each once.
-std::vector<std::string> textsOf(const sl::TypedShader &);
-
 /// Whether the expression may be evaluated although nobody wants its value: no effects, no light
 /// requests, and less work than a branch is worth.
 bool isCheapAndPure(const sl::Expr &);

@@ -39,7 +39,7 @@ public:
                 setParameter(givenName(parameter.name), {0});
         for (int lane = 0; lane < batch->padded(); ++lane)
             for (const ShaderParameter &parameter : lowered->parameters)
-                if (parameter.firstSlot >= 0)
+                if (parameter.firstSlot >= 0 && parameter.type != "string")
                     setParameter(parameter.name, lane, parameter.defaults);
     }
 

@@ -117,7 +117,7 @@ BoundedValue BoundRules::bound(const Instruction &i, const Operands &x, ValueId 
     case BoundRule::First: return {middle, x[0].form};
     case BoundRule::Increasing:
     case BoundRule::Decreasing:
-        if (i.op == Op::IntegerFromFloat) {
+        if (i.op == Op::IntegerFromFloat || i.op == Op::StringFromFloat) {
             const FormParts f = formOf(b_, x[0]);
             const ValueId isOne =
                 equal(b_, unary(b_, Op::Floor, f.least), unary(b_, Op::Floor, f.greatest));

@@ -6,10 +6,7 @@
 namespace candela::ir {
 
 Values askTwin(Builder &b, const ServiceUse &use, const Values &operands) {
-    std::vector<std::string> texts;
-    for (int text : use.texts)
-        texts.push_back(b.function().strings[size_t(text)]);
-    return query(b, twinOf(*use.info), texts, operands, use.results * (1 + twinCoordinates));
+    return queryOther(b, twinOf(*use.info), use, operands, use.results * (1 + twinCoordinates));
 }
 
 std::vector<Jet> ofTwin(Jets &jets, const std::vector<Jet> &operands, const Values &results) {
