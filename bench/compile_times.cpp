@@ -21,10 +21,10 @@ namespace {
 
 using ir::Question;
 
-/// Seconds of CPU time of this thread: others may be busy on the machine.
+/// Seconds of CPU time of this process: others may be busy on the machine.
 double now() {
     timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
     return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
 }
 

@@ -51,6 +51,13 @@ std::string tenLinesEach(int functions, int calls) {
     return text;
 }
 
+std::string chain(int links) {
+    return surface("float x = s * 1000;\nif (x < 0) Ci = 1;\n" +
+                   each(links, [](const std::string &n) {
+                       return "else if (x < " + n + ".5) Ci = Cs * 0." + n + ";";
+                   }));
+}
+
 std::string lobes(int terms) {
     return surface("normal n = normalize(N); vector w = -normalize(I); Ci = 0;\n" +
                    each(terms, [](const std::string &n) {
@@ -175,6 +182,14 @@ std::vector<LargeShader> largeShaders() {
         {"3,000 sums", Compiles,
          surface("Ci = 0;\n" +
                  each(3000, [](const std::string &n) { return "Ci += Cs * 0." + n + ";"; }))},
+        {"a sum of 4,900 terms",
+         Compiles,
+         surface("Ci = s" + each(4900, [](const std::string &n) { return " + t * 0." + n; }) +
+                 ";\n"),
+         {},
+         true},
+        {"4,000 else ifs", Compiles, chain(4000)},
+        {"1,000 else ifs", Compiles, chain(1000), {}, true},
         {"300 traces", Compiles,
          surface(
              "Ci = 0;\n" +

@@ -123,26 +123,53 @@ static ExprPtr asOperand(ExprPtr e, BaseType type, const std::string &role, Repo
     return same ? std::move(e) : coerce(std::move(e), type, role, reporter);
 }
 
+/// What the chain may be is found from its first operand on, what it is from its last operator on.
 ExprPtr ExpressionChecker::binary(const ast::Expr &e, Wanted wanted) {
-    TypeSet leftTypes = typesOf(*e.operands[0], here_), rightTypes = typesOf(*e.operands[1], here_);
-    const OperatorForm *form = chooseForm(e.op, leftTypes, rightTypes, wanted);
-    if (!form)
-        return here_.error(e.where, std::string("operator '") + nameOf(e.op) +
-                                        "' cannot be applied to " + leftTypes.text() + " and " +
-                                        rightTypes.text());
-    std::string role = std::string("an operand of '") + nameOf(e.op) + "'";
-    ExprPtr left = check(*e.operands[0], form->left), right = check(*e.operands[1], form->right);
+    std::vector<Link> chain; // The last operator first.
+    const ast::Expr *first = &e;
+    for (; first->kind == ast::ExprKind::Binary; first = first->operands[0].get())
+        chain.push_back({first, {}, {}, nullptr});
+    TypeSet types = typesOf(*first, here_);
+    for (auto link = chain.rbegin(); link != chain.rend(); ++link) {
+        link->left = types;
+        link->right = typesOf(*link->e->operands[1], here_);
+        types = resultsOf(link->e->op, link->left, link->right);
+    }
+    auto link = chain.begin();
+    for (; link != chain.end(); ++link) {
+        link->form = chooseForm(link->e->op, link->left, link->right, wanted);
+        if (!link->form)
+            break;
+        wanted = link->form->left;
+    }
+    ExprPtr value;
+    if (link == chain.end())
+        value = check(*first, wanted);
+    else
+        here_.error(link->e->where, std::string("operator '") + nameOf(link->e->op) +
+                                        "' cannot be applied to " + link->left.text() + " and " +
+                                        link->right.text());
+    while (link != chain.begin())
+        value = operation(*--link, std::move(value));
+    return value;
+}
+
+ExprPtr ExpressionChecker::operation(const Link &link, ExprPtr left) {
+    const ast::Expr &e = *link.e;
+    const OperatorForm &form = *link.form;
+    ExprPtr right = check(*e.operands[1], form.right);
     if (!left || !right)
         return nullptr;
-    bool dotOfColors = form->left == BaseType::Color && e.op == BinaryOp::Dot;
-    for (auto [side, type] : {std::pair(&left, form->left), std::pair(&right, form->right)}) {
+    const std::string role = std::string("an operand of '") + nameOf(e.op) + "'";
+    const bool dotOfColors = form.left == BaseType::Color && e.op == BinaryOp::Dot;
+    for (auto [side, type] : {std::pair(&left, form.left), std::pair(&right, form.right)}) {
         *side = asOperand(std::move(*side), type, role, here_.reporter);
         if (!*side)
             return nullptr;
         if (dotOfColors)
             *side = converted(std::move(*side), BaseType::Vector);
     }
-    return makeBinary(e.op, form->result, e.where, std::move(left), std::move(right));
+    return makeBinary(e.op, form.result, e.where, std::move(left), std::move(right));
 }
 
 ExprPtr ExpressionChecker::conditional(const ast::Expr &e, Wanted wanted) {

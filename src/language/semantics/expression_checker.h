@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "language/semantics/conversion.h"
+#include "language/semantics/operator_forms.h"
 #include "language/semantics/surroundings.h"
 #include "language/semantics/typed_ast.h"
 #include "language/syntax/ast.h"
@@ -28,12 +30,20 @@ public:
     ExprPtr checkWholeArray(const ast::Expr &, bool asTarget);
 
 private:
+    /// An operator of a chain like a + b - c, whose left operand is all before it.
+    struct Link {
+        const ast::Expr *e;
+        TypeSet left, right; ///< What the operands may be.
+        const OperatorForm *form;
+    };
+
     ExprPtr name(const ast::Expr &);
     ExprPtr tuple(const ast::Expr &, Wanted);
     ExprPtr index(const ast::Expr &, bool asTarget);
     ExprPtr negation(const ast::Expr &, Wanted);
     ExprPtr logicalNot(const ast::Expr &);
     ExprPtr binary(const ast::Expr &, Wanted);
+    ExprPtr operation(const Link &, ExprPtr left);
     ExprPtr conditional(const ast::Expr &, Wanted);
     ExprPtr assignment(const ast::Expr &);
     ExprPtr assignedValue(const ast::Expr &, const Type &target);

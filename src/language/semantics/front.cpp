@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/semantics/front.h"
 
+#include "foundation/base/deep_stack.h"
 #include "language/semantics/shader_checker.h"
 #include "language/syntax/parser.h"
 #include "language/syntax/preprocessor.h"
@@ -33,8 +34,8 @@ static void checkShaders(const ast::File &file, const SourceFile &mainFile, Repo
     }
 }
 
-std::optional<CompiledFront> analyzeSource(const SourceText &source, const FrontOptions &options,
-                                           DiagnosticSink &sink) {
+static std::optional<CompiledFront> analyze(const SourceText &source, const FrontOptions &options,
+                                            DiagnosticSink &sink) {
     Reporter reporter(sink, options.hints);
     auto sources = std::make_shared<SourceSet>();
     sources->push_back(std::make_unique<SourceFile>(source.name, source.text));
@@ -51,6 +52,13 @@ std::optional<CompiledFront> analyzeSource(const SourceText &source, const Front
         reporter.error({&mainFile, 1, 1, 1}, "the file holds no shader");
     if (reporter.errorCount() > 0)
         return std::nullopt;
+    return front;
+}
+
+std::optional<CompiledFront> analyzeSource(const SourceText &source, const FrontOptions &options,
+                                           DiagnosticSink &sink) {
+    std::optional<CompiledFront> front;
+    onDeepStack([&] { front = analyze(source, options, sink); });
     return front;
 }
 

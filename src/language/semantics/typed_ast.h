@@ -17,6 +17,7 @@
 #include "language/semantics/predefined.h"
 #include "language/semantics/type.h"
 #include "language/syntax/source.h"
+#include "language/syntax/take_apart.h"
 
 namespace candela::sl {
 
@@ -88,6 +89,11 @@ enum class ExprKind {
 // Point, vector and normal count as one type here: the operands of Add may be point and vector.
 
 struct Expr {
+    Expr() = default;
+    Expr(Expr &&) = default;
+    Expr &operator=(Expr &&) = default;
+    ~Expr() { takeApart(*this, &Expr::operands); }
+
     ExprKind kind = ExprKind::Number;
     Type type;
     Place where;
@@ -149,6 +155,11 @@ struct LightArguments {
 };
 
 struct Stmt {
+    Stmt() = default;
+    Stmt(Stmt &&) = default;
+    Stmt &operator=(Stmt &&) = default;
+    ~Stmt() { takeApart(*this, &Stmt::body, &Stmt::otherwise); }
+
     StmtKind kind = StmtKind::Block;
     Place where;
     std::vector<StmtPtr> body;

@@ -4,6 +4,8 @@
 
 #include "language/semantics/typed_ast.h"
 
+#include "foundation/base/deep_stack.h"
+
 namespace candela::sl {
 namespace {
 
@@ -109,7 +111,7 @@ std::string print(const Expr &e) {
     return {};
 }
 
-std::string print(const TypedShader &shader) {
+static std::string printed(const TypedShader &shader) {
     Printer printer;
     printer.line(std::string(nameOf(shader.kind)) + " " + shader.name);
     for (const Parameter &parameter : shader.parameters) {
@@ -125,6 +127,12 @@ std::string print(const TypedShader &shader) {
         printer.list(function->body);
     }
     return printer.text;
+}
+
+std::string print(const TypedShader &shader) {
+    std::string text;
+    onDeepStack([&] { text = printed(shader); });
+    return text;
 }
 
 } // namespace candela::sl

@@ -11,6 +11,7 @@
 
 #include "language/syntax/base_type.h"
 #include "language/syntax/source.h"
+#include "language/syntax/take_apart.h"
 
 namespace candela::sl::ast {
 
@@ -35,6 +36,11 @@ enum class ExprKind {
 };
 
 struct Expr {
+    Expr() = default;
+    Expr(Expr &&) = default;
+    Expr &operator=(Expr &&) = default;
+    ~Expr() { takeApart(*this, &Expr::operands); }
+
     ExprKind kind = ExprKind::Number;
     Place where; ///< Of Binary, Conditional and Assign: the operator; else the first word.
     std::vector<ExprPtr> operands;
@@ -89,6 +95,11 @@ struct Function {
 };
 
 struct Stmt {
+    Stmt() = default;
+    Stmt(Stmt &&) = default;
+    Stmt &operator=(Stmt &&) = default;
+    ~Stmt() { takeApart(*this, &Stmt::body); }
+
     StmtKind kind = StmtKind::Empty;
     Place where; ///< The first word.
     ExprPtr value;

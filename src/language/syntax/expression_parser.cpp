@@ -9,8 +9,8 @@
 namespace candela::sl {
 
 // Long chains (a + b + c ...) grow the tree without nesting the parser; the passes that walk the
-// tree recurse, so its height is limited too.
-static constexpr int heightLimit = 500;
+// tree recurse, on a deep stack, so its height is limited too.
+static constexpr int heightLimit = 5000;
 
 ast::ExprPtr ExpressionParser::make(ast::ExprKind kind, const Place &where,
                                     std::vector<ast::ExprPtr> operands) {

@@ -10,6 +10,9 @@ namespace candela::sl {
 
 using ast::StmtKind;
 
+// Each stands within the one before it, for passes that recurse on a deep stack.
+static constexpr int chainLimit = 5000;
+
 ast::StmtPtr StatementParser::make(StmtKind kind) const {
     auto result = std::make_unique<ast::Stmt>();
     result->kind = kind;
@@ -125,12 +128,38 @@ ast::ExprPtr StatementParser::condition(const char *word) {
     return result;
 }
 
+/// "if" and its body; true if an "else" follows.
+bool StatementParser::choice(ast::Stmt &to) {
+    to.value = condition("if");
+    to.body.push_back(statement());
+    return tokens_.accept("else");
+}
+
+/// With all the "else if" behind it, without recursion. An error in one of these ends the chain.
 ast::StmtPtr StatementParser::ifStatement() {
     ast::StmtPtr result = make(StmtKind::If);
-    result->value = condition("if");
-    result->body.push_back(statement());
-    if (tokens_.accept("else"))
-        result->body.push_back(statement());
+    bool goesOn = choice(*result);
+    ast::Stmt *last = result.get();
+    for (int links = 1; goesOn && tokens_.at("if"); ++links) {
+        if (links == chainLimit)
+            tokens_.reporter().error(tokens_.peek().where,
+                                     "too many 'else if' in a row; the limit is " +
+                                         std::to_string(chainLimit));
+        const size_t start = tokens_.position();
+        ast::StmtPtr link = make(StmtKind::If);
+        try {
+            goesOn = choice(*link);
+        } catch (Panic) {
+            recoverInBlock(start);
+            return result;
+        }
+        if (links >= chainLimit)
+            continue;
+        last->body.push_back(std::move(link));
+        last = last->body.back().get();
+    }
+    if (goesOn)
+        last->body.push_back(statement());
     return result;
 }
 

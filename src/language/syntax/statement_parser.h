@@ -28,6 +28,7 @@ private:
     ast::StmtPtr statement();
     ast::StmtPtr statementProper();
     ast::StmtPtr ifStatement();
+    bool choice(ast::Stmt &);
     ast::StmtPtr whileStatement();
     ast::StmtPtr forStatement();
     ast::StmtPtr jumpStatement(ast::StmtKind);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/ir/lower/defaults.h"
 
+#include "foundation/base/deep_stack.h"
 #include "language/ir/core/builder_effects.h"
 #include "language/ir/core/builder_sources.h"
 #include "language/ir/core/op_info.h"
@@ -303,8 +304,10 @@ parametersOf(const sl::TypedShader &shader, const std::vector<StringValue> &stri
 
 std::optional<std::vector<ShaderParameter>>
 parametersOf(const sl::TypedShader &shader, const ColorBasis &colors, DiagnosticSink &sink) {
+    std::optional<std::vector<ShaderParameter>> parameters;
     std::set<std::string> none;
-    return parametersOf(shader, {}, colors, none, sink);
+    onDeepStack([&] { parameters = parametersOf(shader, {}, colors, none, sink); });
+    return parameters;
 }
 
 } // namespace candela::ir

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/ir/lower/lower.h"
 
+#include "foundation/base/deep_stack.h"
 #include "foundation/units/color.h"
 #include "language/ir/analyse/falloff.h"
 #include "language/ir/core/builder_arithmetic.h"
@@ -292,7 +293,9 @@ std::optional<LoweredShader> lower(const sl::TypedShader &shader, std::vector<St
     while (true) {
         DiagnosticList words;
         std::set<std::string> needed;
-        auto lowered = lowerOnce(shader, strings, variables, needed, words, options);
+        std::optional<LoweredShader> lowered;
+        onDeepStack(
+            [&] { lowered = lowerOnce(shader, strings, variables, needed, words, options); });
         if (needed.empty()) {
             for (const Diagnostic &word : words.all())
                 sink.report(word);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/ir/lower/scan.h"
 
+#include "foundation/base/deep_stack.h"
 #include "language/ir/lower/lower.h"
 #include "language/semantics/named_arguments.h"
 
@@ -272,10 +273,12 @@ void walkAll(const sl::TypedShader &shader, Walker &walker) {
 
 std::vector<std::string> textsOf(const sl::TypedShader &shader) {
     TextWalker walker;
-    walkAll(shader, walker);
-    for (const sl::Parameter &parameter : shader.parameters)
-        for (const sl::ExprPtr &value : parameter.defaults)
-            walker.walk(value.get());
+    onDeepStack([&] {
+        walkAll(shader, walker);
+        for (const sl::Parameter &parameter : shader.parameters)
+            for (const sl::ExprPtr &value : parameter.defaults)
+                walker.walk(value.get());
+    });
     return walker.texts;
 }
 
@@ -304,7 +307,7 @@ std::set<const sl::Symbol *> fixedTexts(const sl::TypedShader &shader) {
 
 bool asksOtherShaders(const sl::TypedShader &shader) {
     AskingWalker walker;
-    walkAll(shader, walker);
+    onDeepStack([&] { walkAll(shader, walker); });
     return walker.asks;
 }
 

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "language/ir/lower/statement.h"
 
+#include "language/ir/core/builder_arithmetic.h"
 #include "language/ir/core/builder_sources.h"
 #include "language/ir/lower/control.h"
 #include "language/ir/lower/expression.h"
 #include "language/ir/lower/light.h"
+#include "language/ir/lower/scan.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace candela::ir {
 namespace {
@@ -32,6 +35,72 @@ void declareLocal(Lowering &lowering, const sl::Stmt &statement) {
             if (next < initial.size())
                 initial[next++] = component;
     lowering.variables.declare(symbol, initial);
+}
+
+/// An "if" that is all that stands behind the "else"; null if there is none.
+const sl::Stmt *nextLink(const sl::Stmt &choice) {
+    const auto &otherwise = choice.otherwise;
+    const bool isLink = otherwise.size() == 1 && otherwise[0]->kind == sl::StmtKind::If;
+    return isLink ? otherwise[0].get() : nullptr;
+}
+
+bool isLongChain(const sl::Stmt &choice) {
+    constexpr int mostNested = 64;
+    int links = 0;
+    for (const sl::Stmt *link = &choice; link && links <= mostNested; link = nextLink(*link))
+        ++links;
+    return links > mostNested;
+}
+
+/// A long chain: if (a) ... if (!a && b) ... if (!(a || b) && c) ..., beside each other and not
+/// within, as the passes that go down regions and the code of masks would rather have it.
+class Chain {
+public:
+    explicit Chain(Lowering &lowering)
+        : lowering_(lowering), b_(lowering.b),
+          taken_(size_t(lowering.variables.newCells({boolean(lowering.b, false)}))) {}
+
+    void lower(const sl::Stmt &choice) {
+        for (const sl::Stmt *link = &choice; link; link = nextLink(*link)) {
+            if (isTooLarge(lowering_, link->where))
+                return;
+            b_.setLine(link->where.line);
+            add(*link);
+            if (!nextLink(*link))
+                branch(
+                    lowering_, isOpen(), [&] { ir::lower(lowering_, link->otherwise); }, [] {});
+        }
+    }
+
+private:
+    ValueId isOpen() { return negate(b_, lowering_.variables.cells[taken_]); }
+
+    void add(const sl::Stmt &link) {
+        const auto ask = [&] { return condition(lowering_, *link.value); };
+        if (isCheapAndPure(*link.value))
+            return takeWhere(both(b_, isOpen(), ask()), link);
+        branch(
+            lowering_, isOpen(), [&] { takeWhere(ask(), link); }, [] {});
+    }
+    void takeWhere(ValueId decision, const sl::Stmt &link) {
+        branch(
+            lowering_, decision, [&] { ir::lower(lowering_, link.body); }, [] {});
+        ValueId &taken = lowering_.variables.cells[taken_];
+        taken = either(b_, taken, decision);
+    }
+
+    Lowering &lowering_;
+    Builder &b_;
+    const size_t taken_; ///< Cell.
+};
+
+void lowerChoice(Lowering &lowering, const sl::Stmt &choice) {
+    if (isLongChain(choice))
+        return Chain(lowering).lower(choice);
+    const ValueId decision = condition(lowering, *choice.value);
+    branch(
+        lowering, decision, [&] { lower(lowering, choice.body); },
+        [&] { lower(lowering, choice.otherwise); });
 }
 
 void returnFrom(Lowering &lowering, const sl::Stmt &statement) {
@@ -62,13 +131,7 @@ void lower(Lowering &lowering, const sl::Stmt &statement) {
     case sl::StmtKind::Block: lower(lowering, statement.body); break;
     case sl::StmtKind::Declare: declareLocal(lowering, statement); break;
     case sl::StmtKind::Evaluate: evaluate(lowering, *statement.value); break;
-    case sl::StmtKind::If: {
-        const ValueId decision = condition(lowering, *statement.value);
-        branch(
-            lowering, decision, [&] { lower(lowering, statement.body); },
-            [&] { lower(lowering, statement.otherwise); });
-        break;
-    }
+    case sl::StmtKind::If: lowerChoice(lowering, statement); break;
     case sl::StmtKind::Loop: lowerLoop(lowering, statement); break;
     case sl::StmtKind::Break:
     case sl::StmtKind::Continue: jump(lowering, statement); break;
