@@ -24,7 +24,7 @@ void Shown::render(const std::string &rib, const std::vector<std::string> &more)
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Outcome outcome = runCandela(arguments);
     EXPECT_EQ(outcome.status, 0) << outcome.text();
-    EXPECT_EQ(outcome.errBesidesBlack(), "");
+    EXPECT_EQ(outcome.errBesidesLight(), "");
 }
 
 std::vector<float> Shown::plane(const std::string &file, const std::string &channel) {

@@ -59,6 +59,10 @@ const BlackScene scenes[] = {
      "AttributeBegin Translate 0 0 2 Sphere .2 -.2 .2 360 AttributeEnd Translate 1 0 6 "
      "Sphere 1 -1 1 360",
      "lies in shadow: something stands between it and light \"1\""},
+    {"InShadowOfWhatIsFarOff", "Attribute \"light\" \"string shadows\" \"on\"\n",
+     "LightSource \"distantlight\" 1 \"from\" [0 0 0] \"to\" [0 -1 0]\n",
+     "AttributeBegin Translate 0 50 6 Rotate 90 1 0 0 Disk 0 9 360 AttributeEnd " + ball,
+     "lies in shadow: something stands between it and light \"1\""},
 };
 
 class Black : public testing::TestWithParam<std::tuple<BlackScene, const char *, const char *>> {};

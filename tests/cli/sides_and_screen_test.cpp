@@ -27,7 +27,7 @@ protected:
         Outcome run = runCandela({folder_.write("scene.rib", head + rib), "--output-dir",
                                   folder_.path(), "--shader-path", folder_.path() + ":&"});
         EXPECT_EQ(run.status, 0) << rib << run.text();
-        EXPECT_EQ(run.errBesidesBlack(), "") << rib;
+        EXPECT_EQ(run.errBesidesLight(), "") << rib;
         std::string problem;
         std::optional<Picture> picture = readPicture(folder_.path("out.exr"), problem);
         if (!picture || !picture->find("R") || !picture->find("A")) {

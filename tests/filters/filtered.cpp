@@ -43,7 +43,7 @@ Outcome Filtered::filter(const std::string &in, const std::string &out,
 void Filtered::render(const std::string &rib, const std::vector<std::string> &more) {
     const Outcome outcome = run(rib, more);
     EXPECT_EQ(outcome.status, 0) << outcome.text();
-    EXPECT_EQ(outcome.errBesidesBlack(), "");
+    EXPECT_EQ(outcome.errBesidesLight(), "");
 }
 
 Picture Filtered::read(const std::string &name) {

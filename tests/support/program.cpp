@@ -70,12 +70,14 @@ std::string Outcome::text() const {
     return how + "\nstdout:\n" + out + "\nstderr:\n" + err;
 }
 
-std::string Outcome::errBesidesBlack() const {
+std::string Outcome::errBesidesLight() const {
+    constexpr const char *ofLight[] = {"the picture is black: ", " shines on nothing, ",
+                                       " is shut out: ", " adds light of its own, "};
     std::istringstream lines(err);
     std::string rest;
     for (std::string line; std::getline(lines, line);)
-        if (line.find("the picture is black: ") == line.npos &&
-            line.find(" shines on nothing, ") == line.npos)
+        if (std::ranges::none_of(ofLight,
+                                 [&](const char *words) { return line.find(words) != line.npos; }))
             rest += line + "\n";
     return rest;
 }

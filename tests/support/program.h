@@ -24,9 +24,9 @@ struct Outcome {
     std::string out, err; ///< Standard output and standard error.
 
     bool says(const std::string &text) const { return err.find(text) != std::string::npos; }
-    /// Standard error but for what it says of black pictures and lights that shine on nothing:
-    /// where they are meant to be so.
-    std::string errBesidesBlack() const;
+    /// Standard error but for what it says of black pictures and of lights that do nothing or more
+    /// than they say: where they are meant to be so.
+    std::string errBesidesLight() const;
     /// All of it, for the message of a failed test.
     std::string text() const;
 };

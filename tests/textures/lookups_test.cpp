@@ -104,7 +104,7 @@ TEST(Lookups, AreWhatThePicturesHold) {
     for (const char *lanes : {"1", "16"}) {
         const Told told = tell(folder, {expressions, "", requests, lanes});
         EXPECT_EQ(told.run.status, 0) << told.run.text();
-        EXPECT_EQ(told.run.errBesidesBlack(), "");
+        EXPECT_EQ(told.run.errBesidesLight(), "");
         ASSERT_EQ(told.values.size(), expressions.size()) << told.run.text();
         for (std::size_t k = 0; k < expressions.size(); ++k)
             EXPECT_NEAR(told.values[k], lookups[k].expected, lookups[k].within) << expressions[k];
@@ -213,7 +213,7 @@ TEST(Lookups, NamesMayBeChosenInLoops) {
              "for (i = 0; i < 100; i += 1) if (names[mod(i, 3)] == \"grey.exr\") same += 1;\n",
              "",
              lanes});
-        EXPECT_EQ(told.run.errBesidesBlack(), "");
+        EXPECT_EQ(told.run.errBesidesLight(), "");
         ASSERT_EQ(told.values.size(), 5u) << told.run.text();
         EXPECT_NEAR(told.values[0], 1.05f, 2e-3f);
         EXPECT_NEAR(told.values[1], 1, 2e-3f);

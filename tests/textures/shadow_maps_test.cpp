@@ -86,7 +86,7 @@ TEST(ShadowMaps, LieWhereRaysSayAndNowhereElse) {
                                 folder.write("shadow.rib",
                                              scene(light, inverseOf(light), makes, integrator))});
                 EXPECT_EQ(run.status, 0) << run.text();
-                EXPECT_EQ(run.errBesidesBlack(), "");
+                EXPECT_EQ(run.errBesidesLight(), "");
                 std::string problem;
                 const auto mapped = readPicture(folder.path("mapped.exr"), problem);
                 const auto traced = readPicture(folder.path("traced.exr"), problem);
@@ -140,7 +140,7 @@ TEST(ShadowMaps, BlurAndBiasAreAsTold) {
     for (const auto &row : rows)
         expressions.emplace_back(row.call);
     const Told told = tell(folder, {expressions, "", depths});
-    EXPECT_EQ(told.run.errBesidesBlack(), "");
+    EXPECT_EQ(told.run.errBesidesLight(), "");
     ASSERT_EQ(told.values.size(), expressions.size()) << told.run.text();
     for (std::size_t k = 0; k < expressions.size(); ++k)
         EXPECT_NEAR(told.values[k], rows[k].expected, rows[k].within) << expressions[k];

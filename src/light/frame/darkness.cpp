@@ -184,7 +184,7 @@ private:
             for (int c = 0; c < 3; ++c)
                 shadows_.origin[c][i] = origins_[c][i], shadows_.direction[c][i] = L[c];
             shadows_.tMin[i] = 0;
-            shadows_.tMax[i] = bright && faces ? shadowRayEnd : 0;
+            shadows_.tMax[i] = bright && faces ? shadowRayEndFor(samples.distance[i]) : 0;
             shadows_.time[i] = points_.input(int(ShaderInput::time))[i];
         }
         Planes<float> through(colorSamples, looks);

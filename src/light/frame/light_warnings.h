@@ -6,7 +6,8 @@
 
 namespace candela {
 
-/// Warns of lights that are on for no shape but their own, and of area lights around none.
+/// Warns of lights that are on for no shape but their own, of area lights around none, of those
+/// whose surfaces add light of their own, and of distant ones that a sky shuts out.
 void warnOfLights(const Scene &, DiagnosticSink &);
 
 /// There are lights, and none of them casts shadows (`classic`, unless it is told to).

@@ -12,7 +12,7 @@ namespace candela {
 namespace {
 
 /// The way from the shifted origin to the same end as L from P: the receiver's offset must not
-/// carry the ray's end into the light. Distant light is away from everywhere.
+/// carry the ray's end into the light.
 CANDELA_HOT void towardsLight(int count, const ConstVec3Planes &P, const ConstVec3Planes &origin,
                               const ConstVec3Planes &L, const float *__restrict distance,
                               const MutableVec3Planes &direction, float *__restrict end) {
@@ -27,7 +27,7 @@ CANDELA_HOT void towardsLight(int count, const ConstVec3Planes &P, const ConstVe
         dx[i] = distant ? lx[i] : lx[i] + (px[i] - ox[i]);
         dy[i] = distant ? ly[i] : ly[i] + (py[i] - oy[i]);
         dz[i] = distant ? lz[i] : lz[i] + (pz[i] - oz[i]);
-        end[i] = distant ? INFINITY : shadowRayEnd;
+        end[i] = shadowRayEndFor(distance[i]);
     }
 }
 

@@ -4,11 +4,17 @@
 
 #include "light/vertex/light_samples.h"
 
+#include <limits>
+
 namespace candela {
 
 /// Where a shadow ray ends, as a share of its way: rounding short of the sample. Samples of finite
 /// lights end before the zone of the light itself already (LightSamples::L).
 inline constexpr float shadowRayEnd = 1 - 4 * 0x1p-23f;
+/// Distant light (LightSamples::distance) is away from everywhere.
+inline float shadowRayEndFor(float distance) {
+    return distance == std::numeric_limits<float>::infinity() ? distance : shadowRayEnd;
+}
 
 /// Points in volumes, which light is sampled for.
 struct FreePoints {

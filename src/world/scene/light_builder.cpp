@@ -193,6 +193,8 @@ void LightBuilder::attach(const PlacedShape &placed) {
     emitter.kind = LightKind::Emitter;
     emitter.shader = {code.code, appearance.parameterOffset};
     emitter.title = "a surface with shader \"" + code.code->name() + "\"";
+    if (const auto &surface = points.details[placed.appearance].attributes->surface)
+        emitter.where = surface->parameters.where;
     lights.push_back(std::move(emitter));
     tags_.emplace_back();
     sources_.emplace_back(), appearances_.emplace_back();

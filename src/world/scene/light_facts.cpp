@@ -2,6 +2,9 @@
 // What messages tell of lights.
 #include "world/scene/scene_state.h"
 
+#include <algorithm>
+#include <numbers>
+
 namespace candela {
 
 /// For some shape but its own; or there are no others.
@@ -19,6 +22,11 @@ static bool isOnForOthers(const SceneState &state, int light) {
     return !areOthers;
 }
 
+static double surfaceShareOf(const SceneLight &light) {
+    const double power = light.surfaceRadiance * colorSamples * light.area * 2 * std::numbers::pi;
+    return light.power > 0 ? std::min(1.0, power / light.power) : 0;
+}
+
 LightFacts Lights::facts(int index) const {
     const SceneLight &light = state_->lights.lights[index];
     return {light.title,
@@ -29,7 +37,9 @@ LightFacts Lights::facts(int index) const {
             light.isTurnedOff,
             light.kind == LightKind::Ambient,
             light.kind == LightKind::Emitter,
-            light.castsShadow};
+            light.castsShadow,
+            light.surfaceRadiance,
+            surfaceShareOf(light)};
 }
 
 } // namespace candela

@@ -254,20 +254,26 @@ private:
         placed_.place(state_, code, samples_ * lights(), source, u, v);
     }
 
-    /// Radiant exitance of both sides times area.
-    void askSurfaces() {
-        const int code = codeOf(state_, light(0).firstSource);
+    /// Sums of what the placed points send, in front and behind.
+    std::vector<std::array<double, 2>> sumsOfEmission(int code) {
         float *radiance[colorSamples];
         for (int c = 0; c < colorSamples; ++c)
             std::fill_n(radiance[c] = radiance_[c], lightBatchSize, 0.0f);
-        place(state_.points.codes[code]);
-        forLanes(samples_, [&](int, int i, int lane) { placed_.placeViewer(lane, i); });
         state_.emission(code, placed_.points, radiance, batch_.prints);
         std::vector<std::array<double, 2>> sums(lights());
         forLanes(samples_, [&](int k, int i, int lane) {
             for (int c = 0; c < colorSamples; ++c)
                 sums[k][i % 2] += amount(radiance[c][lane]);
         });
+        return sums;
+    }
+
+    /// Radiant exitance of both sides times area.
+    void askSurfaces() {
+        const int code = codeOf(state_, light(0).firstSource);
+        place(state_.points.codes[code]);
+        forLanes(samples_, [&](int, int i, int lane) { placed_.placeViewer(lane, i); });
+        const std::vector<std::array<double, 2>> sums = sumsOfEmission(code);
         for (int k = 0; k < lights(); ++k) {
             const auto [front, back] = sums[k];
             setPower(light(k), (front + back) / samples_ * 2 * pi * light(k).area);
@@ -275,6 +281,17 @@ private:
                              : back > 0 && front == 0 ? LightSides::Back
                                                       : LightSides::Both;
         }
+        if (state_.points.codes[code].code->facts().emits)
+            findSurfaceRadiance(code);
+    }
+
+    /// Of area lights: of points that belong to no light surfaces alone send.
+    void findSurfaceRadiance(int code) {
+        std::fill_n(placed_.points.light, placed_.points.count, 0);
+        const std::vector<std::array<double, 2>> sums = sumsOfEmission(code);
+        for (int k = 0; k < lights(); ++k)
+            if (light(k).kind == LightKind::Area)
+                light(k).surfaceRadiance = (sums[k][0] + sums[k][1]) / (samples_ * colorSamples);
     }
 
     /// Classic area lights are told by their shader how to fall off: what arrives at the rim of the

@@ -94,6 +94,8 @@ struct SceneLight {
     float spread = 3.14159274f;     ///< Nearly all of its light leaves within this of the axis.
     LightSides sides = LightSides::Both;
     double power = 0; ///< An estimate; W, or what would be W for classic units.
+    /// Of area lights: what their surfaces' shaders send besides; an estimate of its mean.
+    double surfaceRadiance = 0;
     /// For messages: 'light "key" ("pointlight")', and where it stands.
     std::string title{};
     SourceLocation where{};
