@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // rib_rate: how fast RIB is read, without anything being made of it: MB a CPU second of one thread,
 // the best of several rounds. Two texts: a mesh, which is numbers, and a forest, which is short
-// requests; each in ASCII and binary. Prints JSON.
+// requests; each in ASCII and binary. Or the RIB files that are named. Prints JSON.
+#include "foundation/base/whole_file.h"
 #include "interface/rib/rib_stream.h"
 #include "interface/rib/rib_writer.h"
 
@@ -75,13 +76,8 @@ void forest(StreamSink &sink) {
     }
 }
 
-void measure(const char *name, void (*requests)(StreamSink &), RibEncoding encoding, bool last) {
-    std::string rib;
-    const auto output = ByteOutput::toMemory(rib);
-    {
-        RibWriter writer(*output, encoding);
-        requests(writer);
-    }
+/// Reads it round by round.
+void measure(const std::string &name, const std::string &rib, bool last) {
     DiagnosticList found;
     double best = 1e30;
     std::size_t heard = 0;
@@ -93,24 +89,51 @@ void measure(const char *name, void (*requests)(StreamSink &), RibEncoding encod
         best = std::min(best, cpuSeconds() - start);
         heard = listener.requests;
     }
-    std::printf(
-        "  \"%s%s\": {\"megabytes\": %.1f, \"requests\": %zu, \"megabytesPerSecond\": %.1f, "
-        "\"nanosecondsPerRequest\": %.0f}%s\n",
-        name, encoding == RibEncoding::Ascii ? "Ascii" : "Binary", double(rib.size()) * 1e-6, heard,
-        double(rib.size()) * 1e-6 / best, best * 1e9 / double(heard), last ? "" : ",");
+    std::printf("  \"%s\": {\"megabytes\": %.1f, \"requests\": %zu, \"megabytesPerSecond\": %.1f, "
+                "\"nanosecondsPerRequest\": %.0f}%s\n",
+                name.c_str(), double(rib.size()) * 1e-6, heard, double(rib.size()) * 1e-6 / best,
+                best * 1e9 / double(heard), last ? "" : ",");
     if (found.count(Severity::Error))
         std::fputs(found.text().c_str(), stderr);
+}
+
+void measureWritten(const char *name, void (*requests)(StreamSink &), RibEncoding encoding,
+                    bool last) {
+    std::string rib;
+    const auto output = ByteOutput::toMemory(rib);
+    {
+        RibWriter writer(*output, encoding);
+        requests(writer);
+    }
+    measure(std::string(name) + (encoding == RibEncoding::Ascii ? "Ascii" : "Binary"), rib, last);
+}
+
+bool measureFile(const std::string &file, bool last) {
+    std::string problem;
+    const auto rib = readWholeFile(file, problem);
+    if (!rib) {
+        std::fprintf(stderr, "rib_rate: %s\n", problem.c_str());
+        return false;
+    }
+    measure(file, *rib, last);
+    return true;
 }
 
 } // namespace
 } // namespace candela::bench
 
-int main() {
+int main(int count, char **words) {
     using namespace candela;
     std::puts("{");
-    bench::measure("mesh", bench::mesh, RibEncoding::Ascii, false);
-    bench::measure("mesh", bench::mesh, RibEncoding::Binary, false);
-    bench::measure("forest", bench::forest, RibEncoding::Ascii, false);
-    bench::measure("forest", bench::forest, RibEncoding::Binary, true);
+    bool good = true;
+    for (int i = 1; i < count; ++i)
+        good &= bench::measureFile(words[i], i + 1 == count);
+    if (count == 1) {
+        bench::measureWritten("mesh", bench::mesh, RibEncoding::Ascii, false);
+        bench::measureWritten("mesh", bench::mesh, RibEncoding::Binary, false);
+        bench::measureWritten("forest", bench::forest, RibEncoding::Ascii, false);
+        bench::measureWritten("forest", bench::forest, RibEncoding::Binary, true);
+    }
     std::puts("}");
+    return good ? 0 : 1;
 }

@@ -59,6 +59,68 @@ def instances(path, across=1000, side=71):
         file.write("WorldEnd\n")
 
 
+def tree(seed, side):
+    """A trunk and a crown of 2 * side * side triangles, three metres high."""
+    shape = random.Random(seed)
+    points, corners = [], []
+    for row in range(side + 1):
+        for column in range(side):
+            height, around = row / side, 2 * math.pi * column / side
+            wide = .8 * math.sin(math.pi * height) ** .7 * shape.uniform(.75, 1.1)
+            points.append(f"{wide * math.cos(around):.4g} {1 + 2 * height:.4g} "
+                          f"{wide * math.sin(around):.4g}")
+            if row < side:
+                a, b = row * side + column, row * side + (column + 1) % side
+                corners.append(f"{a} {b} {a + side} {b} {b + side} {a + side}")
+    counts = "3 " * (2 * side * side)
+    return ("Color .3 .2 .1\nTransformBegin Rotate -90 1 0 0 Cylinder .1 0 1.2 360 TransformEnd\n"
+            f"Color .2 .4 .1\nPointsPolygons [{counts}]\n[{' '.join(corners)}]\n"
+            f"\"P\" [{' '.join(points)}]\n")
+
+
+def moving_trees(path, across=1000, kinds=8, side=70):
+    """across * across trees of some kinds, each of which sways while the shutter is open."""
+    with open(path, "w", encoding="ascii") as file:
+        file.write("Shutter 0 1\n")
+        begin(file, path.stem, f"0 -60 {across / 4:g}")
+        file.write('LightSource "distantlight" 1 "intensity" 3 "from" [1 3 -1] "to" [0 0 0]\n'
+                   'Surface "matte"\n')
+        for kind in range(kinds):
+            file.write(f"ObjectBegin {kind + 1}\n{tree(kind, side)}ObjectEnd\n")
+        turn = random.Random(3)
+        for row in range(across):
+            for column in range(across):
+                sway = turn.uniform(1, 4)
+                file.write(f"AttributeBegin Translate {2.2 * (column - across / 2):g} 0 {2.2 * row:g} "
+                           f"MotionBegin [0 1] Rotate -{sway:.3g} 0 0 1 Rotate {sway:.3g} 0 0 1 "
+                           f"MotionEnd Rotate {turn.uniform(0, 360):.4g} 0 1 0 "
+                           f"ObjectInstance {turn.randrange(kinds) + 1} AttributeEnd\n")
+        file.write("WorldEnd\n")
+
+
+def large_mesh(path, side=2237):
+    """One PointsPolygons of 2 * side * side triangles (ten million), a rumpled ground."""
+    with open(path, "w", encoding="ascii") as file:
+        begin(file, path.stem, "0 -1 3")
+        file.write('LightSource "distantlight" 1 "intensity" 3 "from" [1 3 -1] "to" [0 0 0]\n'
+                   'Surface "matte"\nPointsPolygons [')
+        for _ in range(side):
+            file.write("3 " * (2 * side) + "\n")
+        file.write("] [")
+        for row in range(side):
+            a = row * (side + 1)
+            b = a + side + 1
+            file.write(" ".join(f"{a + k} {a + k + 1} {b + k} {a + k + 1} {b + k + 1} {b + k}"
+                                for k in range(side)) + "\n")
+        file.write('] "P" [')
+        for row in range(side + 1):
+            z = 4 * row / side - 1
+            slow = math.cos(19 * z)
+            file.write(" ".join(f"{4 * k / side - 2:.6g} {.05 * math.sin(80 * k / side) * slow:.6g} "
+                                f"{z:.6g}" for k in range(side + 1)) + "\n")
+        file.write("]\nWorldEnd\n")
+
+
 def emitting_spheres(path, count=100000):
     """So many glowing balls of 1 cm in a cube of 20 m over a floor."""
     with open(path, "w", encoding="ascii") as file:
