@@ -6,6 +6,7 @@
 #include "world/rays/sealed_triangles.h"
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 
 namespace candela {
@@ -110,14 +111,14 @@ RTCGeometry makeTriangles(RTCDevice device, const RayShape &shape, float unit) {
     return geometry;
 }
 
-/// Copies the values into a buffer of the geometry's own.
-template <class Value>
+/// Copies what is made of the values into a buffer of the geometry's own.
+template <class Value, class Made>
 void fillBuffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format,
-                const std::vector<Value> &values) {
+                const std::vector<Value> &values, Made made) {
     auto *to = static_cast<Value *>(
         rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(Value), values.size()));
     if (to) // Else the device has been told of it.
-        std::ranges::copy(values, to);
+        std::ranges::transform(values, to, made);
 }
 
 RTCGeometry makeRound(RTCDevice device, const RoundElements &round, float unit) {
@@ -126,13 +127,14 @@ RTCGeometry makeRound(RTCDevice device, const RoundElements &round, float unit) 
                                                            : RTC_GEOMETRY_TYPE_SPHERE_POINT);
     if (!geometry)
         return nullptr;
-    std::vector<std::array<float, 4>> knots = round.knots;
-    for (auto &knot : knots)
-        for (float &value : knot)
-            value *= unit;
-    fillBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT4, knots);
+    fillBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT4, round.knots,
+               [unit](std::array<float, 4> knot) {
+                   for (float &value : knot)
+                       value *= unit;
+                   return knot;
+               });
     if (areTubes)
-        fillBuffer(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT, round.tubes);
+        fillBuffer(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT, round.tubes, std::identity());
     return geometry;
 }
 

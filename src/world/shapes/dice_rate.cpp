@@ -16,7 +16,8 @@ Box3 transformBox(const Matrix4 &matrix, const Box3 &box) {
 }
 
 float largestStretch(const Matrix4 &matrix) {
-    // Power iteration on M M^T, from a direction that is no axis.
+    // Power iteration on M M^T, from a direction that is no axis. Norms grow until they are the
+    // largest there is: at once where all directions are stretched alike, as most instances are.
     double v[3] = {0.7, 0.5, 0.6}, stretch = 0;
     for (int step = 0; step < 24; ++step) {
         double w[3] = {}, next[3] = {}, norm = 0;
@@ -31,6 +32,9 @@ float largestStretch(const Matrix4 &matrix) {
         norm = std::sqrt(norm);
         if (!(norm > 0))
             return 0;
+        constexpr double rounding = 1e-15;
+        if (norm <= stretch * (1 + rounding))
+            break;
         stretch = norm;
         for (int row = 0; row < 3; ++row)
             v[row] = next[row] / norm;
