@@ -32,21 +32,32 @@ std::unique_ptr<llvm::TargetMachine> createMachine(const CodeTarget &target) {
         llvm::CodeModel::Small, llvm::CodeGenOptLevel::Default, true));
 }
 
-/// LLVM's scheduler looks at all pairs of so many stores and loads in a row, and for each at all
-/// that it has found of them; of 1,000, as it would, that takes seconds. Beyond so many it keeps
-/// the order of a part of them, which changes no result.
-void limitPairsOfScheduler() {
-    constexpr unsigned mostInARow = 128;
+/// What LLVM searches through without need. Less of it changes the order of instructions, and no
+/// result.
+void limitSearches() {
+    struct Limit {
+        const char *option;
+        unsigned most;
+    };
+    constexpr Limit limits[] = {
+        // Stores and loads in a row, of which its scheduler looks at all pairs, and for each at all
+        // that it has found of them: of 1,000, as it would, that takes seconds.
+        {"dag-maps-huge-region", 128},
+        // Loads that stores wait for together, each of which is looked through again for each
+        // store: of 2,048, as it would, likewise.
+        {"combiner-tokenfactor-inline-limit", 64},
+    };
     auto &options = llvm::cl::getRegisteredOptions();
-    if (const auto found = options.find("dag-maps-huge-region"); found != options.end())
-        static_cast<llvm::cl::opt<unsigned> *>(found->second)->setValue(mostInARow);
+    for (const Limit &limit : limits)
+        if (const auto found = options.find(limit.option); found != options.end())
+            static_cast<llvm::cl::opt<unsigned> *>(found->second)->setValue(limit.most);
 }
 
 } // namespace
 
 const llvm::Target *nativeTarget() {
     static const llvm::Target *const target = [] {
-        limitPairsOfScheduler();
+        limitSearches();
         llvm::InitializeNativeTarget();
         llvm::InitializeNativeTargetAsmPrinter();
         std::string error;
