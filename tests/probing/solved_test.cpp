@@ -106,6 +106,48 @@ TEST(SolvedProbe, AnswersAlikeForAnyThreadsAndFromAKeptSolution) {
 
 namespace {
 
+/// What a floor of 2 x 2 m in the sun throws up to a sensor that is half as high.
+double lightFrom(const std::string &surface, const std::string &place, double scale,
+                 const std::string &finalPass, bool isInstance) {
+    static const ScratchFolder folder;
+    folder.write("checks.sl", "surface checks(float n = 50;) {\n"
+                              "normal Nf = faceforward(normalize(N), I);\n"
+                              "float a = mod(floor(s * n) + floor(t * n), 2);\n"
+                              "Oi = 1; Ci = a * diffuse(Nf); }\n");
+    const std::string floor =
+        "Polygon \"P\" [-1 0 -1  1 0 -1  1 0 1  -1 0 1] \"st\" [0 0 1 0 1 1 0 1]\n";
+    const std::string world =
+        "LightSource \"distantlight\" 1 \"intensity\" [1] \"from\" [0 1 0] \"to\" [0 0 0]\n" +
+        place + surface +
+        (isInstance ? "ObjectBegin 1\n" + floor + "ObjectEnd\nObjectInstance 1\n" : floor);
+    const Probed probed =
+        solve(siWorld(world, solvedBy(finalPass)), fmt::format("0 {} 0 0 -1 0\n", scale),
+              {"--spp", "16384", "--shader-path", folder.path() + ":&"});
+    EXPECT_EQ(probed.answers.size(), 1u) << probed.run.text();
+    return probed.answers.empty() ? -1 : probed.answers.front().total;
+}
+
+} // namespace
+
+/// Checks by the power of two fall on the elements' nodes all alike.
+TEST(SolvedProbe, TexturesFinerThanElementsCountByTheirMean) {
+    const std::string grey = "Surface \"matte\" \"Ka\" [0] \"Kd\" [.5]\n";
+    const double expected = lightFrom(grey, "", 1, "gather", false);
+    for (const int checks : {16, 50, 64, 128, 256, 1024, 4096}) {
+        const std::string surface = fmt::format("Surface \"checks\" \"n\" [{}]\n", checks);
+        for (const char *pass : {"fe", "gather"})
+            EXPECT_NEAR(lightFrom(surface, "", 1, pass, false), expected, .02 * expected)
+                << checks << " " << pass;
+        EXPECT_NEAR(lightFrom(surface, "Scale 1 1 -1\n", 1, "fe", true), expected, .02 * expected)
+            << checks << " in a mirrored instance";
+        EXPECT_NEAR(lightFrom(surface, "Scale 1000 1000 1000\n", 1000, "fe", false), expected,
+                    .02 * expected)
+            << checks << " huge";
+    }
+}
+
+namespace {
+
 /// Two rooms over one floor, one of them dark, parted by a wall that stands across its elements.
 struct Company {
     std::string name;

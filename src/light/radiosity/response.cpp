@@ -46,13 +46,12 @@ void clear(int count, Response &response) {
             std::fill_n((*planes)[c], count, 0.0f);
 }
 
-/// The whole answer to light is one lobe, up to a factor.
+} // namespace
+
 bool isOneLobe(const ShaderCode &code) {
     const std::vector<ir::ConeSlot> &cones = code.facts().cones;
     return cones.size() == 1 && cones[0].exact && code.facts().affine;
 }
-
-} // namespace
 
 ResponseQuestion::ResponseQuestion()
     : vertices_(capacity), mixture_(capacity), events_(capacity), I_(3, capacity),

@@ -18,6 +18,9 @@ struct Response {
     Planes<float> ambient; ///< Exitance that ambient lights leave, W m^-2.
 };
 
+/// The whole answer to light is one lobe, up to a factor: one direction tells it.
+bool isOneLobe(const ShaderCode &);
+
 /// Asks the points of a batch. One a thread.
 class ResponseQuestion {
 public:

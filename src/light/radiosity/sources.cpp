@@ -6,6 +6,7 @@
 #include "light/radiosity/lamps.h"
 #include "light/radiosity/points.h"
 #include "light/radiosity/response.h"
+#include "light/radiosity/surroundings.h"
 #include "light/sampling/sobol.h"
 
 #include <algorithm>
@@ -22,6 +23,9 @@ constexpr float tolerated = 1.02f;
 /// A face is looked at as closely as this share of the scene, whatever its first points see.
 constexpr double coarsest = 1.0 / 512;
 
+/// Points of an element that shaders are asked about: one evaluation each, or some hundred.
+constexpr int cheapPoints = 64, dearPoints = 8;
+
 struct Questions {
     DirectQuestion direct;
     ResponseQuestion response;
@@ -29,6 +33,21 @@ struct Questions {
     Response answer{ResponseQuestion::capacity};
     Planes<float> E{colorSamples, DirectQuestion::capacity};
     Planes<float> sent{colorSamples, EmissionQuestion::capacity};
+    /// What points are asked of themselves: the response, and what they send.
+    static constexpr int planes = 4 * colorSamples;
+    Surroundings surroundings{planes};
+    Response around{ResponseQuestion::capacity};
+
+    static std::array<float *, planes> table(Response &response, float *const *sent) {
+        std::array<float *, planes> table{};
+        for (int c = 0; c < colorSamples; ++c) {
+            table[std::size_t(c)] = response.reflectance[c];
+            table[std::size_t(colorSamples + c)] = response.transmittance[c];
+            table[std::size_t(2 * colorSamples + c)] = response.ambient[c];
+            table[std::size_t(3 * colorSamples + c)] = sent[c];
+        }
+        return table;
+    }
 };
 
 /// What is sent on is no more than what comes.
@@ -70,8 +89,22 @@ void askBatch(const Mesh &mesh, const std::vector<int> &elements, const SourceSe
         const int light = mesh.domainOf(e).light;
         return light > 0 && settings.linked[std::size_t(light) - 1] != 0;
     };
-    if (std::ranges::any_of(elements, isLinked))
+    const bool someShine = std::ranges::any_of(elements, isLinked);
+    if (someShine)
         own->emission.ask(mesh.scene(), code, points.places(), points.N(), emission);
+    const auto ask = [&](const SurfacePlaces &places, const Vec3Planes &Ng,
+                         std::span<float *const> found) {
+        own->response.ask(mesh.scene(), code, places, Ng, own->around);
+        const auto around = Questions::table(own->around, &found[std::size_t(3 * colorSamples)]);
+        for (std::size_t plane = 0; plane < std::size_t(3 * colorSamples); ++plane)
+            std::copy_n(around[plane], places.count, found[plane]);
+        if (someShine)
+            own->emission.ask(mesh.scene(), code, places, Ng,
+                              &found[std::size_t(3 * colorSamples)]);
+    };
+    const int count = isOneLobe(mesh.scene().code(code)) ? cheapPoints : dearPoints;
+    own->surroundings.average(mesh, elements, count, ask, settings.seed,
+                              Questions::table(own->answer, emission));
     int at = 0;
     for (int e : elements) {
         const bool shines = isLinked(e);

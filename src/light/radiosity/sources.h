@@ -34,8 +34,8 @@ struct SourceSettings {
     Impossible *impossible = nullptr;
 };
 
-/// Fills Fields::direct and the response at nodes of elements from `first` on; of leaves the
-/// response is that of the nodes' surroundings.
+/// Fills Fields::direct at nodes of elements from `first` on, and the response and what is sent
+/// around them.
 void askSources(const Mesh &, int first, const SourceSettings &, Fields &);
 
 /// Divides elements where direct light varies, and fills in what is known of them all.
