@@ -69,6 +69,16 @@ TEST(Radiosity, FurnacesAreEven) {
         // Curved and flat pieces touch, which the rule of curved ones does not see in full.
         {"can", glowing + "Cylinder 1.5 -1 1 360\nDisk 1 1.5 360\nDisk -1 1.5 360\n", 2, 0.02,
          0.06},
+        // What a bounce gets wrong, white bodies have tenfold.
+        {"white box", "Surface \"glow\" \"Kd\" [.95] \"emission\" [.05]\n" + box, 2, 0.02, 0.1},
+        {"white can",
+         "Surface \"glow\" \"Kd\" [.9] \"emission\" [.1]\n"
+         "Cylinder 2 -2 2 360\nDisk 2 2 360\nDisk -2 2 360\n",
+         2, 0.03, 0.1},
+        {"white half ball",
+         "Surface \"glow\" \"Kd\" [.8] \"emission\" [.2]\n"
+         "Sphere 2 -1 2 360\nDisk -1 1.7320508 360\n",
+         2, 0.02, 0.1},
         // Emission that depends on direction is sampled.
         {"box by view", "Surface \"view\"\n" + box, 2, 0.01, 0.12},
     };
@@ -239,7 +249,8 @@ TEST(Radiosity, WrongOptionsAreNamed) {
                      "Option \"radiosity\" \"integer order\" [7]\nWorldBegin\nWorldEnd\n");
     const Outcome outcome = runCandela({folder.path("scene.rib"), "--output-dir", folder.path("")});
     EXPECT_EQ(outcome.status, 1);
-    EXPECT_TRUE(outcome.says("\"fe\", \"fe+direct\", \"gather\", and not \"best\"")) << outcome.text();
+    EXPECT_TRUE(outcome.says("\"fe\", \"fe+direct\", \"gather\", and not \"best\""))
+        << outcome.text();
     EXPECT_TRUE(outcome.says("\"radiosity\" \"epsilon\" is")) << outcome.text();
     EXPECT_TRUE(outcome.says("\"radiosity\" \"order\" is")) << outcome.text();
 }

@@ -16,6 +16,12 @@ namespace {
 /// Sweeps end when exitance changes by no more.
 constexpr double smallestResidual = 1e-4;
 
+void multiply(const std::vector<float> &factor, std::vector<Color> &field) {
+    for (std::size_t i = 0; i < factor.size(); ++i)
+        for (float &value : field[i])
+            value *= factor[i];
+}
+
 } // namespace
 
 Solution::Solution(const Scene &scene, int order) : mesh_(scene, order), tree_(mesh_) {}
@@ -57,6 +63,7 @@ void Solution::solve(const SolverSettings &settings, DiagnosticSink &diagnostics
         links.tolerance = settings.epsilon * flux(mesh_, fields_.exitance) * coarser;
         links.contrast = settings.contrast * evenIrradiance(fields_.exitance) * coarser;
         links_ = refine(mesh_, tree_, links, fields_);
+        factor_ = factorsOf(links_);
         tell(pass == 0 ? 0.5 : 0.8);
         for (int k = 0; k < settings.mostIterations; ++k) {
             statistics_.residual = iterate();
@@ -67,8 +74,8 @@ void Solution::solve(const SolverSettings &settings, DiagnosticSink &diagnostics
     }
     pullSources();
     pullAll(fields_.indirect);
-    indirect_ = answering(links_, fields_.exitance);
-    lamps_ = answering(lampLinks_, fields_.emission);
+    indirect_ = answering(links_, fields_.exitance, factor_);
+    lamps_ = answering(lampLinks_, fields_.emission, factorsOf(lampLinks_));
     statistics_.elements = std::size_t(mesh_.size());
     statistics_.links = links_.links.size();
     statistics_.clusterLinks = links_.clusters.size();
@@ -102,16 +109,29 @@ void Solution::linkLamps(LinkSettings settings, double epsilon, double contrast)
     if (!(settings.tolerance > 0))
         return;
     lampLinks_ = refine(mesh_, tree_, settings, fields_);
+    const std::vector<float> factor = factorsOf(lampLinks_);
     gather(lampLinks_, fields_.emission, Which::All);
     pushAll(fields_.lamps);
+    multiply(factor, fields_.lamps);
     statistics_.lampLinks = lampLinks_.links.size();
 }
 
-Solution::Answering Solution::answering(const Links &links, const std::vector<Color> &sent) {
+std::vector<float> Solution::factorsOf(const Links &links) {
+    gather(links, std::vector<Color>(fields_.gathered.size(), Color{1, 1, 1}), Which::Clear);
+    std::vector<Color> unit(fields_.gathered.size());
+    pushAll(unit);
+    return closureFactors(mesh_, unit);
+}
+
+Solution::Answering Solution::answering(const Links &links, const std::vector<Color> &sent,
+                                        std::vector<float> factor) {
     Answering answer;
     gather(links, sent, Which::Smooth);
     answer.smooth.resize(sent.size());
     pushAll(answer.smooth);
+    factor.resize(sent.size(), 1.0f); // Of no links there are none.
+    multiply(factor, answer.smooth);
+    answer.factor = std::move(factor);
     answer.near = NearLight(mesh_, nearRecords(mesh_, links), sent);
     return answer;
 }
@@ -132,6 +152,7 @@ double Solution::iterate() {
     const std::vector<Color> before = fields_.exitance;
     gather(links_, fields_.exitance, Which::All);
     pushAll(fields_.indirect);
+    multiply(factor_, fields_.indirect);
     for (int e = 0; e < mesh_.size(); ++e)
         if (mesh_.element(e).firstChild < 0)
             reflect(mesh_, e, fields_);
@@ -163,7 +184,8 @@ void Solution::gather(const Links &all, const std::vector<Color> &sent, Which wh
         const std::size_t last = beginOf((r + 1) * range);
         for (std::size_t l = beginOf(r * range); l < last; ++l) {
             const Link &link = links[l];
-            if (link.isRough && which == Which::Smooth)
+            if ((which == Which::Smooth && link.isRough) ||
+                (which == Which::Clear && *std::ranges::min_element(link.visibility) < 1))
                 continue;
             const std::size_t to = mesh_.nodes(link.receiver).size(),
                               from = mesh_.nodes(link.sender).size();
@@ -180,7 +202,8 @@ void Solution::gather(const Links &all, const std::vector<Color> &sent, Which wh
             }
         }
     });
-    gatherFromClusters(mesh_, tree_, all.clusters, sent, fields_.gathered);
+    if (which != Which::Clear)
+        gatherFromClusters(mesh_, tree_, all.clusters, sent, fields_.gathered);
 }
 
 /// What links have brought to elements and to all above them.
@@ -296,8 +319,15 @@ void Solution::answer(const Asked &asked, const NodeWeights &weights, const Answ
     const auto addExchanged = [&](const std::vector<Color> &told, const Answering &answering,
                                   Color &sum) {
         add(answer.isExact ? answering.smooth : told, sum);
-        if (answer.isExact)
-            addNear(asked, weights, answering, sum);
+        if (!answer.isExact)
+            return;
+        Color near{};
+        addNear(asked, weights, answering, near);
+        float factor = 0;
+        for (std::size_t i = 0; i < std::size_t(weights.count); ++i)
+            factor += weights.weight[i] * answering.factor[std::size_t(weights.node[i])];
+        for (std::size_t k = 0; k < colorSamples; ++k)
+            sum[k] += factor * near[k];
     };
     const auto put = [&](const Color &found, const std::array<float *, colorSamples> &to) {
         for (std::size_t k = 0; k < colorSamples; ++k)

@@ -3,6 +3,7 @@
 // asked for at any point of it (paper, section 5.3; DESIGN 6).
 #pragma once
 
+#include "light/radiosity/closure.h"
 #include "light/radiosity/links.h"
 #include "light/radiosity/near_light.h"
 #include "light/radiosity/places.h"
@@ -47,7 +48,8 @@ private:
     void solve(const SolverSettings &, DiagnosticSink &, const Progress &);
     void linkLamps(LinkSettings, double epsilon, double contrast);
     double iterate();
-    enum class Which { All, Smooth };
+    /// Smooth: of links that are not rough. Clear: of those that nothing stands between.
+    enum class Which { All, Smooth, Clear };
     void gather(const Links &, const std::vector<Color> &sent, Which);
     void pushAll(std::vector<Color> &) const;
     /// What the element itself has is complete.
@@ -67,14 +69,17 @@ private:
     struct Answering {
         std::vector<Color> smooth;
         NearLight near;
+        std::vector<float> factor; ///< By node: closure.h. Has been applied to what is smooth.
     };
-    Answering answering(const Links &, const std::vector<Color> &sent);
+    Answering answering(const Links &, const std::vector<Color> &sent, std::vector<float> factor);
+    std::vector<float> factorsOf(const Links &);
     void addNear(const Asked &, const NodeWeights &, const Answering &, Color &) const;
 
     Mesh mesh_;
     ClusterTree tree_;
     Fields fields_;
     Links links_, lampLinks_;
+    std::vector<float> factor_; ///< Of what links_ bring, by node: closure.h.
     Answering indirect_, lamps_;
     SolverStatistics statistics_;
 };

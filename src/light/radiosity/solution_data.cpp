@@ -46,8 +46,11 @@ bool isWhole(const SolutionData &data) {
     const auto fits = [&](const std::vector<Color> *field) {
         return field->size() == stride * std::size_t(data.elements());
     };
-    return std::ranges::all_of(fieldsOf(data), fits) &&
-           canGather(data.nearLamps, data.elements()) &&
+    const auto isFactor = [&](const std::vector<float> &factor) {
+        return factor.size() == stride * std::size_t(data.elements());
+    };
+    return std::ranges::all_of(fieldsOf(data), fits) && isFactor(data.factorOfLamps) &&
+           isFactor(data.factorOfIndirect) && canGather(data.nearLamps, data.elements()) &&
            canGather(data.nearIndirect, data.elements());
 }
 
@@ -62,6 +65,8 @@ std::string bytesOf(const SolutionData &data) {
         appendList(bytes, *field);
     appendList(bytes, data.nearLamps);
     appendList(bytes, data.nearIndirect);
+    appendList(bytes, data.factorOfLamps);
+    appendList(bytes, data.factorOfIndirect);
     appendRaw(bytes, data.statistics);
     return bytes;
 }
@@ -73,6 +78,7 @@ std::optional<SolutionData> solutionOf(std::string_view bytes) {
     for (std::vector<Color> *field : fieldsOf(data))
         good = good && takeList(bytes, *field);
     good = good && takeList(bytes, data.nearLamps) && takeList(bytes, data.nearIndirect) &&
+           takeList(bytes, data.factorOfLamps) && takeList(bytes, data.factorOfIndirect) &&
            takeRaw(bytes, data.statistics) && bytes.empty();
     return good && isWhole(data) ? std::optional(std::move(data)) : std::nullopt;
 }
@@ -89,6 +95,7 @@ SolutionData Solution::data() const {
     data.indirect = fields_.indirect, data.exitance = fields_.exitance;
     data.smoothLamps = lamps_.smooth, data.smoothIndirect = indirect_.smooth;
     data.nearLamps = lamps_.near.records(), data.nearIndirect = indirect_.near.records();
+    data.factorOfLamps = lamps_.factor, data.factorOfIndirect = indirect_.factor;
     data.statistics = statistics_;
     return data;
 }
@@ -102,8 +109,10 @@ std::unique_ptr<Solution> Solution::restored(const Scene &scene, const SolutionD
     fields.direct = data.direct, fields.lamps = data.lamps, fields.emission = data.emission;
     fields.indirect = data.indirect, fields.exitance = data.exitance;
     const Mesh &mesh = solution->mesh_;
-    solution->lamps_ = {data.smoothLamps, NearLight(mesh, data.nearLamps, data.emission)};
-    solution->indirect_ = {data.smoothIndirect, NearLight(mesh, data.nearIndirect, data.exitance)};
+    solution->lamps_ = {data.smoothLamps, NearLight(mesh, data.nearLamps, data.emission),
+                        data.factorOfLamps};
+    solution->indirect_ = {data.smoothIndirect, NearLight(mesh, data.nearIndirect, data.exitance),
+                           data.factorOfIndirect};
     solution->statistics_ = data.statistics;
     solution->statistics_.seconds = 0;
     return solution;

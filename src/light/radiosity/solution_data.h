@@ -23,6 +23,7 @@ struct SolutionData {
     std::vector<Color> direct, lamps, smoothLamps, emission;
     std::vector<Color> indirect, smoothIndirect, exitance;
     std::vector<NearRecord> nearLamps, nearIndirect;
+    std::vector<float> factorOfLamps, factorOfIndirect; ///< By node, of near light.
     SolverStatistics statistics;
 
     int elements() const { return int(roots) + Basis::children * int(divided.size()); }
