@@ -5,6 +5,9 @@
 
 #include <cmath>
 #include <fstream>
+#include <locale>
+#include <optional>
+#include <sstream>
 #include <string_view>
 
 namespace candela {
@@ -34,6 +37,22 @@ bool pngSaysColors(const std::string &path) {
     return false;
 }
 
+/// What Candela writes of its pictures (image/displays.cpp): "...; exposure: GAIN GAMMA; ...". Its
+/// whole numbers are light^(1/GAMMA). Nothing of other files.
+std::optional<float> gammaOfOwn(const OIIO::ImageSpec &spec) {
+    constexpr std::string_view word = "exposure: ";
+    const std::string said = spec.get_string_attribute("ImageDescription");
+    const std::size_t at = said.find(word);
+    if (spec.get_string_attribute("Software") != "Candela" || at == std::string::npos)
+        return std::nullopt;
+    std::istringstream numbers(said.substr(at + word.size()));
+    numbers.imbue(std::locale::classic());
+    float gain = 0, gamma = 0;
+    if (!(numbers >> gain >> gamma) || !(gamma > 0))
+        return std::nullopt;
+    return gamma;
+}
+
 } // namespace
 
 ColorCurve curveOf(const OIIO::ImageInput &file, const std::string &path, PictureCurve told) {
@@ -42,6 +61,8 @@ ColorCurve curveOf(const OIIO::ImageInput &file, const std::string &path, Pictur
         return {true, 1};
     if (told == PictureCurve::Linear || spec.format.is_floating_point() || spec.nchannels < 3)
         return {};
+    if (const std::optional<float> gamma = gammaOfOwn(spec))
+        return {false, *gamma};
     const bool eightBits = spec.format == OIIO::TypeDesc::UINT8;
     if (!eightBits && std::string_view(file.format_name()) == "png" && !pngSaysColors(path))
         return {};
