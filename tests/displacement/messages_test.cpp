@@ -15,13 +15,14 @@ struct Drawn {
     double covered = 0; ///< Share of the picture.
 };
 
-Drawn draw(const std::string &world) {
+Drawn draw(const std::string &world, const std::string &options = {}) {
     ScratchFolder folder;
     const std::string rib =
-        folder.write("scene.rib", "Format 64 64 1\nPixelFilter \"box\" 1 1\n"
-                                  "Display \"out.exr\" \"openexr\" \"rgba\"\n"
-                                  "Projection \"orthographic\"\nScreenWindow -2 2 -2 2\n"
-                                  "Translate 0 0 5\nWorldBegin\nSurface \"constant\"\n" +
+        folder.write("scene.rib", options +
+                                      "Format 64 64 1\nPixelFilter \"box\" 1 1\n"
+                                      "Display \"out.exr\" \"openexr\" \"rgba\"\n"
+                                      "Projection \"orthographic\"\nScreenWindow -2 2 -2 2\n"
+                                      "Translate 0 0 5\nWorldBegin\nSurface \"constant\"\n" +
                                       world + "\nWorldEnd\n");
     Drawn drawn;
     drawn.run = runCandela({rib, "--quiet", "--spp", "4", "--output-dir", folder.path(),
@@ -43,6 +44,36 @@ int times(const std::string &part, const std::string &text) {
 }
 
 constexpr double sphere = 3.14159265 / 16, blown = 1.44 * sphere;
+
+/// Two bodies in one place are as far out as each says.
+TEST(Bodies, InOnePlaceAreNotWelded) {
+    const std::string puff = "Displacement \"puff\" Sphere 1 -1 1 360\n";
+    const std::string inner = "Displacement \"puff\" \"by\" [-.5]\nSphere 1 -1 1 360\n";
+    EXPECT_NEAR(draw(puff + inner).covered, blown, 2e-3);
+    EXPECT_NEAR(draw(inner + puff).covered, blown, 2e-3);
+    EXPECT_NEAR(draw(inner).covered, .25 * sphere, 2e-3);
+}
+
+/// What changes its shape while it is displaced keeps the one that it has at first, and says so.
+TEST(Messages, TellOfDisplacedThingsThatChange) {
+    const std::string moving =
+        "MotionBegin [0 1]\n"
+        "Patch \"bilinear\" \"P\" [-1.5 -.5 0 -.5 -.5 0 -1.5 .5 0 -.5 .5 0]\n"
+        "Patch \"bilinear\" \"P\" [.5 -.5 0 1.5 -.5 0 .5 .5 0 1.5 .5 0]\n"
+        "MotionEnd\n";
+    for (const char *shader :
+         {"Displacement \"puff\" \"by\" [.01]\n", "Displacement \"puff\" \"by\" [0]\n"}) {
+        const Drawn drawn = draw(std::string(shader) + moving, "Shutter 0 1\n");
+        EXPECT_EQ(drawn.run.status, 0);
+        EXPECT_EQ(
+            times("a primitive that is displaced keeps the shape that it has when the shutter "
+                  "opens",
+                  drawn.run.err),
+            1)
+            << drawn.run.err;
+        EXPECT_NEAR(drawn.covered, 1. / 16, 2e-3);
+    }
+}
 
 TEST(Messages, TellTheLeastBoundThatHolds) {
     const std::string displaced = "Displacement \"puff\" Sphere 1 -1 1 360";

@@ -95,7 +95,7 @@ private:
                 return;
             }
             DisplacedStages displaced = displacedBy(surface, outerFromPrimitive, displacing);
-            if (surface->steps() > 1 && displaced.surface != surface) {
+            if (surface->steps() > 1 && (displaced.mover || displaced.surface != surface)) {
                 sink_.warning(primitive.record->where,
                               "a primitive that is displaced keeps the shape that it has when the "
                               "shutter opens");

@@ -5,7 +5,8 @@
 // Whether an edge is split depends on that edge alone, so both its sides agree. Vertices that
 // coincide before they are moved (seams, poles, edges of faces and of neighbouring primitives) are
 // one point ever after, and so are the middles of edges between them: each surface says where it
-// moves the point to, and it goes to the mean of what they say. So nothing cracks.
+// moves the point to, and it goes to the mean of what they say. So nothing cracks. Shapes that
+// share more than rims, as two bodies of one form do, are not joined (joined_points.h).
 #pragma once
 
 #include "world/camera/camera.h"

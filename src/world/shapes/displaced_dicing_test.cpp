@@ -2,6 +2,7 @@
 #include "world/shapes/displaced_dicing.h"
 
 #include "world/shapes/coincident_points.h"
+#include "world/shapes/joined_points.h"
 
 #include <array>
 #include <cmath>
@@ -86,12 +87,14 @@ struct Diced {
     std::vector<RayShape> meshes;
 };
 
+/// `heights`: of the waves, in turn.
 Diced diced(const std::vector<std::shared_ptr<const Surface>> &surfaces, float edge,
-            double most = 1e6) {
+            double most = 1e6, const std::vector<float> &heights = {0.15f}) {
     Diced result;
-    for (const auto &surface : surfaces) {
-        result.shapes.push_back(*makeShape(surface, scaling(1.5f, 1, -0.7f)));
-        result.shapes.back().displacement = std::make_shared<Waves>(surface);
+    for (std::size_t k = 0; k < surfaces.size(); ++k) {
+        result.shapes.push_back(*makeShape(surfaces[k], scaling(1.5f, 1, -0.7f)));
+        result.shapes.back().displacement =
+            std::make_shared<Waves>(surfaces[k], heights[k % heights.size()]);
     }
     std::vector<DisplacedDicing> dicings;
     for (Shape &shape : result.shapes)
@@ -152,6 +155,65 @@ TEST(DisplacedDicing, LeavesNoCracks) {
             triangles += mesh.triangles.size();
         EXPECT_LT(triangles, 150000u);
     }
+}
+
+/// Bodies of one form in one place are what each would be alone.
+TEST(DisplacedDicing, LetsBodiesInOnePlaceGoApart) {
+    const auto sphere = surfacesOf(SphereRecord{1, -1, 1, 360})[0];
+    const auto torus = surfacesOf(TorusRecord{1, .4f, 0, 360, 360})[0];
+    const auto square = surfacesOf(PolygonsRecord{{1}, {4}, {0, 1, 2, 3}},
+                                   {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0})[0];
+    for (const auto &surface : {sphere, torus, square})
+        for (const std::vector<float> &heights :
+             {std::vector<float>{.3f, .05f}, {.05f, .05f}, {-.2f, .2f, .1f}}) {
+            const std::vector<std::shared_ptr<const Surface>> all(heights.size(), surface);
+            const Diced together = diced(all, 0.1f, 1e6, heights);
+            for (std::size_t k = 0; k < heights.size(); ++k) {
+                const Diced alone = diced({surface}, 0.1f, 1e6, {heights[k]});
+                const auto &expected = alone.meshes[0].positions;
+                const auto &positions = together.meshes[k].positions;
+                ASSERT_EQ(positions.size(), expected.size()) << k;
+                for (std::size_t i = 0; i < positions.size(); ++i)
+                    ASSERT_LE(length(positions[i] - expected[i]), 1e-6f) << k;
+            }
+        }
+}
+
+/// Whoever shares no more than a rim is joined there, however differently they move.
+TEST(DisplacedDicing, JoinsRimsOfWhatMovesDifferently) {
+    EXPECT_EQ(openEdges(diced(cube(false), 0.06f, 1e6, {.15f, .05f, -.1f}).meshes), 0);
+}
+
+TEST(JoinedPoints, KeepApartWhatSharesMoreThanRims) {
+    using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+    using Points = std::vector<std::uint32_t>;
+    const auto vertices = [](std::initializer_list<std::uint32_t> shapes,
+                             std::initializer_list<std::uint32_t> places) {
+        std::vector<PlacedVertex> all;
+        for (std::size_t k = 0; k < shapes.size(); ++k)
+            all.push_back({shapes.begin()[k], places.begin()[k]});
+        return all;
+    };
+    // Two triangles side by side.
+    EXPECT_EQ(joinedPoints(vertices({0, 0, 0, 1, 1, 1}, {0, 1, 2, 2, 1, 3}),
+                           Triangles{{0, 1, 2}, {3, 4, 5}}),
+              (Points{0, 1, 2, 2, 1, 3}));
+    // Two in one place, and a third at the rim of both: it goes with the first.
+    EXPECT_EQ(joinedPoints(vertices({0, 0, 0, 1, 1, 1, 2, 2, 2}, {0, 1, 2, 1, 0, 2, 2, 1, 3}),
+                           Triangles{{0, 1, 2}, {3, 4, 5}, {6, 7, 8}}),
+              (Points{0, 1, 2, 3, 4, 5, 2, 1, 6}));
+    // More in one place than are told apart pair by pair.
+    std::vector<PlacedVertex> many;
+    Triangles triangles;
+    for (std::uint32_t shape = 0; shape < 100; ++shape) {
+        const auto first = std::uint32_t(many.size());
+        triangles.push_back({first, first + 1, first + 2});
+        for (std::uint32_t place : {0u, 1u, 2u})
+            many.push_back({shape, place});
+    }
+    const Points points = joinedPoints(many, triangles);
+    for (std::uint32_t k = 0; k < points.size(); ++k)
+        EXPECT_EQ(points[k], k);
 }
 
 TEST(DisplacedDicing, StaysClosedWithinTheBudget) {

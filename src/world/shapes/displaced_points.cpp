@@ -3,6 +3,7 @@
 
 #include "foundation/base/parallel.h"
 #include "world/shapes/coincident_points.h"
+#include "world/shapes/joined_points.h"
 
 #include <algorithm>
 #include <numeric>
@@ -72,13 +73,17 @@ std::vector<VertexTriple> DisplacedPoints::begin(std::span<const DisplacedDicing
         }
     }
     const std::vector<std::uint32_t> places = placesOf(starts);
+    std::vector<PlacedVertex> placed;
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+        placed.push_back({vertices[i].shape, places[i]});
+    const std::vector<std::uint32_t> joined = joinedPoints(placed, triangles);
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         DisplacedVertex &vertex = vertices[i];
-        vertex.point = places[i];
+        vertex.point = joined[i];
         const float edge = shapes[vertex.shape].edge;
-        if (places[i] == points.size())
+        if (vertex.point == points.size())
             points.push_back({starts[i], {}, edge});
-        points[places[i]].edge = std::min(points[places[i]].edge, edge);
+        points[vertex.point].edge = std::min(points[vertex.point].edge, edge);
     }
     findIdleCoordinates(shapes, vertices);
     move(shapes, 0, 0);
