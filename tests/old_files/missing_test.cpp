@@ -1,38 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scenes whose files are not all at hand, or are somewhere else than where they were once: what can
 // be drawn is drawn, and what stands in for the rest is told.
-#include "image/picture_file.h"
-#include "tests/support/program.h"
-#include "tests/support/scratch_folder.h"
+#include "tests/old_files/old_scene.h"
 
-#include <gtest/gtest.h>
+#include <cmath>
 
 namespace candela::test {
 namespace {
 
-const std::string head = "Format 8 8 1\nPixelFilter \"box\" 1 1\n"
-                         "Display \"out.exr\" \"openexr\" \"rgb\"\n";
-/// A white wall behind, which the eye sees all over, from z = 4.
-const std::string wall = "Surface \"matte\"\n"
-                         "Polygon \"P\" [-9 -9 4  -9 9 4  9 9 4  9 -9 4]\n";
-
-class OldFiles : public testing::Test {
-protected:
-    ScratchFolder folder_;
-
-    Outcome render(const std::string &rib, std::vector<std::string> more = {},
-                   const RunSettings &settings = {}) {
-        more.insert(more.begin(), {folder_.write("scene.rib", rib), "--output-dir", folder_.path(),
-                                   "--quiet", "--spp", "16"});
-        return runCandela(more, settings);
-    }
-    float red(std::size_t pixel, const std::string &name = "out.exr") {
-        std::string problem;
-        const auto picture = readPicture(folder_.path(name), problem);
-        EXPECT_TRUE(picture) << problem;
-        return picture ? picture->find("R")->values.at(pixel) : -1;
-    }
-};
+using OldFiles = OldScene;
 
 // The library's lights stand in, by what names and parameters tell: (0,0,4) is lit at right angles
 // from (0,0,0) or along z.
@@ -191,6 +167,7 @@ TEST_F(OldFiles, HeadersOfOldShadersAreAtHand) {
         {"patterns.h", "filteredpulse(0, 1, 0, .5)", .5f},
         {"patterns.h", "filteredpulsetrain(.75, 1, .3, 1)", .25f},
         {"patterns.h", "pulsetrain(.5, 1, 1.75) * smoothpulsetrain(0, .2, .6, .8, 1, 2.7)", .5f},
+        {"rmannotes.h", "repeat(.3, 5)", .5f},
         {"noises.h", "cells3(point(.5, .5, .5))", .5f},
         {"noises.h", "cells2(.5, 1.5)", .5f},
         {"noises.h", "fBm(P, 1, 3, 2, .5) + turbulence(P, 1, 3, 2, .5) + .25", .25f},

@@ -38,13 +38,15 @@ std::optional<Declaration> ParameterReader::declarationOf(const ParsedToken &tok
 }
 
 Declaration ParameterReader::guess(const TokenValue &value, const ParsedToken &token,
-                                   const char *request, const std::string &qualifiedName) {
+                                   const char *request, const std::string &qualifiedName,
+                                   bool matters) {
     bool strings = !value.strings.empty();
     Declaration result{StorageClass::Uniform, strings ? ValueType::String : ValueType::Float,
                        std::max(1, int(value.strings.size() + value.floats.size()))};
-    diagnostics_.warnOnce(value.where, qualifiedName,
-                          std::string(request) + ": parameter '" + token.name +
-                              "' has not been declared; taken as a " + textOf(result));
+    if (matters)
+        diagnostics_.warnOnce(value.where, qualifiedName,
+                              std::string(request) + ": parameter '" + token.name +
+                                  "' has not been declared; taken as a " + textOf(result));
     return result;
 }
 
@@ -74,7 +76,7 @@ std::vector<Parameter> ParameterReader::ofCategory(const TokenList &tokens, cons
         if (!declaration)
             declaration = Dictionary::standard(qualified);
         if (!declaration)
-            declaration = guess(value, token, request, qualified);
+            declaration = guess(value, token, request, qualified, category != "hider");
         // A search path may come as several strings, which is one path.
         bool path = category == "searchpath" && declaration->type == ValueType::String;
         auto parameter = (path ? typedParameter : singleValue)(value, token, *declaration, request,

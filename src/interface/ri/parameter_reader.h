@@ -44,8 +44,9 @@ private:
     std::optional<Declaration> shaderParameterType(const TokenValue &, const ParsedToken &,
                                                    const char *request, const std::string &shader,
                                                    const std::optional<ShaderParameters> &known);
+    /// `matters`: somebody may want to know.
     Declaration guess(const TokenValue &, const ParsedToken &, const char *request,
-                      const std::string &qualifiedName);
+                      const std::string &qualifiedName, bool matters = true);
 
     ShaderLookup &shaders_;
     RequestDiagnostics &diagnostics_;

@@ -116,13 +116,10 @@ void StateHandlers::detailRange(const SourceLocation &where, float minVisible,
 
 /// RI 3.1; points and lines were meant for previews.
 void StateHandlers::geometricRepresentation(const SourceLocation &where, const std::string &type) {
-    if (type == "point" || type == "line")
-        diagnostics_.warnOnce(where, "GeometricRepresentation",
-                              "GeometricRepresentation: surfaces are drawn all the same");
-    else if (type != "primitive")
-        diagnostics_.error(where, "GeometricRepresentation",
-                           "'" + type +
-                               "' is unknown: expected \"primitive\", \"point\" or \"line\"");
+    if (type != "primitive")
+        diagnostics_.warnOnce(where, "GeometricRepresentation:" + type,
+                              "GeometricRepresentation \"" + type +
+                                  "\": surfaces are drawn all the same");
 }
 
 void StateHandlers::sides(const SourceLocation &where, int sides) {

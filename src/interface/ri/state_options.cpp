@@ -245,6 +245,13 @@ void StateHandlers::display(const SourceLocation &where, const std::string &name
     DisplayRecord record{adds ? name.substr(1) : name, type,
                          modeOfChannels(mode, state_.options.channels), std::nullopt,
                          parameters_.ofRequest(where, tokens, "Display")};
+    if (type == "deepshad") {
+        record.type = "shadow", record.mode = "z";
+        diagnostics_.warnOnce(where, "Display:deepshad",
+                              "Display \"" + name +
+                                  "\": there are no deep shadow maps: it will be a shadow map of "
+                                  "depths, in which all that is met is opaque");
+    }
     record.quantize = displayQuantize(record.parameters);
     record.isAdded = adds;
     std::vector<DisplayRecord> &displays = state_.options.displays;

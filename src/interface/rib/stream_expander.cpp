@@ -184,6 +184,10 @@ void StreamExpander::procedural2(const SourceLocation &where, const std::string 
 void StreamExpander::expand(const SourceLocation &where, const std::string &generator,
                             const Strings &arguments, const LooseFloats &bound) {
     const bool archive = generator == "DelayedReadArchive";
+    if (generator == "DynamicLoad")
+        return diagnostics_.warning(where, "Procedural: \"DynamicLoad\" asks for machine code of "
+                                           "another renderer, which cannot be run here; the "
+                                           "primitive is left out");
     if (!archive && generator != "RunProgram")
         return diagnostics_.error(where, "Procedural: '" + generator +
                                              "' is unknown: expected \"DelayedReadArchive\" or "

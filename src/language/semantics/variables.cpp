@@ -37,12 +37,16 @@ std::vector<ExprPtr> initialValues(const ast::Variable &v, const Type &type,
         reporter.error(v.where, v.isArray
                                     ? "the initial values of array " + v.name + " must stand in { }"
                                     : "only arrays take initial values in { }");
-    else if (v.isArray && v.initial.size() > size_t(type.length))
-        reporter.error(v.initial[size_t(type.length)]->where,
-                       "more initial values than array " + v.name + " has elements (" +
-                           std::to_string(type.length) + ")");
-    for (const ast::ExprPtr &initial : v.initial)
-        if (ExprPtr value = expressions.checkAs(*initial, v.type, "the initial value of " + v.name))
+    size_t count = v.initial.size();
+    if (v.isArray && count > size_t(type.length)) {
+        count = size_t(type.length);
+        reporter.warning(v.initial[count]->where,
+                         "more initial values than array " + v.name + " has elements (" +
+                             std::to_string(type.length) + "): those from here on are left out");
+    }
+    for (size_t i = 0; i < count; ++i)
+        if (ExprPtr value =
+                expressions.checkAs(*v.initial[i], v.type, "the initial value of " + v.name))
             result.push_back(std::move(value));
     return result;
 }

@@ -213,11 +213,23 @@ ast::StmtPtr StatementParser::returnStatement() {
     return result;
 }
 
+/// A declaration without braces would be for nothing: all that follows in the block belongs to the
+/// statement, too.
+ast::StmtPtr StatementParser::restOfBlock(const std::string &word) {
+    tokens_.reporter().warning(tokens_.peek().where,
+                               word + " has no { }: all that follows in this block belongs to it");
+    Lookahead::InnerScope own(ahead_);
+    ast::StmtPtr result = make(StmtKind::Block);
+    while (!tokens_.atEnd() && !tokens_.at("}") && !tokens_.reporter().hopeless())
+        result->body.push_back(statement());
+    return result;
+}
+
 ast::StmtPtr StatementParser::lightStatement(StmtKind kind) {
     ast::StmtPtr result = make(kind);
     std::string word = tokens_.take().spelling;
     result->arguments = expressions_.arguments(word);
-    result->body.push_back(statement());
+    result->body.push_back(ahead_.startsDeclaration() ? restOfBlock(word) : statement());
     if (kind == StmtKind::Gather && tokens_.accept("else"))
         result->body.push_back(statement());
     return result;

@@ -34,6 +34,7 @@ private:
     ast::StmtPtr jumpStatement(ast::StmtKind);
     ast::StmtPtr returnStatement();
     ast::StmtPtr lightStatement(ast::StmtKind);
+    ast::StmtPtr restOfBlock(const std::string &word);
     ast::StmtPtr declaration();
     ast::StmtPtr expressionStatement();
     ast::StmtPtr furtherExpressions(ast::StmtPtr first);

@@ -32,9 +32,9 @@ const OptionName optionNames[] = {
 
 /// Parameters of other renderers that choose how, and not what, is looked up: there is one way
 /// here.
-constexpr std::string_view passedOver[] = {"filter",     "lerp",      "source",    "expandwidth",
-                                           "mipinterp",  "mapname",   "minfilter", "maxfilter",
-                                           "resolution", "samplebase"};
+constexpr std::string_view passedOver[] = {"filter",     "lerp",      "expandwidth", "mipinterp",
+                                           "mapname",    "minfilter", "maxfilter",   "resolution",
+                                           "samplebase", "gapbias"};
 
 class OptionReader {
 public:
@@ -50,6 +50,8 @@ public:
             if (name.empty() || k + 1 >= call_.count())
                 fault(k, function() + "() has names of parameters behind its coordinates, each "
                                       "with its value");
+            else if (name == "source")
+                k = lastOfSource(k);
             else
                 take(name, k + 1);
         }
@@ -58,6 +60,17 @@ public:
 
 private:
     std::string function() const { return call_.expr.overload->function->name; }
+    /// The light that a map was made for may be told by its corners. The map itself says where it
+    /// stood, and what it hides from there.
+    size_t lastOfSource(size_t name) const {
+        size_t corner = name + 1;
+        while (corner + 1 < call_.count() && isPoint(corner) && isPoint(corner + 1))
+            ++corner;
+        return corner - 1;
+    }
+    bool isPoint(size_t argument) const {
+        return sl::isGeometric(call_.expr.operands[argument]->type.base);
+    }
     void fault(size_t argument, const std::string &problem) {
         call_.lowering.messages.error(call_.expr.operands[argument]->where, problem);
     }
