@@ -137,19 +137,32 @@ double statistic(const std::string &rib, const std::string &name) {
     return at == std::string::npos ? 0 : std::stod(text.substr(text.find(':', at) + 1));
 }
 
-std::string cube(double reflectance, double epsilon) {
+std::string cube(double reflectance, double epsilon, const std::string &camera = "") {
     std::ostringstream rib;
     rib << "Option \"radiometry\" \"string units\" [\"si\"]\n"
            "Option \"render\" \"string integrator\" [\"radiosity\"]\n"
            "Option \"radiosity\" \"float epsilon\" ["
         << epsilon
         << "]\nFormat 4 4 1\nPixelSamples 1 1\nDisplay \"cube.exr\" \"openexr\" \"rgb\"\n"
-           "Projection \"perspective\"\nWorldBegin\n"
+           "Projection \"perspective\"\n"
+        << camera
+        << "WorldBegin\n"
            "LightSource \"pointlight\" 1 \"float intensity\" [100] \"point from\" [.1 .2 0]\n"
            "Surface \"matte\" \"Ka\" [0] \"Kd\" ["
         << reflectance << "]\n"
         << box << "WorldEnd\n";
     return rib.str();
+}
+
+/// Its two sides are as near to each other as can be, and rounding turns them to and from each
+/// other.
+TEST(Radiosity, TheSidesOfAPlaneSeeNothingOfEachOther) {
+    const double straight = statistic(cube(0.5, 1e-5), "elements");
+    for (const char *camera :
+         {"Translate .3 .1 1.3\nRotate 5 0 1 0\n", "Rotate 31 1 2 3\n",
+          "Scale -1 1 1\nRotate 7 1 0 0\n", "Translate 100 30 7\nRotate 20 0 0 1\n",
+          "Rotate 3 1 1 0\nScale .001 .001 .001\n"})
+        EXPECT_NEAR(statistic(cube(0.5, 1e-5, camera), "elements") / straight, 1, 0.1) << camera;
 }
 
 /// A4 and D4: in a closed room of one reflectance the flux of all reflections is a geometric

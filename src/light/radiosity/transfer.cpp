@@ -313,10 +313,16 @@ void refineKernel(const Mesh &mesh, int receiver, int sender, Transfer &transfer
 
 namespace {
 
+/// Of coordinates: the two sides of a plane, and planes that go on beside each other, are no
+/// higher.
+constexpr float roundings = 8 * 0x1p-24f;
+
 bool isBehind(std::span<const Node> nodes, const Mesh &mesh, int other) {
     const Element &element = mesh.element(other);
     for (const Node &node : nodes) {
-        const auto sees = [&](Vec3 P) { return dot(node.N, P - node.P) > 0; };
+        const float rounding = roundings * std::max({std::fabs(node.P.x), std::fabs(node.P.y),
+                                                     std::fabs(node.P.z), element.radius});
+        const auto sees = [&](Vec3 P) { return dot(node.N, P - node.P) > rounding; };
         for (Vec3 corner : cornersOf(mesh, other))
             if (sees(corner))
                 return false;
