@@ -49,9 +49,9 @@ void addShare(const Worth &worth, double share, Worth &to) {
 
 class Learner {
 public:
-    Learner(FrameContext &frame, const std::vector<double> &darkness)
+    Learner(FrameContext &frame, const std::vector<double> &darkness, bool besidePath)
         : frame_(frame), darkness_(darkness), power_(frame.scene.lights().startProbabilities()),
-          wave_(frame, {1, 0}, nothing_) {
+          wave_(frame, {1, 0, 0, besidePath}, nothing_) {
         const int shining =
             int(std::ranges::count_if(power_, [](double power) { return power > 0; }));
         found_.resize(power_.size());
@@ -151,9 +151,11 @@ private:
 } // namespace
 
 EmissionGuide learnEmission(FrameContext &frame, const std::vector<double> &darkness,
-                            std::span<const int> x, std::span<const int> y, int rounds) {
-    Learner learner(frame, darkness);
-    learner.lookFromCamera(x, y);
+                            std::span<const int> x, std::span<const int> y, int rounds,
+                            bool besidePath) {
+    Learner learner(frame, darkness, besidePath);
+    if (!besidePath)
+        learner.lookFromCamera(x, y);
     EmissionGuide guide = learner.guide();
     const double share = guide.share;
     for (int round = 0; round < rounds; ++round) {

@@ -13,7 +13,9 @@ namespace candela {
 
 /// The frame is a pilot's own. `darkness`, by cell of LightTally: the luminance that light counts
 /// over there. x[i], y[i]: pixels that are spread over the frame. `rounds` of some thousand paths.
+/// Paths that are to be `besidePath` go nowhere straight.
 EmissionGuide learnEmission(FrameContext &, const std::vector<double> &darkness,
-                            std::span<const int> x, std::span<const int> y, int rounds);
+                            std::span<const int> x, std::span<const int> y, int rounds,
+                            bool besidePath);
 
 } // namespace candela

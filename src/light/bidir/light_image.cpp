@@ -90,10 +90,13 @@ int weigh(LightWave &wave, int count) {
             parallel ? 1 : 1 / (double(image.sights.distance[i]) * image.sights.distance[i]);
         const double reached = double(image.sights.pdf[i]) * out * perArea;
         const double tries = ends.counts.lightImage;
-        const double weight = misWeightAmong(
-            1, techniquesBefore(ends, i, reached, ends.reversePdf[i]) / (tries * tries));
         const double path =
             pathTechniquesBefore(ends, i, reached, ends.reversePdf[i], chunk.paths.depth[i] == 0);
+        const double weight =
+            ends.counts.besidePath
+                ? (path > 0 ? 0.0 : 1.0)
+                : misWeightAmong(1, techniquesBefore(ends, i, reached, ends.reversePdf[i]) /
+                                        (tries * tries));
         image.pathGain[i] = float(1 / (weight * std::max(std::sqrt(path) / tries, leastOfPath)));
         const double scale = in > 0 ? weight * image.sights.importance[i] * out / (in * pi) : 0;
         bool some = false, sound = true;

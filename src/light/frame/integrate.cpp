@@ -156,13 +156,13 @@ private:
         std::unique_ptr<Worker> &worker = workers_[thread];
         if (!worker)
             worker = std::make_unique<Worker>(makeWave());
-        if (lightPaths_)
+        if (worker->wave->subpaths)
             worker->wave->subpaths->counts = lightPaths_->counts();
         return *worker;
     }
 
     std::unique_ptr<PathWave> makeWave() {
-        if (!lightPaths_)
+        if (!lightPaths_ || plan_.besidePath)
             return std::make_unique<PathWave>(frame_);
         return std::make_unique<EyeWave>(frame_, plan_.counts(), lightPaths_->vertices(),
                                          plan_.connections);
@@ -195,7 +195,8 @@ void integrate(const Scene &scene, const IntegratorSettings &settings,
     if (settings.kind == IntegratorKind::Bidirectional)
         plan = planTechniques(frame, guide);
     frame.guide = &guide;
-    if (settings.kind == IntegratorKind::Bidirectional && !(plan.lightPaths > 0))
+    if (settings.kind == IntegratorKind::Bidirectional &&
+        (plan.besidePath || !(plan.lightPaths > 0)))
         taken.kind = IntegratorKind::Path;
     const std::unique_ptr<radiosity::Solution> solution =
         solve(scene, settings, statistics, diagnostics);

@@ -42,6 +42,8 @@ struct TechniqueCounts {
         0; ///< Whole light paths that each vertex of a camera path is connected to.
     double merging =
         0; ///< Light paths that each vertex is merged with, times the disc's area, m^2.
+    /// Light paths count where `path` has no way to find the light, and nowhere else.
+    bool besidePath = false;
 };
 
 /// Of `vcm`: vertices of camera paths are merged with those of light paths around them.
@@ -67,10 +69,12 @@ struct BidirectionalPlan {
     int connections = 0;        ///< Of each vertex of a camera path.
     double verticesPerPath = 1; ///< Of light paths, as a pilot found: what a connection counts.
     double trust = 1;           ///< In weights, what light paths count beside their number.
+    bool besidePath = false;    ///< Camera paths are those of `path`: see TechniqueCounts.
     MergingPlan merging{};
 
     TechniqueCounts counts() const {
-        return {trust * lightPaths, connections > 0 ? trust * connections / verticesPerPath : 0};
+        return {trust * lightPaths, connections > 0 ? trust * connections / verticesPerPath : 0, 0,
+                besidePath};
     }
 };
 
