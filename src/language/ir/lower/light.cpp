@@ -220,40 +220,107 @@ void lowerIlluminate(Lowering &lowering, const sl::Stmt &statement) {
         lowering, lit, [&] { lowerBodyOf(lowering, statement); }, [] {});
 }
 
+namespace {
+
+/// A direction drawn from one of several cones of solar().
+struct DrawnCone {
+    Triple axis;
+    ValueId angle; ///< From the axis to the rim, radians.
+    ValueId x;     ///< Uniform again.
+    ValueId index; ///< Of the cone.
+    ValueId total; ///< Of all importance.
+};
+
+ValueId shareOf(Builder &b, const ConeValues &cone) {
+    return max(b, cone.importance, number(b, 0));
+}
+
+/// By importance.
+DrawnCone drawCone(Builder &b, const std::vector<ConeValues> &cones, ValueId x) {
+    const ValueId halfDegree = number(b, std::numbers::pi_v<float> / 360);
+    ValueId total = number(b, 0);
+    for (const ConeValues &cone : cones)
+        total = add(b, total, shareOf(b, cone));
+    const ValueId wanted = mul(b, x, total);
+    DrawnCone drawn{triple(b, 0, 0, 1), number(b, std::numbers::pi_v<float>), x, number(b, 0),
+                    total};
+    ValueId sum = number(b, 0);
+    for (size_t i = 0; i < cones.size(); ++i) {
+        const ValueId share = shareOf(b, cones[i]);
+        const ValueId taken = i == 0 ? boolean(b, true) : lessEqual(b, sum, wanted);
+        const ValueId within = div(b, sub(b, wanted, sum), max(b, share, number(b, 1e-30f)));
+        drawn.axis = select(b, taken, cones[i].axis, drawn.axis);
+        drawn.angle = select(b, taken, mul(b, cones[i].angle, halfDegree), drawn.angle);
+        drawn.x = select(b, taken, within, drawn.x);
+        drawn.index = select(b, taken, number(b, float(i)), drawn.index);
+        sum = add(b, sum, share);
+    }
+    return drawn;
+}
+
+/// What makes directions that were drawn so count as if those of the widest cone were drawn alike:
+/// its density over theirs. Importance is in both ways of choosing, and not in the light. A cone
+/// without width is a direction of its own.
+ValueId worthOfDirection(Builder &b, const std::vector<ConeValues> &cones, const DrawnCone &drawn,
+                         const Triple &direction) {
+    const ValueId quarter = number(b, std::numbers::pi_v<float> / 720), none = number(b, 0);
+    const Triple unit = normalize(b, direction);
+    ValueId widest = none, density = none, alone = boolean(b, false), ownShare = none;
+    for (size_t i = 0; i < cones.size(); ++i) {
+        const ValueId share = shareOf(b, cones[i]);
+        const ValueId angle = min(b, max(b, cones[i].angle, none), number(b, 360));
+        const ValueId sine = unary(b, Op::Sin, mul(b, angle, quarter));
+        const ValueId size = mul(b, sine, sine); // A quarter of the solid angle over pi.
+        const ValueId isWide = less(b, none, size);
+        const Triple axis = normalize(b, cones[i].axis);
+        const Triple apart{sub(b, unit[0], axis[0]), sub(b, unit[1], axis[1]),
+                           sub(b, unit[2], axis[2])};
+        const ValueId own = equal(b, drawn.index, number(b, float(i)));
+        const ValueId within = lessEqual(b, dot(b, apart, apart), mul(b, number(b, 4), size));
+        const ValueId counts = both(b, isWide, either(b, own, within));
+        const ValueId some = div(b, share, select(b, isWide, size, number(b, 1)));
+        density = add(b, density, select(b, counts, some, none));
+        widest = max(b, widest, select(b, less(b, none, share), size, none));
+        alone = either(b, alone, both(b, own, negate(b, isWide)));
+        ownShare = select(b, own, share, ownShare);
+    }
+    const ValueId spread = select(b, alone, ownShare, mul(b, widest, density));
+    return select(b, less(b, none, spread), div(b, drawn.total, spread), number(b, 1));
+}
+
+} // namespace
+
 void lowerSolar(Lowering &lowering, const sl::Stmt &statement) {
     Builder &b = lowering.b;
     if (lowering.light.kind == LightClass::Ambient)
         lowering.light.kind = LightClass::Distant;
     const sl::LightArguments &light = *statement.light;
-    Triple axis = triple(b, 0, 0, 1);
-    ValueId angle = number(b, std::numbers::pi_v<float>);
-    ValueId xi = input(b, ShaderInput::lightSample, 0);
+    const ValueId x = input(b, ShaderInput::lightSample, 0);
+    DrawnCone drawn{triple(b, 0, 0, 1), number(b, std::numbers::pi_v<float>), x, number(b, 0),
+                    number(b, 1)};
     std::vector<ConeValues> cones;
     if (light.form == sl::ConeForm::Classic) {
-        axis = tripleOf(evaluate(lowering, *light.axis));
-        angle = evaluateFloat(lowering, *light.angle);
+        drawn.axis = tripleOf(evaluate(lowering, *light.axis));
+        drawn.angle = evaluateFloat(lowering, *light.angle);
     } else if (light.form == sl::ConeForm::Extended) {
         cones = evaluateCones(lowering, light);
-        const ValueId halfDegree = number(b, std::numbers::pi_v<float> / 360);
-        ValueId total = number(b, 0);
-        for (const ConeValues &cone : cones)
-            total = add(b, total, cone.importance);
-        const ValueId wanted = mul(b, xi, total);
-        ValueId sum = number(b, 0);
-        for (size_t i = 0; i < cones.size(); ++i) {
-            const ValueId taken = i == 0 ? boolean(b, true) : lessEqual(b, sum, wanted);
-            axis = select(b, taken, cones[i].axis, axis);
-            angle = select(b, taken, mul(b, cones[i].angle, halfDegree), angle);
-            xi = select(b, taken, div(b, sub(b, wanted, sum), cones[i].importance), xi);
-            sum = add(b, sum, cones[i].importance);
-        }
+        drawn = drawCone(b, cones, x);
     }
     if (light.form != sl::ConeForm::Extended)
-        cones = {classicCone(b, axis, angle)};
+        cones = {classicCone(b, drawn.axis, drawn.angle)};
     stateEmission(lowering, statement, triple(b, 0, 0, 0), cones);
-    openLight(lowering, directionInCone(b, axis, angle, xi, input(b, ShaderInput::lightSample, 1),
-                                        ConeWeight::Uniform));
+    const Triple direction =
+        directionInCone(b, drawn.axis, drawn.angle, drawn.x, input(b, ShaderInput::lightSample, 1),
+                        ConeWeight::Uniform);
+    openLight(lowering, direction);
     lowerBodyOf(lowering, statement);
+    if (cones.size() < 2)
+        return;
+    Components Cl = lowering.variables.load(sl::PredefinedId::Cl);
+    const ValueId worth = worthOfDirection(b, cones, drawn, direction);
+    for (ValueId &sample : Cl)
+        sample = mul(b, sample, worth);
+    lowering.variables.store(sl::PredefinedId::Cl, Cl);
 }
 
 } // namespace candela::ir

@@ -14,7 +14,7 @@ void lowerIlluminance(Lowering &, const sl::Stmt &);
 void lowerIlluminate(Lowering &, const sl::Stmt &);
 /// A distant emitter: the direction of its light is the axis, or one of the cone about it by
 /// lightSample; without any arguments one of the sphere. Of several cones of the extended form
-/// lightSample takes one, by importance.
+/// lightSample takes one, by importance, and Cl counts as if it had been the widest.
 void lowerSolar(Lowering &, const sl::Stmt &);
 
 } // namespace candela::ir
