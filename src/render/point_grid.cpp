@@ -92,6 +92,8 @@ void PointGrid::fillWhatIsTheSame(int count) {
     fill(ShaderInput::N, count, {0, 0, -1});
     fill(ShaderInput::Ng, count, {0, 0, -1});
     fill(ShaderInput::I, count, {0, 0, 1});
+    fill(ShaderInput::Ns, count, {0, 0, -1});
+    fill(ShaderInput::Is, count, {0, 0, 1});
     fill(ShaderInput::dPdu, count, {2, 0, 0});
     fill(ShaderInput::dPdv, count, {0, -2, 0});
     fill(ShaderInput::orientation, count, {1});

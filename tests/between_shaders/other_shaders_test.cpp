@@ -75,7 +75,7 @@ TEST_F(Shown, shadersThatAskInVainAreTold) {
                              "float k = 0;\n"
                              "k += surface(\"Kd\", k) + atmosphere(\"density\", k);\n"
                              "k += attribute(\"ShadingRate\", k);\n"
-                             "illuminate(point (0, 0, 0)) Cl = k + normalize(Ns).L + Cs; }\n");
+                             "illuminate(point (0, 0, 0)) Cl = k + Cs; }\n");
     folder_.write("wonders.sl",
                   "volume wonders() { float k = 0; Ci += attribute(\"Sides\", k); }\n");
     const std::string rib =
@@ -89,7 +89,7 @@ TEST_F(Shown, shadersThatAskInVainAreTold) {
          {"asks.sl:3:6: warning: surface() asks another shader",
           "asks.sl:3:25: warning: atmosphere() asks another shader",
           "asks.sl:4:6: warning: attribute() is told to surface shaders alone; in a light shader",
-          "lights are not told Ns", "lights are not told Cs",
+          "lights are not told Cs",
           "attribute() is told to surface shaders alone; in a volume shader"})
         EXPECT_NE(outcome.err.find(words), std::string::npos) << words << outcome.text();
 }

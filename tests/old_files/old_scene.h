@@ -6,6 +6,7 @@
 #include "tests/support/program.h"
 #include "tests/support/scratch_folder.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <string>
 #include <vector>
@@ -24,8 +25,10 @@ protected:
 
     Outcome render(const std::string &rib, std::vector<std::string> more = {},
                    const RunSettings &settings = {}) {
-        more.insert(more.begin(), {folder_.write("scene.rib", rib), "--output-dir", folder_.path(),
-                                   "--quiet", "--spp", "16"});
+        if (std::ranges::find(more, "--spp") == more.end())
+            more.insert(more.end(), {"--spp", "16"});
+        more.insert(more.begin(),
+                    {folder_.write("scene.rib", rib), "--output-dir", folder_.path(), "--quiet"});
         return runCandela(more, settings);
     }
     float red(std::size_t pixel, const std::string &name = "out.exr") {

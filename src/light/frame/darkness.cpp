@@ -160,6 +160,10 @@ private:
         query.P = {origins_[0], origins_[1], origins_[2]};
         query.Ps = {points_.input(ShaderInput::P, 0), points_.input(ShaderInput::P, 1),
                     points_.input(ShaderInput::P, 2)};
+        query.Ns = {points_.input(ShaderInput::N, 0), points_.input(ShaderInput::N, 1),
+                    points_.input(ShaderInput::N, 2)};
+        query.I = {points_.input(ShaderInput::I, 0), points_.input(ShaderInput::I, 1),
+                   points_.input(ShaderInput::I, 2)};
         query.N = {anySide.data(), anySide.data(), anySide.data()};
         query.lightSet = points_.lightSet;
         query.time = points_.input(int(ShaderInput::time));

@@ -2,6 +2,7 @@
 #include "foundation/base/lanes.h"
 #include "light/path/stages.h"
 #include "light/path/steps.h"
+#include "light/vertex/light_samples.h"
 
 #include <algorithm>
 #include <optional>
@@ -102,8 +103,7 @@ void ask(PathWave &wave) {
         std::array<float *, colorSamples> ambient;
         for (int c = 0; c < colorSamples; ++c)
             std::fill_n(ambient[c] = chunk.ambientLight[c], chunk.count(), 0.0f);
-        scene.lights().ambient(chunk.count(), chunk.vertices.P(), chunk.vertices.points.lightSet,
-                               ambient.data());
+        scene.lights().ambient(askingPoints(chunk.vertices), ambient.data());
         chunk.ambient = chunk.ambientTable.data();
     }
     chunk.vertices.prepare(chunk.ambient, chunk.irradiance);

@@ -58,8 +58,9 @@ void askAmbient(PathWave &wave, Crossing &crossing) {
         lightSet.push_back(vertices.mediaOf(i).lightSet);
     for (int c = 0; c < colorSamples; ++c)
         std::fill_n(ambient[c] = crossing.ambient[c], vertices.count(), 0.0f);
-    wave.frame.scene.lights().ambient(vertices.count(), vertices.P(), lightSet.data(),
-                                      ambient.data());
+    LightQuery query;
+    query.count = vertices.count(), query.Ps = vertices.P(), query.lightSet = lightSet.data();
+    wave.frame.scene.lights().ambient(query, ambient.data());
     crossing.segments.ambient = ambient.data();
 }
 

@@ -71,7 +71,7 @@ LightQuery queryOf(const Part &part, const SensorLight &work) {
     query.count = part.count;
     query.P = part.of(part.slots.origin);
     query.Ps = part.of(part.slots.Ps);
-    query.N = part.of(part.slots.aim);
+    query.N = query.Ns = part.of(part.slots.aim);
     query.scattered = work.sharesWithDirections ? work.one : nullptr;
     query.lightSet = work.lightSet;
     query.time = part.slots.time + part.first;
@@ -116,7 +116,7 @@ void addAmbient(const Scene &scene, const Part &part, SensorLight &work) {
     std::array<float *, colorSamples> ambient;
     for (int c = 0; c < colorSamples; ++c)
         ambient[c] = work.ambient[c];
-    scene.lights().ambient(part.count, part.of(part.slots.Ps), work.lightSet, ambient.data());
+    scene.lights().ambient(queryOf(part, work), ambient.data());
     for (int c = 0; c < colorSamples; ++c)
         addTimes(part.count, ambient[c], pi, part.slots.value[c] + part.first);
 }

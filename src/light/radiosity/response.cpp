@@ -3,6 +3,7 @@
 
 #include "light/sampling/sobol.h"
 #include "light/vertex/finite_lobes.h"
+#include "light/vertex/light_samples.h"
 
 #include <algorithm>
 #include <cmath>
@@ -117,8 +118,7 @@ void ResponseQuestion::addView(Response &response, float share) {
         float *ambient[colorSamples];
         for (int c = 0; c < colorSamples; ++c)
             std::fill_n(ambient[c] = ambient_[c], vertices_.count(), 0.0f);
-        scene.lights().ambient(vertices_.count(), vertices_.P(), vertices_.points.lightSet,
-                               ambient);
+        scene.lights().ambient(askingPoints(vertices_), ambient);
     }
     vertices_.prepare(hasAmbient ? ambientTable_.data() : nullptr);
     for (int c = 0; hasAmbient && c < colorSamples; ++c)

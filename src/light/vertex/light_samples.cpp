@@ -52,17 +52,24 @@ void LightSampleStorage::tellPlaces() {
     samples.normal = {places[1], places[2], places[3]};
 }
 
-LightQuery lightQuery(SurfaceVertices &vertices, const ConstVec3Planes &N, const float *scattered,
-                      const LightNumbers &numbers) {
+LightQuery askingPoints(SurfaceVertices &vertices) {
     LightQuery query;
     query.count = vertices.count();
-    query.P = vertices.litPoints();
     query.Ps = vertices.P();
+    query.Ns = vertices.input(ShaderInput::N);
+    query.I = vertices.input(ShaderInput::I);
+    query.lightSet = vertices.points.lightSet;
+    query.time = vertices.points.input(int(ShaderInput::time));
+    return query;
+}
+
+LightQuery lightQuery(SurfaceVertices &vertices, const ConstVec3Planes &N, const float *scattered,
+                      const LightNumbers &numbers) {
+    LightQuery query = askingPoints(vertices);
+    query.P = vertices.litPoints();
     query.N = N;
     // Lights that are heard by samples alone are found by no ray.
     query.scattered = vertices.code().categories().hearsAllAsIndirect() ? scattered : nullptr;
-    query.lightSet = vertices.points.lightSet;
-    query.time = vertices.points.input(int(ShaderInput::time));
     query.choice = numbers.choice;
     query.position = {numbers.u, numbers.v};
     return query;

@@ -23,6 +23,8 @@ struct LightNumbers {
     const float *choice, *u, *v;
 };
 
+/// What lights are told of the vertices themselves.
+LightQuery askingPoints(SurfaceVertices &);
 /// What lights are asked by vertices with the normals N (LightQuery::N), from which rays are
 /// scattered where `scattered` is above 0 (null: nowhere).
 LightQuery lightQuery(SurfaceVertices &, const ConstVec3Planes &N, const float *scattered,

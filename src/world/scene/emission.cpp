@@ -62,6 +62,7 @@ void addLightEmission(const SceneState &state, const ShaderCode &code, ShadingPo
         subtract(count, planes[int(ShaderInput::P) + c], planes[int(ShaderInput::I) + c], Ps[c]);
     }
     batch.readFrom(ShaderInput::Ps, 3, Ps);
+    batch.hasSurface = true;
     batch.ask(state, code, active);
     for (int c = 0; c < colorSamples; ++c)
         for (int i = 0; i < count; ++i)
@@ -108,26 +109,28 @@ void Lights::emission(int code, ShadingPoints &points, float *const *radiance) c
     state_->emission(code, points, radiance);
 }
 
-void Lights::ambient(int count, const std::array<const float *, 3> &P, const std::int32_t *lightSet,
-                     float *const *ambient) const {
+void Lights::ambient(const LightQuery &query, float *const *ambient) const {
     for (int c = 0; c < colorSamples; ++c)
-        std::fill_n(ambient[c], count, 0.0f);
+        std::fill_n(ambient[c], query.count, 0.0f);
     thread_local std::optional<LightBatch> batch;
     if (!batch)
         batch.emplace(lightBatchSize);
     for (int index : state_->lights.ambient)
-        for (int first = 0; first < count; first += lightBatchSize) {
+        for (int first = 0; first < query.count; first += lightBatchSize) {
             const SceneLight &light = state_->lights.lights[index];
-            batch->count = std::min(lightBatchSize, count - first);
-            for (int c = 0; c < 3; ++c)
-                std::copy_n(P[c] + first, batch->count, batch->input(ShaderInput::Ps, c));
+            batch->count = std::min(lightBatchSize, query.count - first);
+            const auto from = [first](const float *plane) { return plane ? plane + first : plane; };
+            for (int c = 0; c < 3; ++c) {
+                std::copy_n(from(query.Ps[c]), batch->count, batch->input(ShaderInput::Ps, c));
+                batch->Ns[c] = from(query.Ns[c]), batch->I[c] = from(query.I[c]);
+            }
             for (int i = 0; i < batch->count; ++i) {
                 placePointLight(*batch, i, light, state_->points.shutter);
                 batch->parameterOffset[i] = light.shader.parameterOffset;
             }
             batch->ask(*state_, *light.shader.code);
             for (int i = 0; i < batch->count; ++i)
-                if (isOn(lightSet[first + i], index + 1))
+                if (isOn(query.lightSet[first + i], index + 1))
                     for (int c = 0; c < colorSamples; ++c)
                         ambient[c][first + i] += batch->Cl[c][i];
         }

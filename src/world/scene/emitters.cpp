@@ -27,6 +27,8 @@ std::optional<StatedEmission> statedEmission(const SceneState &state, const Scen
     if (facts.cones.empty() || !facts.conesAreTheLights)
         return std::nullopt;
     const QuestionCode &question = code.question(ir::Question::Emission);
+    if (question.reads(ShaderInput::N) || question.reads(ShaderInput::Ng))
+        return std::nullopt; // Those of what is lit.
     LightBatch batch(1);
     batch.count = 1;
     placePointLight(batch, 0, light, state.points.shutter);

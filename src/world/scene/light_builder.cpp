@@ -76,6 +76,8 @@ bool readsOnlyPlace(const ShaderCode &code) {
                                                         {ShaderInput::N, 3},
                                                         {ShaderInput::Ng, 3},
                                                         {ShaderInput::Ps, 3},
+                                                        {ShaderInput::Ns, 3},
+                                                        {ShaderInput::Is, 3},
                                                         {ShaderInput::time, 1}});
 }
 

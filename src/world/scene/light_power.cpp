@@ -166,6 +166,7 @@ private:
     }
 
     void prepare(int samples) {
+        batch_.hasSurface = false;
         batch_.count = samples * lights();
         forLanes(samples, [&](int k, int i, int lane) {
             batch_.input(ShaderInput::time)[lane] = state_.camera.shutterOpen();
@@ -298,6 +299,7 @@ private:
     /// scene counts.
     void askClassicAreas() {
         prepare(samples_);
+        batch_.hasSurface = true;
         place(SurfaceCode{});
         for (ShaderInput input : {ShaderInput::P, ShaderInput::N, ShaderInput::Ng})
             for (int c = 0; c < 3; ++c)

@@ -2,6 +2,7 @@
 #include "world/scene/light_question.h"
 
 #include <algorithm>
+#include <array>
 
 namespace candela {
 
@@ -23,7 +24,52 @@ void LightBatch::readFrom(ShaderInput which, int components, const float *const 
         inputTable[int(which) + c] = planes ? planes[c] : inputs[int(which) + c];
 }
 
+bool readsWhatIsLit(const ShaderCode &code, bool hasSurface) {
+    const auto reads = [&](ShaderInput first) {
+        return std::ranges::any_of(std::array{0, 1, 2}, [&](int component) {
+            return code.reads(ShaderInput(int(first) + component));
+        });
+    };
+    return reads(ShaderInput::Ns) || reads(ShaderInput::Is) ||
+           (!hasSurface && (reads(ShaderInput::N) || reads(ShaderInput::Ng)));
+}
+
+/// Where no surface asks, Ns leads to the light. Where nobody looks, a surface is seen straight on,
+/// and all else from the eye.
+void LightBatch::tellWhoAsks(const ShaderCode &code) {
+    if (!readsWhatIsLit(code, hasSurface))
+        return;
+    const auto vector = [&](ShaderInput first, int lane) {
+        const float *const *planes = inputTable.data() + int(first);
+        return Vec3{planes[0][lane], planes[1][lane], planes[2][lane]};
+    };
+    const bool isSurface = Ns[0] != nullptr, isSeen = I[0] != nullptr;
+    for (int lane = 0; lane < count; ++lane) {
+        const Vec3 P = vector(ShaderInput::P, lane), lit = vector(ShaderInput::Ps, lane);
+        const Vec3 normal =
+            isSurface ? Vec3{Ns[0][lane], Ns[1][lane], Ns[2][lane]} : normalize(P - lit);
+        const Vec3 way = isSeen      ? Vec3{I[0][lane], I[1][lane], I[2][lane]}
+                         : isSurface ? normal * -1.0f
+                                     : lit;
+        for (int c = 0; c < 3; ++c) {
+            input(ShaderInput::Ns, c)[lane] = normal[c];
+            input(ShaderInput::Is, c)[lane] = way[c];
+        }
+    }
+    float *const told[3] = {input(ShaderInput::Ns, 0), input(ShaderInput::Ns, 1),
+                            input(ShaderInput::Ns, 2)};
+    float *const seen[3] = {input(ShaderInput::Is, 0), input(ShaderInput::Is, 1),
+                            input(ShaderInput::Is, 2)};
+    readFrom(ShaderInput::Ns, 3, told);
+    readFrom(ShaderInput::Is, 3, seen);
+    if (hasSurface)
+        return;
+    readFrom(ShaderInput::N, 3, told);
+    readFrom(ShaderInput::Ng, 3, told);
+}
+
 void LightBatch::ask(const SceneState &state, const ShaderCode &code, const std::uint16_t *active) {
+    tellWhoAsks(code);
     for (int plane = 0; plane < answers.planes(); ++plane)
         std::fill_n(answers[plane], count, 0.0f);
     const QuestionCode &question = code.question(ir::Question::Light);
@@ -54,12 +100,9 @@ void placePointLight(LightBatch &batch, int lane, const SceneLight &light, const
         light.steps.empty()
             ? light.currentFromShader
             : matrixAt(light.steps, shutter.share(batch.input(ShaderInput::time)[lane]));
-    Vec3 axis = normalize(transformVector(currentFromShader, {0, 0, 1}));
-    Vec3 origin = transformPoint(currentFromShader, {0, 0, 0});
-    for (int c = 0; c < 3; ++c) {
+    const Vec3 origin = transformPoint(currentFromShader, {0, 0, 0});
+    for (int c = 0; c < 3; ++c)
         batch.input(ShaderInput::P, c)[lane] = origin[c];
-        batch.input(ShaderInput::N, c)[lane] = batch.input(ShaderInput::Ng, c)[lane] = axis[c];
-    }
 }
 
 } // namespace candela

@@ -15,6 +15,11 @@ struct LightBatch {
 
     int count = 0;
     bool prints = true; ///< As in ShaderCode::bind().
+    /// P is a point of the light's own surface, N and Ng the normals there. Of other lights N and
+    /// Ng are those of what they light, Ns.
+    bool hasSurface = false;
+    /// As in LightQuery.
+    std::array<const float *, 3> Ns{}, I{};
     Planes<float> inputs, answers;
     std::vector<const float *> inputTable;
     Planes<std::int32_t> integers;
@@ -29,14 +34,19 @@ struct LightBatch {
     }
     /// Lets inputs be read from elsewhere, or (null) from the batch's own planes again.
     void readFrom(ShaderInput which, int components, const float *const *planes);
-    /// Asks; `active` as in ShaderArgs.
+    /// Asks; `active` as in ShaderArgs. P, Ps and what above says of who asks must be there.
     void ask(const SceneState &, const ShaderCode &, const std::uint16_t *active = nullptr);
+
+private:
+    void tellWhoAsks(const ShaderCode &);
 };
+
+/// The shader looks at what is lit, beyond where that is.
+bool readsWhatIsLit(const ShaderCode &, bool hasSurface);
 
 inline constexpr int lightBatchSize = 512;
 
-/// P, N and Ng of lights without a surface: the origin and z axis of "shader" space, at the lane's
-/// time.
+/// P of lights without a surface: the origin of "shader" space, at the lane's time.
 void placePointLight(LightBatch &, int lane, const SceneLight &, const Shutter &);
 
 } // namespace candela

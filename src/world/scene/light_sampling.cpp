@@ -30,15 +30,15 @@ constexpr float pointRounding = 8 * 0x1p-24f; ///< Of a point's largest coordina
 struct Block {
     int count = 0;
     const std::int32_t *source = nullptr;
-    const float *probability = nullptr; ///< Of the source, as far as it counts.
-    std::array<const float *, 3> P{}, Ps{};
+    const float *probability = nullptr;                ///< Of the source, as far as it counts.
+    std::array<const float *, 3> P{}, Ps{}, Ns{}, I{}; ///< As in LightQuery.
     const float *time = nullptr, *u = nullptr, *v = nullptr;
     LightSamples out;
 };
 
 /// Planes for a block that had to be gathered.
 struct BlockStorage {
-    Planes<float> asked{10, lightBatchSize}, answered{9 + colorSamples, lightBatchSize};
+    Planes<float> asked{16, lightBatchSize}, answered{9 + colorSamples, lightBatchSize};
     Planes<std::int32_t> integers{2, lightBatchSize};
     Planes<std::uint8_t> bytes{1, lightBatchSize};
 };
@@ -296,6 +296,8 @@ void samplePlain(const SceneState &state, const SourceBin &bin, const Block &blo
         std::copy_n(block.P[c], count, batch.input(ShaderInput::Ps, c));
     }
     turnUnit(count, own.drawn.normal.data(), bin.elementSign, N);
+    batch.hasSurface = true;
+    batch.Ns = batch.I = {};
     batch.readFrom(ShaderInput::Ng, 3, N);
     std::copy_n(block.time, count, batch.input(ShaderInput::time));
     takeLights(state, own.rows, batch);
@@ -330,6 +332,8 @@ void sampleDelta(const SceneState &state, const SourceBin &bin, const Block &blo
     LightBatch &batch = own.batch;
     const int count = block.count;
     batch.readFrom(ShaderInput::P, int(ShaderInput::Count), nullptr);
+    batch.hasSurface = bin.asked == SourceBin::Asked::ClassicArea;
+    batch.Ns = block.Ns, batch.I = block.I;
     std::copy_n(block.time, count, batch.input(ShaderInput::time));
     if (bin.asked == SourceBin::Asked::ClassicArea) {
         // The geometry alone matters; the shapes may have any surface shaders.
@@ -394,9 +398,10 @@ void sampleBlock(const SceneState &state, const SourceBin &bin, const Block &blo
 Block part(const Block &all, int first, int count) {
     Block block = all;
     block.count = count;
-    for (auto *planes : {&block.P, &block.Ps})
+    for (auto *planes : {&block.P, &block.Ps, &block.Ns, &block.I})
         for (const float *&plane : *planes)
-            plane += first;
+            if (plane)
+                plane += first;
     for (const float **plane : {&block.probability, &block.time, &block.u, &block.v})
         *plane += first;
     block.source += first;
@@ -415,8 +420,16 @@ Block part(const Block &all, int first, int count) {
     return block;
 }
 
-/// The lanes lane[0..count), gathered.
-Block gathered(const Block &all, const std::int32_t *lane, int count, BlockStorage &storage) {
+/// The bin's light shaders are told more of what they light than where it is.
+bool isToldOfSurfaces(const SourceBin &bin) {
+    return bin.asked == SourceBin::Asked::PointShader
+               ? readsWhatIsLit(*bin.shader, false)
+               : bin.asked == SourceBin::Asked::ClassicArea && readsWhatIsLit(*bin.shader, true);
+}
+
+/// The lanes lane[0..count), gathered, to be asked of the bin.
+Block gathered(const Block &all, const SourceBin &bin, const std::int32_t *lane, int count,
+               BlockStorage &storage) {
     Block block;
     block.count = count;
     int plane = 0;
@@ -427,6 +440,10 @@ Block gathered(const Block &all, const std::int32_t *lane, int count, BlockStora
     };
     for (int c = 0; c < 3; ++c)
         block.P[c] = take(all.P[c]), block.Ps[c] = take(all.Ps[c]);
+    for (int c = 0; c < 3 && isToldOfSurfaces(bin); ++c) {
+        block.Ns[c] = all.Ns[c] ? take(all.Ns[c]) : nullptr;
+        block.I[c] = all.I[c] ? take(all.I[c]) : nullptr;
+    }
     block.probability = take(all.probability), block.time = take(all.time);
     block.u = take(all.u), block.v = take(all.v);
     lanes::gather(count, lane, all.source, storage.integers[0]);
@@ -513,7 +530,7 @@ void answer(const SceneState &state, Block all, SamplingScratch &own) {
     for (int b = 0, first = 0; b < int(table.bins.size()); ++b)
         for (int last = own.binStart[b]; first < last;) {
             const int n = std::min(lightBatchSize, last - first);
-            const Block block = gathered(all, order + first, n, own.block);
+            const Block block = gathered(all, table.bins[b], order + first, n, own.block);
             sampleBlock(state, table.bins[b], block, own);
             putBack(block.out, order + first, n, all.out);
             first += n;
@@ -522,8 +539,8 @@ void answer(const SceneState &state, Block all, SamplingScratch &own) {
 
 Block blockOf(const LightQuery &query, const std::int32_t *source, const float *probability,
               const float *across, const LightSamples &samples) {
-    return {query.count, source, probability,       query.P, query.Ps,
-            query.time,  across, query.position[1], samples};
+    return {query.count, source,     probability, query.P,           query.Ps, query.Ns,
+            query.I,     query.time, across,      query.position[1], samples};
 }
 
 } // namespace

@@ -34,6 +34,9 @@ struct LightQuery {
     std::array<const float *, 3> P{};  ///< Where rays to lights start, just off the surface.
     std::array<const float *, 3> Ps{}; ///< The point on the surface: what light shaders are told.
     std::array<const float *, 3> N{};  ///< Unit, facing; 0 where light from both sides counts.
+    /// What light shaders without a surface are told besides: the shading normal at Ps, null where
+    /// no surface asks; and from the viewer to Ps, null where none looks.
+    std::array<const float *, 3> Ns{}, I{};
     /// Above 0 where scattered rays look for light beside these samples; null: nowhere.
     const float *scattered = nullptr;
     const std::int32_t *lightSet = nullptr;
@@ -112,9 +115,9 @@ public:
     /// radiance[c][i] that area lights (si) and emitting surfaces send from the points to the
     /// viewers they were hit from (I), W m^-2 sr^-1; added to what is there.
     void emission(int code, ShadingPoints &, float *const *radiance) const;
-    /// Sum of the ambient lights at the points, as ambient() returns it.
-    void ambient(int count, const std::array<const float *, 3> &P, const std::int32_t *lightSet,
-                 float *const *ambient) const;
+    /// Sum of the ambient lights at the points, as ambient() returns it. Of the query count, Ps,
+    /// Ns, I and lightSet are read.
+    void ambient(const LightQuery &, float *const *ambient) const;
     /// `light` as in ShadingPoints and LightSamples: index + 1, and 0 (indirect) is always on.
     bool isOn(std::int32_t lightSet, std::int32_t light) const;
     /// The light set of points that hear every light that is on for some surface; in a world

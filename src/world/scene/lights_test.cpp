@@ -259,7 +259,7 @@ TEST(Lights, ClassicLightsHandOverTheirNumber) {
         Planes<float> planes(colorSamples, 4);
         float *ambient[colorSamples] = {planes[0], planes[1], planes[2]};
         ASSERT_TRUE(scene.lights().hasAmbient());
-        scene.lights().ambient(4, samples.query.P, samples.query.lightSet, ambient);
+        scene.lights().ambient(samples.query, ambient);
         EXPECT_EQ(ambient[1][2], 0.25f);
     });
 }

@@ -82,9 +82,14 @@ struct DegreeAnalysis : ForwardAnalysis<Degree> {
     Degree degreeOf(const Instruction &i) const {
         if (i.op == Op::ConstFloat)
             return i.number == 0 ? Degree{Degree::Zero, 0} : steady;
-        if (i.op == Op::Input) { // Ps moves when L is stretched.
-            const int component = i.immediate - int(ShaderInput::Ps);
-            return component >= 0 && component < 3 ? unknown : steady;
+        if (i.op == Op::Input) { // Ps moves when L is stretched, and what the viewer sees of it.
+            const auto isOf = [&](ShaderInput first, ShaderInput last) {
+                return i.immediate >= int(first) && i.immediate <= int(last);
+            };
+            return isOf(ShaderInput::Ps, ShaderInput::PsLast_) ||
+                           isOf(ShaderInput::Is, ShaderInput::IsLast_)
+                       ? unknown
+                       : steady;
         }
         if (!isPure(i.op) || info(i.op).kind == OpClass::Random)
             return unknown;

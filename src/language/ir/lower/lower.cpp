@@ -136,16 +136,10 @@ void writeOutputs(Lowering &lowering, const LoweredShader &lowered) {
 void warnOfWhatLightsReadInVain(Lowering &lowering) {
     if (lowering.shader.kind != sl::ShaderKind::Light)
         return;
-    for (const auto &symbol : lowering.shader.symbols) {
-        if (!symbol->predefined || !symbol->read)
-            continue;
-        const bool isNs = symbol->predefined->id == sl::PredefinedId::Ns;
-        if (isNs || symbol->predefined->id == sl::PredefinedId::Cs)
+    for (const auto &symbol : lowering.shader.symbols)
+        if (symbol->predefined && symbol->read && symbol->predefined->id == sl::PredefinedId::Cs)
             lowering.messages.warning(lowering.shader.where,
-                                      "lights are not told " + symbol->name +
-                                          " of what they light: it counts as " +
-                                          (isNs ? "facing the light" : "1"));
-    }
+                                      "lights are not told Cs of what they light: it counts as 1");
 }
 
 /// Whether a light shader says L itself. (L = 0 is what an ambient light has anyway.)

@@ -15,7 +15,7 @@ namespace {
 
 /// As predefined.def explains it.
 struct Start {
-    enum class From { Input, Captured, Number, OneIn, TowardLight, ColorSamples } from;
+    enum class From { Input, Captured, Number, OneIn, ColorSamples } from;
     ShaderInput input{};
     float number = 0;
     char kind = 0;
@@ -43,8 +43,6 @@ Start startOf(sl::PredefinedId id) {
     { Start::From::Captured, {}, 0, 0, PictureFact::name }
 #define OfPixel(name, elsewhere) startOfPixel(ShaderInput::name, elsewhere)
 #define InLights(lights, elsewhere) startInLights(lights, elsewhere)
-#define TowardLight                                                                                \
-    { Start::From::TowardLight }
 #define Number(value)                                                                              \
     { Start::From::Number, {}, value }
 #define OneIn(letter)                                                                              \
@@ -59,7 +57,6 @@ Start startOf(sl::PredefinedId id) {
 #undef Number
 #undef OfPixel
 #undef InLights
-#undef TowardLight
 #undef Picture
 #undef Given
     };
@@ -86,9 +83,6 @@ Components startOf(Builder &b, sl::ShaderKind kind, const sl::PredefinedVariable
     case Start::From::Number: return Components(count, number(b, start.number));
     case Start::From::OneIn:
         return Components(count, number(b, sl::letterOf(kind) == start.kind ? 1.0f : 0.0f));
-    case Start::From::TowardLight:
-        return componentsOf(
-            normalize(b, sub(b, input3(b, ShaderInput::P), input3(b, ShaderInput::Ps))));
     case Start::From::ColorSamples: break;
     }
     return Components(count, number(b, float(b.colors().samples)));

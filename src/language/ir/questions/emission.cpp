@@ -69,8 +69,8 @@ LightFacts lightFacts(const Function &whole) {
     const Function emission = answerEmission(whole);
     for (int n = 0; n < int(whole.emissions.size()); ++n)
         facts.cones.push_back(coneSlot(emission.outputs, n, n));
-    for (int c = 0; c < 3; ++c)
-        facts.conesAreTheLights &= !emission.inputsRead[size_t(ShaderInput::Ps) + size_t(c)];
+    for (int plane = int(ShaderInput::Ps); plane <= int(ShaderInput::IsLast_); ++plane)
+        facts.conesAreTheLights &= !emission.inputsRead[size_t(plane)];
     return facts;
 }
 

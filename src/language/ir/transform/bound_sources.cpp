@@ -21,6 +21,7 @@ constexpr Row rows[] = {
     {ShaderInput::P, ShaderInput::PLast_, ShaderInput::dPdu, ShaderInput::dPdv, ShaderInput::PRest},
     {ShaderInput::I, ShaderInput::ILast_, ShaderInput::dIdu, ShaderInput::dIdv, ShaderInput::IRest},
     {ShaderInput::Ps, ShaderInput::PsLast_, none, none, none},
+    {ShaderInput::Ns, ShaderInput::IsLast_, none, none, none},
     {ShaderInput::N, ShaderInput::NLast_, ShaderInput::dNdu, ShaderInput::dNdv, ShaderInput::NRest},
     {ShaderInput::Ng, ShaderInput::NgLast_, ShaderInput::dNgdu, ShaderInput::dNgdv,
      ShaderInput::NRest},
@@ -61,6 +62,8 @@ ValueId withinCone(Builder &b, const Triple &direction) {
 ValueId offOf(Builder &b, const Row &row) {
     if (row.first == ShaderInput::Ps)
         return withinCone(b, sub(b, input3(b, ShaderInput::Ps), input3(b, ShaderInput::P)));
+    if (row.first == ShaderInput::Ns) // Whoever asks: anything.
+        return number(b, std::numeric_limits<float>::infinity());
     const ValueId rest = input(b, row.rest);
     return row.first == ShaderInput::I ? add(b, rest, withinCone(b, input3(b, ShaderInput::I)))
                                        : rest;

@@ -27,7 +27,7 @@ struct Range {
 constexpr Range still[] = {{ShaderInput::E, ShaderInput::ELast_},
                            {ShaderInput::orientation, ShaderInput::orientation},
                            {ShaderInput::time, ShaderInput::time},
-                           {ShaderInput::Ps, ShaderInput::PsLast_},
+                           {ShaderInput::Ps, ShaderInput::IsLast_},
                            {ShaderInput::lightSample, ShaderInput::lightSampleLast_},
                            {ShaderInput::seed, ShaderInput::seed}};
 
