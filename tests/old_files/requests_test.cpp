@@ -62,5 +62,36 @@ TEST_F(OldRequests, DeepShadowsBecomeDepths) {
     EXPECT_NEAR(red(30), 0, .01f);
 }
 
+/// Who looks up shadows has them; only other lights are told of.
+TEST_F(OldRequests, LightsThatLookUpShadowsAreNotSaidToCastNone) {
+    const std::string map = "FrameBegin 1\nDisplay \"n.z\" \"zfile\" \"z\"\nTranslate 0 0 4\n"
+                            "WorldBegin\nSphere 1 -1 1 360\nWorldEnd\nFrameEnd\n"
+                            "MakeShadow \"n.z\" \"n.shad\"\n";
+    struct {
+        const char *lights;
+        bool told;
+    } const cases[] = {
+        {"LightSource \"shadowspot\" 1 \"shadowname\" \"n.shad\" \"from\" [0 0 -4]\n", false},
+        {"LightSource \"shadowspot\" 1 \"shadowname\" \"n.shad\" \"from\" [0 0 -4]\n"
+         "LightSource \"ambientlight\" 2\n",
+         false},
+        {"LightSource \"spotlight\" 1 \"from\" [0 0 -4]\n", true},
+        {"LightSource \"shadowspot\" 1 \"shadowname\" \"n.shad\" \"from\" [0 0 -4]\n"
+         "LightSource \"spotlight\" 2 \"from\" [0 0 -4]\n",
+         true},
+        {"LightSource \"shadowspot\" 1 \"shadowname\" \"\" \"from\" [0 0 -4]\n", true},
+    };
+    for (const auto &each : cases) {
+        const Outcome run =
+            runCandela({folder_.write("scene.rib", "Format 8 8 1\n" + map + "FrameBegin 2\n" +
+                                                       head + "WorldBegin\n" + each.lights + wall +
+                                                       "WorldEnd\nFrameEnd\n"),
+                        "--output-dir", folder_.path(), "--spp", "1", "--integrator", "classic"});
+        EXPECT_EQ(run.status, 0) << run.text();
+        EXPECT_EQ(run.text().find("lights cast no shadows under") != std::string::npos, each.told)
+            << each.lights << run.text();
+    }
+}
+
 } // namespace
 } // namespace candela::test

@@ -7,6 +7,36 @@ namespace {
 
 using OldShaders = OldScene;
 
+/// The eye at the origin sees a wall at z = 4; rays from there meet another one at z = 2, which
+/// shines (.25), and behind which nothing is.
+const std::string walls =
+    "Projection \"orthographic\"\nWorldBegin\nSurface \"asks\"\n"
+    "Polygon \"P\" [-9 -9 4  -9 9 4  9 9 4  9 -9 4]\n"
+    "Attribute \"visibility\" \"integer camera\" [0]\nSurface \"constant\"\nColor [.25 .25 .25]\n"
+    "Polygon \"P\" [-9 -9 2  -9 9 2  9 9 2  9 -9 2]\nWorldEnd\n";
+
+TEST_F(OldShaders, TraceIsADistanceWhereAFloatIsWanted) {
+    struct {
+        const char *statements;
+        float red;
+    } const cases[] = {
+        {"float d = trace(P, vector (0, 0, -1)); c = color(d / 4, 0, 0);", .5f},
+        {"float d = trace(P, vector (0, 0, -3)); c = color(d / 4, 0, 0);", .5f},
+        {"float d = trace(P, vector (0, 0, 1)); c = d > 1e20 ? 1 : 0;", 1},
+        {"c = trace(P, vector (0, 0, -1));", .25f},
+        {"c = .5 * trace(P, vector (0, 0, -1));", .125f},
+        {"c = comp(trace(P, vector (0, 0, -1)), 0);", .25f},
+    };
+    for (const auto &each : cases)
+        for (const char *integrator : {"classic", "path"}) {
+            folder_.write("asks.sl", "surface asks() { color c = 0; " +
+                                         std::string(each.statements) + " Ci = c; Oi = 1; }\n");
+            const Outcome run = render(head + walls, {"--integrator", integrator});
+            EXPECT_EQ(run.status, 0) << run.text();
+            EXPECT_NEAR(red(27), each.red, 1e-3f) << each.statements << integrator;
+        }
+}
+
 /// A light whose statement has no braces, and a shadow map that is told where its light was.
 TEST_F(OldShaders, LightsAreWhatTheyWere) {
     const std::string map = "FrameBegin 1\nFormat 64 64 1\nDisplay \"m.shd\" \"shadow\" \"z\"\n"

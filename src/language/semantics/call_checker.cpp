@@ -18,10 +18,18 @@ ExprPtr CallChecker::check(const ast::Expr &e, ExpressionChecker::Wanted wanted)
     const Builtin *function = findBuiltin(e.text);
     if (!function && here_.names.functions(e.text).empty())
         return unknown(e, wanted);
+    if (isDistance(e, wanted))
+        return builtin(e, findBuiltin("rayhittest")->overloads.front());
     Callee callee = chooseCallee(e, wanted, here_);
     if (callee.definition)
         return user(e, *callee.definition);
     return callee.overload ? builtin(e, *callee.overload) : fittingNone(e);
+}
+
+/// trace() as a float is how far the ray gets.
+bool CallChecker::isDistance(const ast::Expr &e, ExpressionChecker::Wanted wanted) const {
+    return e.text == "trace" && wanted == BaseType::Float && e.operands.size() == 2 &&
+           here_.names.functions(e.text).empty();
 }
 
 // What looks like a slip is one; all else is taken for a function of another renderer, loaded from
@@ -145,6 +153,7 @@ ExprPtr CallChecker::builtin(const ast::Expr &e, const BuiltinOverload &overload
         addChannel(*channel, arguments);
     if (!componentsExist(e, overload, here_.reporter))
         return nullptr;
+    warnOfColorAsVector(e, overload, here_.reporter);
     Detail inputs = Detail::Uniform;
     for (const ExprPtr &argument : arguments)
         inputs = joined(inputs, argument->type.detail);

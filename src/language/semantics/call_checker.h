@@ -16,6 +16,7 @@ public:
     ExprPtr check(const ast::Expr &call, ExpressionChecker::Wanted);
 
 private:
+    bool isDistance(const ast::Expr &, ExpressionChecker::Wanted) const;
     ExprPtr unknown(const ast::Expr &, ExpressionChecker::Wanted);
     /// Of a function that is known, but not to be had.
     ExprPtr zero(const ast::Expr &, const BuiltinOverload &);

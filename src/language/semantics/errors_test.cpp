@@ -83,6 +83,8 @@ TEST(Errors, NamesAndTypes) {
         {"float f = 1;", "7: error: f is declared in line 1 already"},
         {"float b[2] = {1, 2, 3};", "21: warning: more initial values than array b has elements "
                                     "(2): those from here on are left out"},
+        {"f = ycomp(c);", "5: warning: ycomp() is about vectors: of a color it gives what comp() "
+                          "does, component 1"},
         {"float b[2] = 1;", "7: error: the initial values of array b must stand in { }"},
         {"float b = {1};", "7: error: only arrays take initial values in { }"},
         {"float b[f];", "9: error: the length of array b must be a whole number from 1 to 65536, "

@@ -48,6 +48,19 @@ void checkStrings(const ast::Expr &call, BuiltinId id, const std::vector<ExprPtr
     }
 }
 
+void warnOfColorAsVector(const ast::Expr &call, const BuiltinOverload &overload,
+                         Reporter &reporter) {
+    const BuiltinId id = overload.function->id;
+    const bool isOfVector =
+        id == BuiltinId::xcomp || id == BuiltinId::ycomp || id == BuiltinId::zcomp;
+    if (isOfVector && overload.parameters[0].type == BaseType::Color)
+        reporter.warning(call.where, call.text + "() is about vectors: of a color it gives what " +
+                                         "comp() does, component " +
+                                         (id == BuiltinId::xcomp   ? "0"
+                                          : id == BuiltinId::ycomp ? "1"
+                                                                   : "2"));
+}
+
 // (triple, index, ...) or (matrix, row, column, ...).
 bool componentsExist(const ast::Expr &call, const BuiltinOverload &overload, Reporter &reporter) {
     const BuiltinId id = overload.function->id;

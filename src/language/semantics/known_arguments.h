@@ -16,6 +16,9 @@ namespace candela::sl {
 void checkStrings(const ast::Expr &call, BuiltinId, const std::vector<ExprPtr> &arguments,
                   Reporter &);
 
+/// Of xcomp() and its like, which are about vectors: warns of colors.
+void warnOfColorAsVector(const ast::Expr &call, const BuiltinOverload &, Reporter &);
+
 /// Of comp() and setcomp(): whether the components exist; reported if not. True of others.
 bool componentsExist(const ast::Expr &call, const BuiltinOverload &, Reporter &);
 

@@ -62,14 +62,14 @@ void warnOfLights(const Scene &scene, DiagnosticSink &diagnostics) {
 
 bool lightsCastNoShadows(const Scene &scene) {
     const Lights lights = scene.lights();
-    bool anyLamp = false;
+    bool anyShinesThrough = false;
     for (int index = 0; index < lights.count(); ++index) {
         const LightFacts light = lights.facts(index);
         if (light.castsShadow)
             return false;
-        anyLamp |= light.isThere && !light.isAmbient;
+        anyShinesThrough |= light.isThere && !light.isAmbient && !light.looksUpShadows;
     }
-    return anyLamp;
+    return anyShinesThrough;
 }
 
 } // namespace candela

@@ -10,7 +10,7 @@ namespace candela {
 /// whose surfaces add light of their own, and of distant ones that a sky shuts out.
 void warnOfLights(const Scene &, DiagnosticSink &);
 
-/// There are lights, and none of them casts shadows (`classic`, unless it is told to).
+/// No light casts shadows (`classic`, unless it is told to), and some do not even look them up.
 bool lightsCastNoShadows(const Scene &);
 
 } // namespace candela

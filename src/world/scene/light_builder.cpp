@@ -93,7 +93,8 @@ enum class Shadows { Unsaid, Own, ByRays };
 
 Shadows shadowsOf(const ShaderInstance &light, const ShaderLibrary &library) {
     const auto traces = [](const ir::ServiceUse &use) {
-        return use.info->service == Service::transmission;
+        return use.info->service == Service::transmission ||
+               use.info->service == Service::occlusion;
     };
     if (std::ranges::any_of(light.code->shader().whole.services, traces))
         return Shadows::Own;
@@ -148,6 +149,7 @@ void LightBuilder::declare(const std::vector<std::shared_ptr<const LightRecord>>
         }
         light.si = record->units == LightUnits::Si;
         const Shadows shadows = instance ? shadowsOf(*instance, library_) : Shadows::Unsaid;
+        light.looksUpShadows = shadows == Shadows::Own;
         light.castsShadow = shadows == Shadows::ByRays ||
                             (shadows == Shadows::Unsaid && (!state_.classic || record->shadows));
         placeShader(record->shader.currentFromShader, state_.points.shutter, light);

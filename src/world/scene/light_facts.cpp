@@ -38,6 +38,7 @@ LightFacts Lights::facts(int index) const {
             light.kind == LightKind::Ambient,
             light.kind == LightKind::Emitter,
             light.castsShadow,
+            light.looksUpShadows,
             light.surfaceRadiance,
             surfaceShareOf(light)};
 }

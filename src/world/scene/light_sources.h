@@ -76,6 +76,7 @@ struct SceneLight {
     ShaderInstance shader;
     bool si = true;
     bool castsShadow = true;
+    bool looksUpShadows = false; ///< Its shader does.
     /// Shader and surfaces look at position and normals alone: elements tell all, and the sources
     /// may be rectangles.
     bool plain = false;

@@ -79,6 +79,7 @@ struct LightFacts {
     bool isAmbient = false;
     bool isSurface = false; ///< A surface that shines by its own shader: no light source.
     bool castsShadow = false;
+    bool looksUpShadows = false; ///< Its shader finds its shadows, as it wants them.
     /// Of an area light: what the shaders of its surfaces send besides, W m^-2 sr^-1, and its share
     /// of all that the light sends. Estimates.
     double surfaceRadiance = 0, surfaceShare = 0;
