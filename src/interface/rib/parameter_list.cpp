@@ -82,7 +82,8 @@ static bool readValues(ArgumentCursor &cursor, TokenValue &value) {
 /// A name and its value; nothing, reported and passed, if there is none.
 static std::optional<TokenValue> readParameter(ArgumentCursor &cursor) {
     const RibToken &token = cursor.token();
-    TokenValue result{.token = token.text, .where = token.where};
+    TokenValue result;
+    result.token = token.text, result.where = token.where;
     cursor.next();
     if (cursor.at(TokenKind::ArrayBegin))
         return readValues(cursor, result) ? std::optional(std::move(result)) : std::nullopt;

@@ -62,7 +62,7 @@ void PlaceLookup::find(const Mesh &mesh) {
 }
 
 /// Which nodes the waiting points reach, among those below an element that many levels above.
-void PlaceLookup::look(const Mesh &mesh, int levels, std::vector<std::size_t> &waiting) {
+void PlaceLookup::look(const Mesh &mesh, int levels, const std::vector<std::size_t> &waiting) {
     candidates_.clear(), isReached_.clear();
     const auto trace = [&] {
         rays_.trace(mesh.scene());

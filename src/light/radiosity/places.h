@@ -42,7 +42,7 @@ private:
         std::int32_t node;
         float distance;
     };
-    void look(const Mesh &, int levels, std::vector<std::size_t> &waiting);
+    void look(const Mesh &, int levels, const std::vector<std::size_t> &waiting);
     void take(const Mesh &, std::vector<std::size_t> &waiting);
 
     std::vector<Point> points_;

@@ -5,11 +5,15 @@
 #include "language/ir/lower/builtins.h"
 #include "language/ir/lower/matrix.h"
 
+#include <algorithm>
+
 namespace candela::ir {
 namespace {
 
-template <int index> Components getComponent(BuiltinCall &call) {
-    return {call.arguments[0][index]};
+/// Colors of fewer samples have their last one.
+template <std::size_t index> Components getComponent(BuiltinCall &call) {
+    const Components &value = call.arguments[0];
+    return {value[std::min(index, value.size() - 1)]};
 }
 
 template <int index> Components setComponent(BuiltinCall &call) {
