@@ -95,21 +95,23 @@ ElementOracle::Range ElementOracle::rangeSent(int e) const {
 Verdict ElementOracle::judge(const Pair &pair) const {
     Verdict verdict;
     const auto [a, b] = pair;
-    if (mesh_.element(b).isCut && !areTurnedAway(mesh_, a, b)) {
+    if ((a == b && mesh_.element(a).isFlat) || !isHeard(pair))
+        return verdict;
+    const bool areAway = a != b && areTurnedAway(mesh_, a, b);
+    if (mesh_.element(b).isCut && !areAway) {
         thread_local PlaceLookup lookup;
         verdict.donor = donorOf(mesh_, a, b, lookup);
     }
     const int known = seenOf(pair, verdict).sender;
     const auto [least, most] = rangeSent(known);
     const double area = mesh_.element(a).area;
-    if (!(most * area > negligible * settings_.tolerance) || (a == b && mesh_.element(a).isFlat) ||
-        !isHeard(pair))
+    if (!(most * area > negligible * settings_.tolerance))
         return verdict;
     if (a == b && isBent(mesh_, a) && isDivisible(a)) {
         verdict.kind = Verdict::Divided;
         return verdict;
     }
-    if (a != b && areTurnedAway(mesh_, a, b)) {
+    if (areAway) {
         verdict.end = bentEnd(pair);
         if (verdict.end != Verdict::none && mayExchange(pair, most))
             verdict.kind = Verdict::Divided;

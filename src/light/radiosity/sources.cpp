@@ -34,12 +34,13 @@ struct Questions {
     Planes<float> E{colorSamples, DirectQuestion::capacity};
     Planes<float> sent{colorSamples, EmissionQuestion::capacity};
     /// What points are asked of themselves: the response, and what they send.
-    static constexpr int planes = 4 * colorSamples;
-    Surroundings surroundings{planes};
+    using Table = std::array<float *, 4 * colorSamples>;
+    Surroundings surroundings;
     Response around{ResponseQuestion::capacity};
+    Planes<float> sentAround{colorSamples, EmissionQuestion::capacity};
 
-    static std::array<float *, planes> table(Response &response, float *const *sent) {
-        std::array<float *, planes> table{};
+    static Table table(Response &response, const Planes<float> &sent) {
+        Table table{};
         for (int c = 0; c < colorSamples; ++c) {
             table[std::size_t(c)] = response.reflectance[c];
             table[std::size_t(colorSamples + c)] = response.transmittance[c];
@@ -92,19 +93,17 @@ void askBatch(const Mesh &mesh, const std::vector<int> &elements, const SourceSe
     const bool someShine = std::ranges::any_of(elements, isLinked);
     if (someShine)
         own->emission.ask(mesh.scene(), code, points.places(), points.N(), emission);
-    const auto ask = [&](const SurfacePlaces &places, const Vec3Planes &Ng,
-                         std::span<float *const> found) {
+    const Questions::Table around = Questions::table(own->around, own->sentAround);
+    const auto ask = [&](const SurfacePlaces &places, const Vec3Planes &Ng) {
         own->response.ask(mesh.scene(), code, places, Ng, own->around);
-        const auto around = Questions::table(own->around, &found[std::size_t(3 * colorSamples)]);
-        for (std::size_t plane = 0; plane < std::size_t(3 * colorSamples); ++plane)
-            std::copy_n(around[plane], places.count, found[plane]);
         if (someShine)
             own->emission.ask(mesh.scene(), code, places, Ng,
-                              &found[std::size_t(3 * colorSamples)]);
+                              &around[std::size_t(3 * colorSamples)]);
+        return std::span<float *const>(around);
     };
     const int count = isOneLobe(mesh.scene().code(code)) ? cheapPoints : dearPoints;
     own->surroundings.average(mesh, elements, count, ask, settings.seed,
-                              Questions::table(own->answer, emission));
+                              Questions::table(own->answer, own->sent));
     int at = 0;
     for (int e : elements) {
         const bool shines = isLinked(e);

@@ -33,11 +33,6 @@ int nearestNode(const Basis &basis, Place at) {
 
 } // namespace
 
-Surroundings::Surroundings(int planes) : found_(planes, capacity) {
-    for (int k = 0; k < planes; ++k)
-        table_.push_back(found_[k]);
-}
-
 /// Points of the element join those that are to be asked about.
 void Surroundings::scatter(const Mesh &mesh, int element, int count, std::uint32_t seed) {
     const Basis &basis = mesh.basis(element);
@@ -51,7 +46,7 @@ void Surroundings::scatter(const Mesh &mesh, int element, int count, std::uint32
     }
 }
 
-void Surroundings::answer(const Mesh &mesh, const PointQuestion &question) {
+std::span<float *const> Surroundings::answers(const Mesh &mesh, const PointQuestion &question) {
     // Normals were the nearest nodes'; surfaces know better, but for the side that they are of.
     const Vec3Planes N = points_.N();
     std::vector<float> planes(7 * std::size_t(points_.size()));
@@ -60,7 +55,7 @@ void Surroundings::answer(const Mesh &mesh, const PointQuestion &question) {
     mesh.scene().domains().frames(points_.places(), {plane(0), plane(1), plane(2)}, Ng, plane(6));
     for (int i = 0; i < points_.size(); ++i)
         N.set(i, dot(N.get(i), Ng.get(i)) < 0 ? -Ng.get(i) : Ng.get(i));
-    question(points_.places(), N, table_);
+    return question(points_.places(), N);
 }
 
 void Surroundings::average(const Mesh &mesh, std::span<const int> elements, int count,
@@ -73,24 +68,24 @@ void Surroundings::average(const Mesh &mesh, std::span<const int> elements, int 
         points_ = {}, nearest_.clear();
         for (const int e : some)
             scatter(mesh, e, count, seed);
-        answer(mesh, question);
+        const std::span<float *const> found = answers(mesh, question);
         for (std::size_t k = 0; k < some.size(); ++k) {
-            takeMeans(mesh.basis(some[k]).nodes(), int(k) * count, count, firstNode, value);
+            takeMeans(mesh.basis(some[k]).nodes(), int(k) * count, count, found, firstNode, value);
             firstNode += mesh.basis(some[k]).nodes();
         }
     }
 }
 
 /// Nodes that no point is nearest to keep what they have.
-void Surroundings::takeMeans(int nodes, int firstPoint, int count, int firstNode,
-                             std::span<float *const> value) const {
+void Surroundings::takeMeans(int nodes, int firstPoint, int count, std::span<float *const> found,
+                             int firstNode, std::span<float *const> value) const {
     std::array<int, mostNodes> points{};
     for (int k = firstPoint; k < firstPoint + count; ++k)
         ++points[std::size_t(nearest_[std::size_t(k)])];
     for (std::size_t plane = 0; plane < value.size(); ++plane) {
         std::array<double, mostNodes> sum{};
         for (int k = firstPoint; k < firstPoint + count; ++k)
-            sum[std::size_t(nearest_[std::size_t(k)])] += double(table_[plane][k]);
+            sum[std::size_t(nearest_[std::size_t(k)])] += double(found[plane][k]);
         for (std::size_t node = 0; node < std::size_t(nodes); ++node)
             if (points[node] > 0)
                 value[plane][firstNode + int(node)] = float(sum[node] / points[node]);

@@ -11,15 +11,14 @@
 
 namespace candela::radiosity {
 
-/// What is asked of points of a batch: how many planes it fills, and what fills them.
+/// Asks points of a batch, and returns the planes that have the answers, until the next question.
 using PointQuestion =
-    std::function<void(const SurfacePlaces &, const Vec3Planes &Ng, std::span<float *const>)>;
+    std::function<std::span<float *const>(const SurfacePlaces &, const Vec3Planes &Ng)>;
 
 /// One a thread.
 class Surroundings {
 public:
     static constexpr int capacity = ResponseQuestion::capacity;
-    explicit Surroundings(int planes);
 
     /// Elements of one code, whose nodes have been asked: value[plane][node], element after element
     /// as PointBatch::addNodes() has them. Nodes get the mean of those of `count` points of their
@@ -30,14 +29,12 @@ public:
 
 private:
     void scatter(const Mesh &, int element, int count, std::uint32_t seed);
-    void answer(const Mesh &, const PointQuestion &);
-    void takeMeans(int nodes, int firstPoint, int count, int firstNode,
-                   std::span<float *const> value) const;
+    std::span<float *const> answers(const Mesh &, const PointQuestion &);
+    void takeMeans(int nodes, int firstPoint, int count, std::span<float *const> found,
+                   int firstNode, std::span<float *const> value) const;
 
     PointBatch points_;
     std::vector<int> nearest_; ///< Of each point: the node.
-    Planes<float> found_;
-    std::vector<float *> table_;
 };
 
 } // namespace candela::radiosity
