@@ -6,6 +6,7 @@
 
 #include "foundation/base/whole_file.h"
 #include "language/ir/core/regions.h"
+#include "language/ir/transform/fuse.h"
 #include "language/jit/jit.h"
 #include "language/semantics/front.h"
 #include "render/console.h"
@@ -126,7 +127,11 @@ private:
         for (const CompiledShader::Answer &answer : compiled->answers)
             if (arguments_.question.empty() || arguments_.question == ir::nameOf(answer.question)) {
                 isAsked = true;
-                generate(answer.function);
+                ir::Function function = answer.function;
+                if (jit_.fusesProducts() && arguments_.emit != "ir" &&
+                    answer.question != ir::Question::Filter) // As world/shading has them.
+                    ir::fuseProducts(function);
+                generate(function);
             }
         if (!isAsked)
             console_.error(shader.where.location(), std::string(sl::nameOf(shader.kind)) +

@@ -4,6 +4,7 @@
 #include "language/ir/lower/lower.h"
 #include "language/ir/questions/questions.h"
 #include "language/ir/transform/fold.h"
+#include "language/ir/transform/fuse.h"
 #include "language/ir/transform/light_rule.h"
 #include "language/semantics/front.h"
 
@@ -41,6 +42,8 @@ std::optional<ShadingWork> shadingWork(const ShadingCase &which, int points,
     ir::Function function =
         ir::slice(ir::applyLightRule(ir::fold(lowered->whole, {}), ir::LightRule::Classic),
                   ir::Question::Shade);
+    if (runtime::hostIsaLevel() != runtime::IsaLevel::V2)
+        ir::fuseProducts(function);
     if (namesOf(function.parameters) != which.parameters || !writesColorAndOpacity(function)) {
         diagnostics.error({}, file + ": by hand it has other parameters or outputs");
         return std::nullopt;

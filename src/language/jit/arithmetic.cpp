@@ -72,6 +72,10 @@ Value *floatOperation(CodeFunction &code, Op op, Value *a, Value *b) {
     }
 }
 
+Value *fusedProduct(CodeFunction &code, Value *a, Value *b, Value *c) {
+    return code.builder.CreateIntrinsic(llvm::Intrinsic::fma, {a->getType()}, {a, b, c});
+}
+
 Value *logicOperation(CodeFunction &code, Op op, ir::Uniformity result,
                       llvm::function_ref<Value *(int k)> operand) {
     auto &make = code.builder;
@@ -187,8 +191,11 @@ Value *callMath(CodeFunction &code, MathFunction function, const Values &argumen
 
 Value *dot(CodeFunction &code, const Values &a, const Values &b) {
     auto &make = code.builder;
-    auto *two = make.CreateFAdd(make.CreateFMul(a[0], b[0]), make.CreateFMul(a[1], b[1]));
-    return make.CreateFAdd(two, make.CreateFMul(a[2], b[2]));
+    const auto plus = [&](Value *sum, int k) {
+        return code.fusesProducts ? fusedProduct(code, a[k], b[k], sum)
+                                  : make.CreateFAdd(sum, make.CreateFMul(a[k], b[k]));
+    };
+    return plus(plus(make.CreateFMul(a[0], b[0]), 1), 2);
 }
 
 Values normalized(CodeFunction &code, const Values &a) {

@@ -13,6 +13,8 @@ Value *like(Value *model, float);
 
 /// An operation for which ir::isFloatArithmetic() holds; `b` is the last operand.
 Value *floatOperation(CodeFunction &, ir::Op, Value *a, Value *b);
+/// a b + c, rounded once; below v3 by a call for each lane.
+Value *fusedProduct(CodeFunction &, Value *a, Value *b, Value *c);
 /// Comparisons, logic, choice, conversions (the classes of operations of those names).
 /// Operands are taken as uniform as the result is.
 Value *logicOperation(CodeFunction &, ir::Op, ir::Uniformity result,

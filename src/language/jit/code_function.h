@@ -28,7 +28,8 @@ struct CodeFunction {
     Lanes lanes;
     MaskStack masks;
     llvm::Function *function = nullptr;
-    int colorSamples = 0; ///< Of every colour in it.
+    int colorSamples = 0;       ///< Of every colour in it.
+    bool fusesProducts = false; ///< As ir::Function::isFused.
     llvm::Type *const floatType, *const integerType, *const pointerType;
 
     /// A machine function beside it, which it calls for a part of its work.

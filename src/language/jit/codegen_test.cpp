@@ -7,6 +7,7 @@
 #include "language/ir/core/builder_sources.h"
 #include "language/ir/interpret/interpreter.h"
 #include "language/ir/interpret/test_batch.h"
+#include "language/ir/transform/fuse.h"
 #include "language/jit/jit.h"
 #include "language/jit/random_program.h"
 #include "language/runtime/scalar_math.h"
@@ -190,6 +191,8 @@ void Codegen::compareRandomPrograms(int longestFunction, unsigned share) {
     const unsigned programs = (!runs ? 5 : roundsAsHost() ? 40 : 20) * campaignFactor() / share;
     for (unsigned seed = 1; seed <= programs && !HasFailure(); ++seed) {
         ir::Function function = randomProgram(seed, roundsAsHost(), ir::colorSamplesOf(seed));
+        if (seed % 2)
+            ir::fuseProducts(function);
         ASSERT_EQ(ir::verify(function), "") << "seed " << seed;
         const bool limited = seed % 4 == 3; // Some lanes' loops are ended then, others' not.
         if (limited)

@@ -136,6 +136,7 @@ FunctionGenerator::FunctionGenerator(const ir::Function &function, const CodeTar
       images_(code_, arguments_, values_, limit_, arrays_),
       control_(code_, values_, limit_, [this](const Region &region) { emitRegion(region); }) {
     code_.colorSamples = function.colors.samples;
+    code_.fusesProducts = function.isFused;
     if (pieces_.hasSlots())
         values_.keepIn(spills_.emplace(code_, pieces_));
 }
@@ -279,6 +280,7 @@ void FunctionGenerator::emit(const Instruction &i) {
         return;
     switch (ir::info(i.op).kind) {
     case OpClass::Arithmetic:
+    case OpClass::Fused:
     case OpClass::Transcendental:
     case OpClass::Comparison:
     case OpClass::Logic:
@@ -297,6 +299,8 @@ void FunctionGenerator::emit(const Instruction &i) {
 Value *FunctionGenerator::operation(const Instruction &i) {
     const Uniformity uniformity = values_.uniformity(i.results[0]);
     const auto operand = [&](int k) { return values_.get(i.operands[k], uniformity); };
+    if (i.op == Op::MulAdd)
+        return fusedProduct(code_, operand(0), operand(1), operand(2));
     if (!ir::isFloatArithmetic(i.op))
         return logicOperation(code_, i.op, uniformity, operand);
     auto *a = operand(0), *b = operand(int(i.operands.size()) - 1);

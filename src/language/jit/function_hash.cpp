@@ -93,7 +93,8 @@ void addFunction(ContentHash &hash, const ir::Function &function) {
              std::uint64_t(std::uint32_t(function.viewSlots)));
     hash.add(std::uint64_t(std::uint32_t(function.mostTurns)) << 1 |
              std::uint64_t(function.isEndless));
-    hash.add(std::uint64_t(std::uint32_t(function.registersTogether)));
+    hash.add(std::uint64_t(std::uint32_t(function.registersTogether)) << 1 |
+             std::uint64_t(function.isFused));
     for (const ir::OutputSlot &slot : function.outputs)
         hash.add(std::uint64_t(std::bit_cast<std::uint32_t>(slot.whenEnded)));
     addRegion(hash, function.body);

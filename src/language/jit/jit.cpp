@@ -12,6 +12,7 @@
 
 #include <llvm/ExecutionEngine/Orc/LLJIT.h>
 
+#include <cmath>
 #include <condition_variable>
 #include <cstring>
 #include <map>
@@ -115,6 +116,7 @@ void Jit::State::defineSymbols() {
     define("memset", &std::memset);
     define("memcpy", &std::memcpy);
     define("memmove", &std::memmove);
+    define("fmaf", &fmaf);
     if (auto error = linker->getMainJITDylib().define(orc::absoluteSymbols(std::move(symbols)))) {
         sink.error({}, failure("this process", llvm::toString(std::move(error))));
         linker.reset();
@@ -243,6 +245,10 @@ std::string Jit::emit(const ir::Function &function, bool assembly) {
     if (!result.error.empty())
         state_->sink.error({}, failure(function.name, result.error));
     return result.bytes;
+}
+
+bool Jit::fusesProducts() const {
+    return state_->target && state_->target->level != runtime::IsaLevel::V2;
 }
 
 bool Jit::hostRuns(const std::string &cpu) { return hostRunsCode(cpu); }

@@ -43,6 +43,10 @@ public:
     /// LLVM IR after optimisation, or assembly, as `candela compile --emit llvm|asm` prints it.
     std::string emit(const ir::Function &, bool assembly);
 
+    /// Of the code that is made: whether multiplications and additions may be one
+    /// (ir/transform/fuse.h).
+    bool fusesProducts() const;
+
     /// True if this machine can execute code for the given CPU name (empty: always) or level.
     static bool hostRuns(const std::string &cpu);
     static bool hostRuns(runtime::IsaLevel);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/shading/shader_code.h"
 
+#include "language/ir/transform/fuse.h"
 #include "language/ir/transform/light_rule.h"
 
 #include <algorithm>
@@ -27,9 +28,16 @@ void ShaderCode::readText() {
     categories_ = LightCategories(shader_.whole.requests);
 }
 
+ir::Function ShaderCode::slice(ir::Question which) const {
+    ir::Function function = answering(which);
+    if (jit_->fusesProducts())
+        ir::fuseProducts(function);
+    return function;
+}
+
 /// A point speaks once. Under the classic rule all its light is there when it is shaded; else it
 /// comes direction by direction, and what the point says it says without.
-ir::Function ShaderCode::slice(ir::Question which) const {
+ir::Function ShaderCode::answering(ir::Question which) const {
     if (!plan_ || which == ir::Question::Displace || which == ir::Question::Displaced)
         return ir::slice(shader_.whole, which);
     ir::Function function = ir::slice(*plan_, which);

@@ -110,7 +110,8 @@ private:
         QuestionCode answer;
     };
     void readText();
-    ir::Function slice(ir::Question) const;
+    ir::Function answering(ir::Question) const;
+    ir::Function slice(ir::Question) const; ///< As the level computes it.
     std::vector<ir::Question> questionsAsked() const;
 
     ir::LoweredShader shader_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "code_trial.h"
 
+#include "language/ir/transform/fuse.h"
 #include "language/jit/jit.h"
 
 namespace candela::fuzz {
@@ -28,9 +29,11 @@ bool interpreterAgrees() {
 
 } // namespace
 
-std::string compareCode(const ir::Function &function, Batch &batch, const std::string &question,
+std::string compareCode(ir::Function function, Batch &batch, const std::string &question,
                         Monitor &monitor) {
     static Generators generators;
+    if (generators.wide.fusesProducts())
+        ir::fuseProducts(function);
     const auto frames = batch.frames();
     const auto run = [&](const Batch::Code &code) {
         batch.frames() = frames;

@@ -7,8 +7,8 @@
 
 namespace candela::fuzz {
 
-/// What is wrong with the code for a question, or nothing. The batch's frames are as the
+/// What is wrong with the code for a question, made as the renderer does, or nothing. The batch's frames are as the
 /// questions before have left them, and are that again for each run.
-std::string compareCode(const ir::Function &, Batch &, const std::string &question, Monitor &);
+std::string compareCode(ir::Function, Batch &, const std::string &question, Monitor &);
 
 } // namespace candela::fuzz

@@ -197,6 +197,8 @@ struct Function {
     /// lane and much for all of them. Then nobody is called but for what stands in
     /// runtime/image_access.h, and all lanes are active.
     int registersTogether = 1;
+    /// fuseProducts() has been here: light loops test samples in such arithmetic, too.
+    bool isFused = false;
     /// Loops may run for ever: after every mostTurns turns ShaderCallbacks::goOn is asked.
     bool isEndless = false;
 

@@ -13,6 +13,7 @@ enum class OpClass : std::uint8_t {
     Constant,
     Source,         ///< What the caller gives.
     Arithmetic,     ///< Floats to float, exactly as IEEE 754 has it.
+    Fused,          ///< Several of those, rounded once.
     Transcendental, ///< Floats to float, by a library.
     Comparison,
     Logic,

@@ -25,10 +25,15 @@ union Cell {
 
 using Vector = std::array<float, 3>;
 
-float dot(const Vector &a, const Vector &b) { return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2]; }
+float dot(const Vector &a, const Vector &b, bool isFused) {
+    const auto plus = [&](float sum, int k) {
+        return isFused ? std::fma(a[k], b[k], sum) : sum + a[k] * b[k];
+    };
+    return plus(plus(a[0] * b[0], 1), 2);
+}
 
-Vector normalize(const Vector &a) {
-    float size = std::sqrt(dot(a, a));
+Vector normalize(const Vector &a, bool isFused) {
+    float size = std::sqrt(dot(a, a, isFused));
     float inverse = 1 / (size == 0 ? 1 : size);
     return {a[0] * inverse, a[1] * inverse, a[2] * inverse};
 }
@@ -248,6 +253,9 @@ private:
         case Op::Object: cells_.setAll(i, args_.object()); return true;
         case Op::ObjectInverse: cells_.setAll(i, args_.object() + 16); return true;
         case Op::Random: cells_.set(i, args_.random(i.immediate, number(i, 0))); return true;
+        case Op::MulAdd:
+            cells_.set(i, std::fma(number(i, 0), number(i, 1), number(i, 2)));
+            return true;
         default: return false;
         }
     }
@@ -402,7 +410,8 @@ private:
 
     /// Of a classic loop.
     bool isInsideCone(const Instruction &i, const Vector &L) const {
-        float cosine = dot(normalize(L), cells_.vector(i, 3));
+        const bool isFused = function_.isFused;
+        float cosine = dot(normalize(L, isFused), cells_.vector(i, 3), isFused);
         return cosine >= runtime::cos(number(i, 6));
     }
 

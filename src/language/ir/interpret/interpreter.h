@@ -6,7 +6,7 @@
 // - LightLoop takes the samples in order. A lane skips a sample whose Cl is zero in all samples of
 //   color, one whose light the loop's category does not accept, and, in a Classic loop, one
 //   outside the cone: dot(normalize(L), axis) >= cos(angle) must hold, with the
-//   arithmetic of normalize() and dot() of builder_vectors.h.
+//   arithmetic of normalize() and dot() of builder_vectors.h, fused if the function is.
 // - An Extended loop whose first angle is <= 0 is a delta request: it takes no samples but its own
 //   traced answer, once, with L = its first axis (unless the answer is black).
 // - Random hashes the bits of the seed and of its operand, and its immediate: see randomNumber().
