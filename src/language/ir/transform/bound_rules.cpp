@@ -3,7 +3,6 @@
 
 #include "language/ir/core/builder_sources.h"
 #include "language/ir/core/op_info.h"
-#include "language/ir/core/regions.h"
 #include "language/ir/transform/bound_functions.h"
 #include "language/ir/transform/bound_noise.h"
 #include "language/ir/transform/bound_sources.h"
@@ -14,23 +13,7 @@
 
 namespace candela::ir {
 
-BoundRules::BoundRules(const Function &old, Builder &b)
-    : old_(old), b_(b), definitions_(old.values.size()) {
-    forEachInstruction(old.body, [&](const Instruction &i) {
-        for (ValueId v : i.results)
-            definitions_[v] = &i;
-    });
-}
-
-const Instruction *BoundRules::definition(ValueId v, Op op) const {
-    const Instruction *i = definitions_[v];
-    return i && i->op == op ? i : nullptr;
-}
-
-bool BoundRules::isNumber(ValueId v, float x) const {
-    const Instruction *i = definition(v, Op::ConstFloat);
-    return i && i->number == x;
-}
+BoundRules::BoundRules(const Function &old, Builder &b) : old_(old), b_(b), idioms_(old) {}
 
 void BoundRules::write(const Instruction &i, std::vector<BoundedValue> &written) {
     written_ = &written;
@@ -154,34 +137,12 @@ FormParts BoundRules::monotone(const Instruction &i, const BoundedValue &x, Valu
                : boundOfMonotone(b_, i.op, x, middle);
 }
 
-/// The vector whose components normalize() multiplies by this reciprocal of its length.
-std::optional<BoundRules::Scaled> BoundRules::scaledBy(ValueId reciprocal) const {
-    const Instruction *division = definition(reciprocal, Op::Div);
-    const Instruction *divisor = division && isNumber(division->operands[0], 1)
-                                     ? definition(division->operands[1], Op::Select)
-                                     : nullptr;
-    const Instruction *length = divisor ? definition(divisor->operands[2], Op::Sqrt) : nullptr;
-    const Instruction *sum = length ? definition(length->operands[0], Op::Add) : nullptr;
-    const Instruction *two = sum ? definition(sum->operands[0], Op::Add) : nullptr;
-    if (!two || !isNumber(divisor->operands[1], 1))
-        return std::nullopt;
-    Scaled scaled{{}, length->results[0]};
-    const ValueId squares[] = {two->operands[0], two->operands[1], sum->operands[1]};
-    for (std::size_t k = 0; k < 3; ++k) {
-        const Instruction *square = definition(squares[k], Op::Mul);
-        if (!square || square->operands[0] != square->operands[1])
-            return std::nullopt;
-        scaled.vector[k] = square->operands[0];
-    }
-    return scaled;
-}
-
 FormParts BoundRules::product(const Instruction &i, const Operands &x, ValueId middle) {
     if (i.operands[0] == i.operands[1])
         return callBound(b_, RuntimeFunction::bound_square, {x[0]});
     const FormParts plain = callBound(b_, RuntimeFunction::bound_product, x);
     for (std::size_t k : {0u, 1u})
-        if (const auto scaled = scaledBy(i.operands[k])) {
+        if (const auto scaled = idioms_.scaledBy(i.operands[k])) {
             const auto &vector = scaled->vector;
             const auto found = std::ranges::find(vector, i.operands[1 - k]);
             if (found == vector.end())
@@ -195,41 +156,6 @@ FormParts BoundRules::product(const Instruction &i, const Operands &x, ValueId m
     return plain;
 }
 
-std::optional<BoundRules::Mix> BoundRules::mixOf(const Instruction &sum) const {
-    // As one of the factors is the other summand's, less 1; a factor 1 is not written.
-    const auto factorsOf = [&](ValueId v) {
-        std::vector<std::array<std::optional<ValueId>, 2>> pairs{{std::nullopt, v}};
-        if (const Instruction *product = definition(v, Op::Mul)) {
-            pairs.push_back({product->operands[0], product->operands[1]});
-            pairs.push_back({product->operands[1], product->operands[0]});
-        }
-        return pairs;
-    };
-    for (std::size_t k : {0u, 1u})
-        for (const auto &[from, rest] : factorsOf(sum.operands[k]))
-            for (const auto &[to, share] : factorsOf(sum.operands[1 - k]))
-                if (const Instruction *less = definition(*rest, Op::Sub);
-                    less && isNumber(less->operands[0], 1) && less->operands[1] == *share)
-                    return Mix{from, to, *share};
-    return std::nullopt;
-}
-
-std::optional<std::array<std::array<ValueId, 3>, 2>>
-BoundRules::dotOf(const Instruction &sum) const {
-    const Instruction *two = definition(sum.operands[0], Op::Add);
-    if (!two)
-        return std::nullopt;
-    std::array<std::array<ValueId, 3>, 2> vectors;
-    const ValueId products[] = {two->operands[0], two->operands[1], sum.operands[1]};
-    for (std::size_t k = 0; k < 3; ++k) {
-        const Instruction *product = definition(products[k], Op::Mul);
-        if (!product)
-            return std::nullopt;
-        vectors[0][k] = product->operands[0], vectors[1][k] = product->operands[1];
-    }
-    return vectors;
-}
-
 /// Where a vector is known to be no longer than 1 (and a little): made so by normalize(), turned
 /// round, chosen among such, mirrored; or the same all over the box. Nothing if that is not known.
 std::optional<ValueId> BoundRules::isUnit(const std::array<ValueId, 3> &v, int depth) {
@@ -240,8 +166,8 @@ std::optional<ValueId> BoundRules::isUnit(const std::array<ValueId, 3> &v, int d
             squared = add(b_, squared, mul(b_, w[c].middle, w[c].middle));
         return lessEqual(b_, squared, number(b_, 1.000001f));
     }
-    const std::array<const Instruction *, 3> made{definitions_[v[0]], definitions_[v[1]],
-                                                  definitions_[v[2]]};
+    const std::array<const Instruction *, 3> made{
+        idioms_.definition(v[0]), idioms_.definition(v[1]), idioms_.definition(v[2])};
     const auto areAll = [&](Op op) {
         return std::ranges::all_of(made, [&](const Instruction *i) { return i && i->op == op; });
     };
@@ -258,7 +184,7 @@ std::optional<ValueId> BoundRules::isUnit(const std::array<ValueId, 3> &v, int d
         return isUnit(operands(0), depth - 1);
     if (areAll(Op::Mul))
         for (std::size_t k : {0u, 1u})
-            if (const auto scaled = scaledBy(made[0]->operands[k]);
+            if (const auto scaled = idioms_.scaledBy(made[0]->operands[k]);
                 scaled && isOne(k) && scaled->vector == operands(1 - k))
                 return less(b_, number(b_, 1e-15f), formOf(b_, w[scaled->length]).least);
     const auto bothOf = [&](const std::array<ValueId, 3> &x,
@@ -273,15 +199,15 @@ std::optional<ValueId> BoundRules::isUnit(const std::array<ValueId, 3> &v, int d
     const std::array<ValueId, 3> moved = operands(1);
     std::array<ValueId, 3> normal;
     for (std::size_t k = 0; k < 3; ++k) {
-        const Instruction *scaled = definition(moved[k], Op::Mul);
+        const Instruction *scaled = idioms_.definition(moved[k], Op::Mul);
         if (!scaled)
             return std::nullopt;
         normal[k] = scaled->operands[0];
-        const Instruction *twice = definition(scaled->operands[1], Op::Mul);
-        const Instruction *sum = twice && isNumber(twice->operands[0], 2)
-                                     ? definition(twice->operands[1], Op::Add)
+        const Instruction *twice = idioms_.definition(scaled->operands[1], Op::Mul);
+        const Instruction *sum = twice && idioms_.isNumber(twice->operands[0], 2)
+                                     ? idioms_.definition(twice->operands[1], Op::Add)
                                      : nullptr;
-        const auto dot = sum ? dotOf(*sum) : std::nullopt;
+        const auto dot = sum ? idioms_.dotOf(*sum) : std::nullopt;
         if (!dot || (*dot)[0] != operands(0))
             return std::nullopt;
         if (k == 2 && (*dot)[1] == normal)
@@ -292,7 +218,7 @@ std::optional<ValueId> BoundRules::isUnit(const std::array<ValueId, 3> &v, int d
 
 /// The dot product of two vectors of unit length lies between -1 and 1.
 FormParts BoundRules::cutAsDot(const Instruction &sum, const FormParts &f) {
-    const auto vectors = dotOf(sum);
+    const auto vectors = idioms_.dotOf(sum);
     const auto one = vectors ? isUnit((*vectors)[0], 4) : std::nullopt;
     const auto other = one ? isUnit((*vectors)[1], 4) : std::nullopt;
     if (!other)
@@ -307,7 +233,7 @@ FormParts BoundRules::cutAsDot(const Instruction &sum, const FormParts &f) {
 /// lies between a and b if t does between 0 and 1.
 FormParts BoundRules::sum(const Instruction &i, const Operands &x, ValueId middle) {
     const FormParts plain = callBound(b_, RuntimeFunction::bound_sum, x);
-    const auto mix = mixOf(i);
+    const auto mix = idioms_.mixOf(i);
     if (!mix)
         return cutAsDot(i, plain);
     const BoundedValue one{number(b_, 1)};
@@ -337,18 +263,9 @@ FormParts BoundRules::sum(const Instruction &i, const Operands &x, ValueId middl
     return callBound(b_, RuntimeFunction::bound_settle, {{middle, best}}, {slack});
 }
 
-/// The other summand of a sum, which is left when one is taken off it.
-std::optional<ValueId> BoundRules::summandBeside(ValueId sum, ValueId one) const {
-    if (const Instruction *whole = definition(sum, Op::Add))
-        for (std::size_t k : {0u, 1u})
-            if (whole->operands[k] == one)
-                return whole->operands[1 - k];
-    return std::nullopt;
-}
-
 /// What part of another value a value is: a factor that is the same all over the box.
 std::optional<ValueId> BoundRules::shareOf(ValueId part, ValueId whole) const {
-    if (const Instruction *product = definition(part, Op::Mul))
+    if (const Instruction *product = idioms_.definition(part, Op::Mul))
         for (std::size_t k : {0u, 1u})
             if (product->operands[k] == whole && !(*written_)[product->operands[1 - k]].varies())
                 return product->operands[1 - k];
@@ -361,7 +278,7 @@ std::optional<ValueId> BoundRules::shareOf(ValueId part, ValueId whole) const {
 FormParts BoundRules::difference(const Instruction &i, const Operands &x) {
     const FormParts f = callBound(b_, RuntimeFunction::bound_difference, x);
     const auto isFloorOf = [&](ValueId v, ValueId of) {
-        const Instruction *floor = definition(v, Op::Floor);
+        const Instruction *floor = idioms_.definition(v, Op::Floor);
         return floor && floor->operands[0] == of;
     };
     const ValueId whole = i.operands[0], part = i.operands[1];
@@ -369,7 +286,7 @@ FormParts BoundRules::difference(const Instruction &i, const Operands &x) {
         return select(b_,
                       less(b_, x[0].form->off, number(b_, std::numeric_limits<float>::infinity())),
                       formOf(b_, {number(b_, 0)}), f);
-    if (const auto rest = summandBeside(whole, part)) {
+    if (const auto rest = idioms_.summandBeside(whole, part)) {
         const BoundedValue &kept = (*written_)[*rest];
         FormParts form = formOf(b_, kept);
         const auto size = [&](ValueId v) { return unary(b_, Op::Abs, v); };
@@ -392,7 +309,7 @@ FormParts BoundRules::difference(const Instruction &i, const Operands &x) {
     if (isFloorOf(part, whole))
         return within(zero, one, boolean(b_, true));
     const FormParts ofX = formOf(b_, x[0]);
-    if (const Instruction *least = definition(part, Op::Min);
+    if (const Instruction *least = idioms_.definition(part, Op::Min);
         least && isFloorOf(least->operands[0], whole)) {
         const FormParts last = formOf(b_, (*written_)[least->operands[1]]);
         return within(zero, one, lessEqual(b_, ofX.greatest, add(b_, last.least, one)));
@@ -409,11 +326,12 @@ FormParts BoundRules::difference(const Instruction &i, const Operands &x) {
         kept.greatest = add(b_, kept.greatest, slack);
         return kept;
     }
-    const Instruction *product = definition(part, Op::Mul);
+    const Instruction *product = idioms_.definition(part, Op::Mul);
     for (std::size_t k = 0; product && k < 2; ++k) {
         const ValueId period = product->operands[k];
-        const Instruction *floor = definition(product->operands[1 - k], Op::Floor);
-        const Instruction *ratio = floor ? definition(floor->operands[0], Op::Div) : nullptr;
+        const Instruction *floor = idioms_.definition(product->operands[1 - k], Op::Floor);
+        const Instruction *ratio =
+            floor ? idioms_.definition(floor->operands[0], Op::Div) : nullptr;
         if (!ratio || ratio->operands[0] != whole || ratio->operands[1] != period)
             continue;
         const FormParts of = formOf(b_, (*written_)[period]);
@@ -426,40 +344,6 @@ FormParts BoundRules::difference(const Instruction &i, const Operands &x) {
     return f;
 }
 
-const ValueId *BoundRules::smoothStepOf(const Instruction &i) const {
-    const Instruction *below = definition(i.operands[0], Op::Less);
-    const Instruction *upper = definition(i.operands[2], Op::Select);
-    if (!below || !upper || !isNumber(i.operands[1], 0) || !isNumber(upper->operands[1], 1))
-        return nullptr;
-    const Instruction *above = definition(upper->operands[0], Op::LessEqual);
-    const Instruction *cubic = definition(upper->operands[2], Op::Mul);
-    const Instruction *square = cubic ? definition(cubic->operands[0], Op::Mul) : nullptr;
-    const Instruction *line = cubic ? definition(cubic->operands[1], Op::Sub) : nullptr;
-    const Instruction *twice = line ? definition(line->operands[1], Op::Mul) : nullptr;
-    if (!above || !square || !twice || square->operands[0] != square->operands[1] ||
-        !isNumber(line->operands[0], 3) || !isNumber(twice->operands[0], 2) ||
-        twice->operands[1] != square->operands[0])
-        return nullptr;
-    const ValueId x = below->operands[0], low = below->operands[1], high = above->operands[0];
-    const ValueId &t = square->operands[0];
-    // (x - low) / (high - low), as far as constants leave it there.
-    const Instruction *ratio = definition(t, Op::Div);
-    const ValueId from = ratio ? ratio->operands[0] : t;
-    const Instruction *moved = definition(from, Op::Sub);
-    const bool isFrom = (from == x && isNumber(low, 0)) ||
-                        (moved && moved->operands[0] == x && moved->operands[1] == low);
-    const Instruction *least = definition(low, Op::ConstFloat);
-    const Instruction *most = definition(high, Op::ConstFloat);
-    const Instruction *span = ratio ? definition(ratio->operands[1], Op::Sub) : nullptr;
-    const bool isRatio =
-        least && most ? most->number > least->number &&
-                            (ratio ? isNumber(ratio->operands[1], most->number - least->number)
-                                   : most->number - least->number == 1)
-                      : (span && span->operands[0] == high && span->operands[1] == low) ||
-                            (isNumber(low, 0) && ratio && ratio->operands[1] == high);
-    return isFrom && isRatio && above->operands[1] == x ? &t : nullptr;
-}
-
 BoundedValue BoundRules::selected(const Instruction &i, const Operands &x, ValueId middle) {
     if (i.op == Op::FloatFromBool) {
         const FormParts either = rangeForm(b_, middle, number(b_, 0), number(b_, 1));
@@ -467,10 +351,10 @@ BoundedValue BoundRules::selected(const Instruction &i, const Operands &x, Value
     }
     BoundedValue result = choice(b_, x[0], x[1], x[2]);
     result.middle = middle;
-    if (const ValueId *t = smoothStepOf(i)) {
+    if (const auto t = idioms_.smoothStepOf(i)) {
         const FormParts steps = boundOfSmoothStep(b_, (*written_)[*t], middle);
-        const Instruction *ratio = definition(*t, Op::Div);
-        const bool rises = !ratio || definition(ratio->operands[1], Op::ConstFloat);
+        const Instruction *ratio = idioms_.definition(*t, Op::Div);
+        const bool rises = !ratio || idioms_.definition(ratio->operands[1], Op::ConstFloat);
         const auto isAbove0 = [&] {
             return less(b_, number(b_, 0), formOf(b_, (*written_)[ratio->operands[1]]).least);
         };

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "language/ir/transform/bound_values.h"
+#include "language/ir/transform/idioms.h"
 
 #include <string>
 #include <vector>
@@ -29,38 +30,19 @@ public:
 private:
     using Operands = std::vector<BoundedValue>;
     BoundedValue bound(const Instruction &, const Operands &, ValueId middle);
-    /// A vector and its length.
-    struct Scaled {
-        std::array<ValueId, 3> vector;
-        ValueId length;
-    };
-    std::optional<Scaled> scaledBy(ValueId reciprocal) const;
     FormParts product(const Instruction &, const Operands &, ValueId middle);
-    /// from (1 - share) + to share; nothing stands for 1.
-    struct Mix {
-        std::optional<ValueId> from, to;
-        ValueId share;
-    };
-    std::optional<Mix> mixOf(const Instruction &sum) const;
-    /// The two vectors of a dot product, which ends with the sum.
-    std::optional<std::array<std::array<ValueId, 3>, 2>> dotOf(const Instruction &sum) const;
     std::optional<ValueId> isUnit(const std::array<ValueId, 3> &, int depth);
     FormParts cutAsDot(const Instruction &sum, const FormParts &);
     FormParts sum(const Instruction &, const Operands &, ValueId middle);
-    std::optional<ValueId> summandBeside(ValueId sum, ValueId one) const;
     std::optional<ValueId> shareOf(ValueId part, ValueId whole) const;
     FormParts difference(const Instruction &, const Operands &);
     FormParts monotone(const Instruction &, const BoundedValue &x, ValueId middle);
     BoundedValue selected(const Instruction &, const Operands &, ValueId middle);
-    /// The t of a smoothstep() that the Select is; nothing if it is none.
-    const ValueId *smoothStepOf(const Instruction &) const;
-    const Instruction *definition(ValueId v, Op) const;
-    bool isNumber(ValueId v, float) const;
     FormParts boundless(const Instruction &);
 
     const Function &old_;
     Builder &b_;
-    std::vector<const Instruction *> definitions_; ///< By old value.
+    Idioms idioms_; ///< Of the old function.
     const std::vector<BoundedValue> *written_ = nullptr;
     std::vector<BoundlessNote> notes_;
 };
