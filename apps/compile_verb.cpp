@@ -128,8 +128,7 @@ private:
             if (arguments_.question.empty() || arguments_.question == ir::nameOf(answer.question)) {
                 isAsked = true;
                 ir::Function function = answer.function;
-                if (jit_.fusesProducts() && arguments_.emit != "ir" &&
-                    answer.question != ir::Question::Filter) // As world/shading has them.
+                if (jit_.fusesProducts() && ir::mayFuse(answer.question) && arguments_.emit != "ir")
                     ir::fuseProducts(function);
                 generate(function);
             }

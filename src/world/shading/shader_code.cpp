@@ -30,7 +30,7 @@ void ShaderCode::readText() {
 
 ir::Function ShaderCode::slice(ir::Question which) const {
     ir::Function function = answering(which);
-    if (jit_->fusesProducts())
+    if (jit_->fusesProducts() && ir::mayFuse(which))
         ir::fuseProducts(function);
     return function;
 }

@@ -8,7 +8,7 @@ namespace candela::ir {
 
 using AnsweredText = Function;
 using AnsweredPlan = Plan;
-#define QUESTION(name, text, kind, of, reads, writes, meaning)                                     \
+#define QUESTION(name, text, kind, of, reads, writes, products, meaning)                           \
     Function answer##name(const Answered##of &);
 #include "language/ir/questions/questions.def"
 #undef QUESTION

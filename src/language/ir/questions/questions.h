@@ -45,6 +45,8 @@ constexpr bool uses(FrameUse frames, BindingTime frame) {
 }
 FrameUse framesReadBy(Question);
 FrameUse framesWrittenBy(Question);
+/// Whether a level that can may round products and sums in the answer once.
+bool mayFuse(Question);
 /// What a lane of the question's batches is: a point, a view of one, or a response for a view.
 BindingTime lanesOf(Question);
 /// Texts of the kind are planned: of some question to them the answer comes from a Plan.

@@ -19,27 +19,31 @@ namespace candela::ir {
 
 namespace {
 
+enum class Products : std::uint8_t { Fused, Apart };
+
 /// A row of questions.def.
 struct QuestionRow {
     const char *text;
     sl::ShaderKind kind;
     FrameUse reads, writes;
+    Products products;
     Function (*ofText)(const Function &);
     Function (*ofPlan)(const Plan &);
 };
 
 constexpr QuestionRow row(const char *text, sl::ShaderKind kind, FrameUse reads, FrameUse writes,
-                          Function (*answer)(const Function &)) {
-    return {text, kind, reads, writes, answer, nullptr};
+                          Products products, Function (*answer)(const Function &)) {
+    return {text, kind, reads, writes, products, answer, nullptr};
 }
 constexpr QuestionRow row(const char *text, sl::ShaderKind kind, FrameUse reads, FrameUse writes,
-                          Function (*answer)(const Plan &)) {
-    return {text, kind, reads, writes, nullptr, answer};
+                          Products products, Function (*answer)(const Plan &)) {
+    return {text, kind, reads, writes, products, nullptr, answer};
 }
 
 constexpr QuestionRow rows[] = {
-#define QUESTION(name, text, kind, of, reads, writes, meaning)                                     \
-    row(text, sl::ShaderKind::kind, FrameUse::reads, FrameUse::writes, answer##name),
+#define QUESTION(name, text, kind, of, reads, writes, products, meaning)                           \
+    row(text, sl::ShaderKind::kind, FrameUse::reads, FrameUse::writes, Products::products,         \
+        answer##name),
 #include "language/ir/questions/questions.def"
 #undef QUESTION
 };
@@ -51,6 +55,7 @@ const QuestionRow &rowOf(Question question) { return rows[int(question)]; }
 const char *nameOf(Question question) { return rowOf(question).text; }
 FrameUse framesReadBy(Question question) { return rowOf(question).reads; }
 FrameUse framesWrittenBy(Question question) { return rowOf(question).writes; }
+bool mayFuse(Question question) { return rowOf(question).products == Products::Fused; }
 
 BindingTime lanesOf(Question question) {
     const FrameUse read = framesReadBy(question);
