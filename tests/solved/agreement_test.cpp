@@ -2,6 +2,7 @@
 // Radiosity and `path` give the same light, region by region, whatever the final pass: one scene,
 // four answers.
 #include "tests/light_paths/regions.h"
+#include "tests/solved/solved.h"
 #include "tests/support/frames.h"
 
 #include <algorithm>
@@ -20,7 +21,6 @@ namespace {
 
 constexpr int seeds = 4, regions = 5;
 constexpr double familyWiseLevel = 1e-3;
-const char *const passes[] = {"fe", "fe+direct", "gather"};
 
 /// What elements may get wrong of a region, in shares of the picture's mean.
 double toleranceOf(const World &world) {
@@ -45,9 +45,9 @@ TEST_P(RadiosityAgreement, WithPathRegionByRegion) {
     for (const std::vector<double> &region : path)
         mean += meanAndError(region).mean / double(path.size());
     ASSERT_GT(mean, 0);
-    const double level = familyWiseLevel / double(2 * regions * regions * std::size(passes)) /
+    const double level = familyWiseLevel / double(2 * regions * regions * std::size(finalPasses)) /
                          double(worlds().size());
-    for (const char *pass : passes) {
+    for (const char *pass : finalPasses) {
         SCOPED_TRACE(pass);
         const std::string option =
             std::string("Option \"radiosity\" \"string finalpass\" [\"") + pass + "\"]\n";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Radiosity where the answer is known (VALIDATION A, D), in every final pass and order.
+#include "tests/solved/solved.h"
 #include "tests/support/frames.h"
 #include "tests/support/program.h"
 #include "tests/support/scratch_folder.h"
@@ -18,8 +19,6 @@ const std::string box = "Polygon \"P\" [-1 -1 -1 -1 -1 1 -1 1 1 -1 1 -1]\n"
                         "Polygon \"P\" [-1 1 -1 -1 1 1 1 1 1 1 1 -1]\n"
                         "Polygon \"P\" [-1 -1 -1 -1 1 -1 1 1 -1 1 -1 -1]\n"
                         "Polygon \"P\" [-1 -1 1 1 -1 1 1 1 1 -1 1 1]\n";
-const char *const passes[] = {"fe", "fe+direct", "gather"};
-
 std::string options(const std::string &pass, const std::string &more = "") {
     return "Option \"render\" \"string integrator\" [\"radiosity\"]\nOption \"radiosity\" \"string "
            "finalpass\" [\"" +
@@ -83,7 +82,7 @@ TEST(Radiosity, FurnacesAreEven) {
         {"box by view", "Surface \"view\"\n" + box, 2, 0.01, 0.12},
     };
     for (const Furnace &furnace : furnaces)
-        for (const char *pass : passes) {
+        for (const char *pass : finalPasses) {
             SCOPED_TRACE(std::string(furnace.name) + ", " + pass);
             const std::string more =
                 "Option \"radiosity\" \"integer order\" [" + std::to_string(furnace.order) + "]\n";
@@ -100,7 +99,7 @@ TEST(Radiosity, FurnacesAreEven) {
 
 /// A9: irradiance() is pi L, and no light is counted twice.
 TEST(Radiosity, EquationSevenHasEachLightOnce) {
-    for (const char *pass : passes) {
+    for (const char *pass : finalPasses) {
         SCOPED_TRACE(pass);
         const Spread found =
             spreadOf({{"asked", options(pass), "Surface \"asked\" \"emission\" [1]\n" + box}}, 256);
@@ -112,7 +111,7 @@ TEST(Radiosity, EquationSevenHasEachLightOnce) {
 TEST(Radiosity, ConcentricSpheres) {
     const std::string world = "Surface \"glow\" \"Kd\" [0] \"emission\" [1]\nSphere 1 -1 1 360\n"
                               "Surface \"matte\" \"Ka\" [0] \"Kd\" [.5]\nSphere 2 -2 2 360\n";
-    for (const char *pass : passes) {
+    for (const char *pass : finalPasses) {
         SCOPED_TRACE(pass);
         const std::string camera =
             "Option \"render\" \"string integrator\" [\"radiosity\"]\nOption \"radiosity\" "
@@ -122,19 +121,6 @@ TEST(Radiosity, ConcentricSpheres) {
             "\"]\nProjection \"perspective\" \"fov\" [40]\nTranslate 0 0 -1.2\nRotate 20 1 1 0\n";
         EXPECT_NEAR(spreadOf({{"spheres", camera, world}}, 256).mean, 0.2, 0.002);
     }
-}
-
-/// Numbers of --stats.
-double statistic(const std::string &rib, const std::string &name) {
-    const ScratchFolder folder;
-    folder.write("scene.rib", rib);
-    const Outcome outcome = runCandela({folder.path("scene.rib"), "--output-dir", folder.path(""),
-                                        "--quiet", "--stats", folder.path("stats.json")});
-    EXPECT_EQ(outcome.status, 0) << outcome.text();
-    const std::string text = folder.read("stats.json");
-    const std::size_t at = text.find("\"radiosity." + name + "\"");
-    EXPECT_NE(at, std::string::npos) << text;
-    return at == std::string::npos ? 0 : std::stod(text.substr(text.find(':', at) + 1));
 }
 
 std::string cube(double reflectance, double epsilon, const std::string &camera = "") {
@@ -178,6 +164,41 @@ TEST(Radiosity, FluxIsInBalance) {
     }
 }
 
+/// A stripe of a thousandth of a wall's width is all the light that there is, and no lamp to RIB:
+/// the flux of a closed room tells whether all of it has been found.
+TEST(Radiosity, NarrowStripesAreNeverMissed) {
+    const std::string walls = box.substr(0, box.find("Polygon", box.size() / 6 * 5));
+    struct Place {
+        const char *name, *camera, *before, *after;
+    };
+    const Place places[] = {
+        {"alone", "", "", ""},
+        {"mirrored", "Scale -1 1 1\nRotate 20 1 1 0\n", "", ""},
+        {"huge", "Scale 1000 1000 1000\n", "", ""},
+        {"tiny", "Scale .001 .001 .001\n", "", ""},
+        {"an instance", "", "ObjectBegin 1\n", "ObjectEnd\nObjectInstance 1\n"}};
+    for (const Place &place : places)
+        for (const double at : {0.317, 0.5, 0.0123})
+            for (const char *st : {"0 0 1 0 1 1 0 1", "0 0 0 1 1 1 1 0"}) {
+                const bool isAlone = place.before + std::string(place.camera) == "";
+                if (!isAlone && (at != 0.317 || st[2] != '0'))
+                    continue;
+                SCOPED_TRACE(std::string(place.name) + " " + std::to_string(at) + " " + st);
+                std::ostringstream wall;
+                wall << "Surface \"stripe\" \"at\" [" << at
+                     << "]\nPolygon \"P\" [-1 -1 1 1 -1 1 1 1 1 -1 1 1] \"st\" [" << st << "]\n";
+                const std::string rib = solvedScene("fe", place.camera) + "WorldBegin\n" +
+                                        "Surface \"matte\" \"Ka\" [0] \"Kd\" [.5]\n" + walls +
+                                        place.before + wall.str() + place.after + "WorldEnd\n";
+                const double metres = rib.find("1000 1000 1000") != std::string::npos   ? 1e3
+                                      : rib.find(".001 .001 .001") != std::string::npos ? 1e-3
+                                                                                        : 1;
+                const double flux = M_PI * 100 * 0.001 * 4 * metres * metres;
+                EXPECT_NEAR(statistic(rib, "directFlux") / flux, 1, 0.03);
+                EXPECT_NEAR(statistic(rib, "indirectFlux") / flux, 1, 0.03);
+            }
+}
+
 /// Pictures of coarse solutions come nearer to that of a fine one.
 TEST(Radiosity, ConvergesWithEpsilon) {
     const std::string world =
@@ -211,7 +232,7 @@ TEST(Radiosity, ConvergesWithEpsilon) {
 /// A picture depends on the scene alone: not on threads, nor on lanes.
 TEST(Radiosity, GivesTheSameBytes) {
     const ScratchFolder folder;
-    for (const char *pass : passes) {
+    for (const char *pass : finalPasses) {
         folder.write("scene.rib",
                      "Option \"radiometry\" \"string units\" [\"si\"]\n" + options(pass) +
                          "Format 16 16 1\nPixelSamples 4 1\nDisplay \"same.exr\" \"openexr\" "

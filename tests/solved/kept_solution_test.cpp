@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // A solution in a file serves every view of its scene, and no other scene.
 #include "image/picture_file.h"
+#include "tests/solved/ply.h"
 #include "tests/support/program.h"
 #include "tests/support/scratch_folder.h"
 
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <gtest/gtest.h>
-#include <map>
-#include <sstream>
 
 namespace candela::test {
 namespace {
@@ -84,36 +82,6 @@ double distance(const Picture &a, const Picture &b) {
         }
     }
     return std::sqrt(squares / double(count)) / (sum / double(count));
-}
-
-/// The numbers of a PLY file: vertices with all of their properties, and faces.
-struct Ply {
-    std::vector<std::array<float, 9>> vertices;
-    std::vector<std::vector<int>> faces;
-};
-
-Ply readPly(const std::string &bytes) {
-    Ply ply;
-    const std::string end = "end_header\n";
-    const std::size_t header = bytes.find(end);
-    std::istringstream lines(bytes.substr(0, header));
-    std::map<std::string, std::size_t> counts;
-    for (std::string line; std::getline(lines, line);)
-        if (line.starts_with("element ")) {
-            const std::size_t blank = line.find(' ', 8);
-            counts[line.substr(8, blank - 8)] = std::stoul(line.substr(blank + 1));
-        }
-    const char *at = bytes.data() + header + end.size();
-    ply.vertices.resize(counts["vertex"]);
-    std::memcpy(ply.vertices.data(), at, ply.vertices.size() * sizeof ply.vertices[0]);
-    at += ply.vertices.size() * sizeof ply.vertices[0];
-    for (std::size_t f = 0; f < counts["face"]; ++f) {
-        std::vector<int> &face = ply.faces.emplace_back(std::size_t(*at++));
-        std::memcpy(face.data(), at, face.size() * sizeof(int));
-        at += face.size() * sizeof(int);
-    }
-    EXPECT_EQ(at, bytes.data() + bytes.size());
-    return ply;
 }
 
 TEST(Radiosity, ASolutionThatIsKeptServesEveryView) {

@@ -7,8 +7,12 @@ namespace candela::radiosity {
 
 double flux(const Mesh &mesh, const std::vector<Color> &field) {
     double flux = 0;
-    forEachRootNode(
-        mesh, [&](std::size_t at, float area) { flux += double(brightest(field[at])) * area; });
+    for (int e = 0; e < mesh.size(); ++e) {
+        const std::size_t first = std::size_t(e) * std::size_t(mesh.stride());
+        const std::span<const Node> nodes = mesh.nodes(e);
+        for (std::size_t i = 0; mesh.element(e).firstChild < 0 && i < nodes.size(); ++i)
+            flux += double(brightest(field[first + i])) * nodes[i].area;
+    }
     return flux;
 }
 

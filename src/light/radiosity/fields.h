@@ -47,7 +47,8 @@ template <class Serve> void forEachRootNode(const Mesh &mesh, const Serve &serve
     }
 }
 
-/// Of all faces: a field's brightest colour times area.
+/// Of all leaves: a field's brightest colour times area. Polynomials of large elements may be
+/// negative where light is elsewhere.
 double flux(const Mesh &, const std::vector<Color> &);
 
 /// Values of an element from those of its children; of cut ones, side by side.

@@ -17,9 +17,14 @@ constexpr double negligible = 1e-5;
 constexpr float bent = 0.94f;
 /// And where the corners tell so little of its size, contours do.
 constexpr float fullest = 1.2f;
-/// What a pair in partial view gets wrong, in shares of what it exchanges.
-constexpr double partialError = 0.25;
-/// What a sender that something stands on gets wrong, likewise: its basis has both sides' light.
+/// Below that they get about so much of what they exchange wrong, in shares of what curved edges
+/// add; and all of them alike.
+constexpr double outlineError = 1;
+/// Of the tolerance: what pairs in partial view may get wrong, whose errors are alike all along a
+/// shadow's border.
+constexpr double partialShare = 0.25;
+/// What a sender that something stands on gets wrong, in shares of what it exchanges: its basis has
+/// both sides' light.
 constexpr double cutError = 0.15;
 /// Receivers so many times as large as what varies on them are divided: few points are to ask for
 /// it.
@@ -123,10 +128,12 @@ Verdict ElementOracle::judge(const Pair &pair) const {
     }
     verdict.transfer = transferBetween(mesh_, a, b);
     const double exchanged = double(verdict.transfer.largest) * most * area;
-    const double missed = (double(verdict.transfer.receiverError) * most +
-                           double(verdict.transfer.senderError) * (most - least) +
-                           double(verdict.transfer.curvature) * roughness_[std::size_t(b)]) *
-                          area;
+    const double missed =
+        (double(verdict.transfer.receiverError) * most +
+         double(verdict.transfer.senderError) * (most - least) +
+         double(verdict.transfer.curvature) * roughness_[std::size_t(b)]) *
+            area +
+        (verdict.transfer.isNear ? outlineError * outlineExcess(b) : 0) * exchanged;
     if (isTooCut(b) && (mesh_.element(b).isTorn || cutError * exchanged > settings_.tolerance ||
                         cutError * double(verdict.transfer.largest) * most > settings_.contrast)) {
         verdict.kind = Verdict::Divided, verdict.end = b;
@@ -142,6 +149,11 @@ Verdict ElementOracle::judge(const Pair &pair) const {
     if (verdict.kind == Verdict::Linked && verdict.donor >= 0)
         takeDonor(pair, verdict);
     return verdict;
+}
+
+/// By how much what curved edges add to the polygon of its corners makes it larger.
+double ElementOracle::outlineExcess(int e) const {
+    return mesh_.element(e).isPlane ? std::fabs(double(mesh_.element(e).fullness) - 1) : 0;
 }
 
 /// Of lamps, whether they are on for the receiver.
@@ -180,8 +192,8 @@ void ElementOracle::judgeOccluded(const Pair &pair, const Visibility &visibility
                                                                              : Verdict::Nothing;
         return;
     }
-    const double missed = exchanged * 2 * std::min(seen, 1 - seen) * partialError;
-    if (mayDivide && missed > settings_.tolerance) {
+    const double missed = exchanged * 2 * std::min(seen, 1 - seen);
+    if (mayDivide && missed > partialShare * settings_.tolerance) {
         verdict.kind = Verdict::Divided;
         return;
     }
@@ -192,8 +204,10 @@ void ElementOracle::judgeOccluded(const Pair &pair, const Visibility &visibility
         verdict.kind = Verdict::Divided, verdict.end = a;
         return;
     }
-    if (verdict.donor < 0)
+    if (verdict.donor < 0) {
         refineKernel(mesh_, a, b, verdict.transfer);
+        completeKernel(mesh_, a, b, verdict.transfer);
+    }
     if (seen < 1)
         for (std::size_t k = 0; k < visibility.share.size(); ++k)
             verdict.transfer.kernel[k] *= visibility.share[k];

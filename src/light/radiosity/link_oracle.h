@@ -62,6 +62,7 @@ private:
     void measureRoughness();
     bool isTooCut(int e) const;
     void takeDonor(const Pair &, Verdict &) const;
+    double outlineExcess(int e) const;
     bool isHeard(const Pair &) const;
     int bentEnd(const Pair &) const;
     bool mayExchange(const Pair &, double exitance) const;

@@ -60,6 +60,14 @@ bool isPlane(std::span<const Node> nodes, Vec3 normal) {
     return std::ranges::all_of(nodes, [&](const Node &node) { return dot(node.N, normal) > same; });
 }
 
+/// On either side of it.
+bool liesInPlaneOf(const Element &plane, const Element &element) {
+    const Vec3 way = element.centre - plane.centre;
+    return plane.isPlane && element.isPlane &&
+           length(cross(element.normal, plane.normal)) < 1e-3f &&
+           std::fabs(dot(way, plane.normal)) < 1e-3f * (plane.radius + length(way));
+}
+
 } // namespace
 
 Mesh::Mesh(const Scene &scene, int order)
@@ -104,16 +112,26 @@ void Mesh::makeFaces() {
     findCuts(0);
 }
 
-/// Lamps that are much larger than all else: elements of them would be all there is. They are
-/// sampled as other light sources are, and what falls on them is nobody's concern.
+/// Lamps that are much larger than all else, and around it: elements of them would be all there is.
+/// They are sampled as other light sources are, and what falls on them is nobody's concern.
 void Mesh::leaveOutSkies() {
-    std::map<int, double> areas; // By light.
+    struct Lamp {
+        double area = 0;
+        int root = -1;
+        bool isPlane = true; ///< What lies in one plane surrounds nothing.
+    };
+    std::map<int, Lamp> lamps; // By light.
     for (const Face &face : faces_)
-        if (const int light = domains_[face.domain].light; light > 0 && face.root >= 0)
-            areas[light] += element(face.root).area;
-    for (const auto &[light, area] : areas) {
-        const double others = area_ - area;
-        if (!(others > 0) || area < sky * others)
+        if (const int light = domains_[face.domain].light; light > 0 && face.root >= 0) {
+            Lamp &lamp = lamps[light];
+            if (lamp.root < 0)
+                lamp.root = face.root;
+            lamp.area += element(face.root).area;
+            lamp.isPlane &= liesInPlaneOf(element(lamp.root), element(face.root));
+        }
+    for (const auto &[light, lamp] : lamps) {
+        const double area = lamp.area, others = area_ - area;
+        if (!(others > 0) || area < sky * others || lamp.isPlane)
             continue;
         for (Face &face : faces_)
             if (domains_[face.domain].light == light)

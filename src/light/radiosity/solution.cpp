@@ -8,13 +8,22 @@
 #include <chrono>
 #include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 namespace candela::radiosity {
 
 namespace {
 
-/// Sweeps end when exitance changes by no more.
+/// Sweeps end when all that are left would change exitance by no more.
 constexpr double smallestResidual = 1e-4;
+
+/// What is left, if changes go on to shrink as the last one has.
+double changesToCome(double before, double last) {
+    if (!(last > 0))
+        return 0;
+    const double ratio = std::min(last / std::max(before, last), 0.99);
+    return last * ratio / (1 - ratio);
+}
 
 void multiply(const std::vector<float> &factor, std::vector<Color> &field) {
     for (std::size_t i = 0; i < factor.size(); ++i)
@@ -49,7 +58,8 @@ void Solution::solve(const SolverSettings &settings, DiagnosticSink &diagnostics
     links.mostElements = settings.mostElements, links.mostLinks = settings.mostLinks;
     links.sources = {settings.directSamples, settings.seed, settings.epsilon * 10, leastArea,
                      linkedLamps(mesh_),     &impossible};
-    divideByDirectLight(mesh_, links.sources, fields_);
+    divideBySources(mesh_, links.sources, fields_);
+    pullAll(fields_.emission); // What is narrow, small elements have met.
     tell(0.2);
     linkLamps(links, settings.epsilon, settings.contrast);
     pullSources();
@@ -65,10 +75,12 @@ void Solution::solve(const SolverSettings &settings, DiagnosticSink &diagnostics
         links_ = refine(mesh_, tree_, links, fields_);
         factor_ = factorsOf(links_);
         tell(pass == 0 ? 0.5 : 0.8);
+        double before = 0;
         for (int k = 0; k < settings.mostIterations; ++k) {
             statistics_.residual = iterate();
             ++statistics_.iterations;
-            if (statistics_.residual < (pass == 0 ? 0.03 : smallestResidual))
+            if (changesToCome(std::exchange(before, statistics_.residual), statistics_.residual) <
+                (pass == 0 ? 0.03 : smallestResidual))
                 break;
         }
     }
@@ -109,6 +121,7 @@ void Solution::linkLamps(LinkSettings settings, double epsilon, double contrast)
     if (!(settings.tolerance > 0))
         return;
     lampLinks_ = refine(mesh_, tree_, settings, fields_);
+    pullAll(fields_.emission);
     const std::vector<float> factor = factorsOf(lampLinks_);
     gather(lampLinks_, fields_.emission, Which::All);
     pushAll(fields_.lamps);
@@ -283,102 +296,6 @@ Color Solution::at(std::int32_t face, Place place,
             for (std::size_t k = 0; k < colorSamples; ++k)
                 sum[k] += value[i] * (*field)[first + i][k];
     return sum;
-}
-
-/// A point on one side of a surface.
-struct Solution::Asked {
-    int vertex;
-    bool isBehind;
-    std::int32_t face;
-    Place place;
-    Vec3 P, N;
-};
-
-/// Light that varies faster than elements do, of links to the leaf and to all above it.
-void Solution::addNear(const Asked &asked, const NodeWeights &weights, const Answering &answering,
-                       Color &sum) const {
-    if (weights.leaf < 0)
-        return;
-    std::array<float, mostNodes> value;
-    weights.ofLeaf(mesh_.stride(), value.data());
-    for (int e = weights.leaf; e >= 0; e = mesh_.element(e).parent) {
-        if (!answering.near.isAt(e))
-            continue;
-        if (e != weights.leaf)
-            mesh_.basis(e).values(Mesh::inElement(mesh_.element(e), asked.place), value.data());
-        answering.near.add(mesh_, e, value.data(), asked.P, asked.N, sum);
-    }
-}
-
-void Solution::answer(const Asked &asked, const NodeWeights &weights, const Answer &answer) const {
-    const auto add = [&](const std::vector<Color> &field, Color &sum) {
-        for (std::size_t i = 0; i < std::size_t(weights.count); ++i)
-            for (std::size_t k = 0; k < colorSamples; ++k)
-                sum[k] += weights.weight[i] * field[std::size_t(weights.node[i])][k];
-    };
-    const auto addExchanged = [&](const std::vector<Color> &told, const Answering &answering,
-                                  Color &sum) {
-        add(answer.isExact ? answering.smooth : told, sum);
-        if (!answer.isExact)
-            return;
-        Color near{};
-        addNear(asked, weights, answering, near);
-        float factor = 0;
-        for (std::size_t i = 0; i < std::size_t(weights.count); ++i)
-            factor += weights.weight[i] * answering.factor[std::size_t(weights.node[i])];
-        for (std::size_t k = 0; k < colorSamples; ++k)
-            sum[k] += factor * near[k];
-    };
-    const auto put = [&](const Color &found, const std::array<float *, colorSamples> &to) {
-        for (std::size_t k = 0; k < colorSamples; ++k)
-            to[k][asked.vertex] = std::max(found[k], 0.0f);
-    };
-    const auto &direct = asked.isBehind ? answer.directBehind : answer.direct;
-    const auto &indirect = asked.isBehind ? answer.indirectBehind : answer.indirect;
-    if (direct[0]) {
-        Color sum{};
-        add(fields_.direct, sum);
-        addExchanged(fields_.lamps, lamps_, sum);
-        put(sum, direct);
-    }
-    if (indirect[0]) {
-        Color sum{};
-        addExchanged(fields_.indirect, indirect_, sum);
-        put(sum, indirect);
-    }
-}
-
-void Solution::irradiance(SurfaceVertices &vertices, const Answer &answer) const {
-    const int count = vertices.count();
-    thread_local std::vector<std::uint32_t> piece;
-    thread_local std::vector<float> u, v;
-    thread_local std::vector<Asked> asked;
-    thread_local PlaceLookup lookup;
-    piece.resize(std::size_t(count)), u.resize(std::size_t(count)), v.resize(std::size_t(count));
-    mesh_.scene().domains().name(vertices.points, piece.data(), u.data(), v.data());
-    const ConstVec3Planes P = vertices.P(), facing = vertices.facingPlanes();
-    const auto get = [](const ConstVec3Planes &planes, int i) {
-        return Vec3{planes[0][i], planes[1][i], planes[2][i]};
-    };
-    asked.clear(), lookup.clear();
-    const auto ask = [&](int i, bool isBehind) {
-        const bool isBack = vertices.isMetFromInside(i) != isBehind;
-        const std::int32_t face = mesh_.faceAt(
-            vertices.points.instance[i], vertices.points.shape[i], piece[std::size_t(i)], isBack);
-        const Place place{u[std::size_t(i)], v[std::size_t(i)]};
-        asked.push_back(
-            {i, isBehind, face, place, get(P, i), isBehind ? -get(facing, i) : get(facing, i)});
-        lookup.add(mesh_, face, place, get(P, i));
-    };
-    for (int i = 0; i < count; ++i) {
-        if (answer.direct[0] || answer.indirect[0])
-            ask(i, false);
-        if (answer.directBehind[0] || answer.indirectBehind[0])
-            ask(i, true);
-    }
-    lookup.find(mesh_);
-    for (std::size_t k = 0; k < asked.size(); ++k)
-        this->answer(asked[k], lookup[int(k)], answer);
 }
 
 } // namespace candela::radiosity

@@ -38,7 +38,7 @@ struct SourceSettings {
 /// around them.
 void askSources(const Mesh &, int first, const SourceSettings &, Fields &);
 
-/// Divides elements where direct light varies, and fills in what is known of them all.
-void divideByDirectLight(Mesh &, const SourceSettings &, Fields &);
+/// Divides elements where direct light and emission vary, and fills in what is known of them all.
+void divideBySources(Mesh &, const SourceSettings &, Fields &);
 
 } // namespace candela::radiosity

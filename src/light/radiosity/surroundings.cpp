@@ -15,9 +15,10 @@ Place placeOf(const Basis &basis, int k, std::uint32_t key) {
     const std::uint32_t index = std::uint32_t(k);
     Place at;
     sobolPairs(1, &key, &index, 0, &at.u, &at.v);
-    if (basis.isTriangle() && at.u + at.v > 1)
-        at = {1 - at.u, 1 - at.v};
-    return at;
+    if (!basis.isTriangle())
+        return at;
+    const float along = std::sqrt(at.u); // By strips, so that no narrow one is missed.
+    return {1 - along, along * at.v};
 }
 
 int nearestNode(const Basis &basis, Place at) {

@@ -2,29 +2,9 @@
 // The kernel between two elements: K = cos cos' / (pi r^2), without what stands between them.
 #pragma once
 
-#include "light/radiosity/mesh.h"
+#include "light/radiosity/sender.h"
 
 namespace candela::radiosity {
-
-/// The form factor of a point with unit normal N to what a closed line spans (Lambert), clipped at
-/// the point's horizon. `turned` as Element has it: the side that sends.
-float contourFactor(Vec3 P, Vec3 N, std::span<const Vec3> corners, float turned);
-
-/// What sends: an element, or a quarter of one.
-struct Sender {
-    std::array<Node, mostNodes> nodes;
-    int count = 0;
-    std::array<Vec3, 4> corners;
-    std::size_t sides = 0;
-    float area = 0, turned = 1, fullness = 1;
-    bool isPlane = true; ///< Its contour says all; of curved elements the rule does.
-
-    Sender(const Mesh &, int element);
-
-    /// Fills the row and returns the form factor, and by how much the rule alone has missed it. The
-    /// rule says where on the sender light comes from, the contour how much.
-    float factor(Vec3 P, Vec3 N, bool byContour, float *row, float &missed) const;
-};
 
 struct Transfer {
     /// What exitance at node j of the sender gives as irradiance at node i of the receiver.
@@ -47,6 +27,10 @@ Transfer transferBetween(const Mesh &, int receiver, int sender);
 /// By how much the kernel misses irradiance near the receiver's corners, and where its border comes
 /// nearest to the sender, by a unit of exitance.
 float errorAtBorder(const Mesh &, int receiver, int sender, const Transfer &);
+
+/// Nothing stands between: rectangles that are near each other exchange what their closed form
+/// says, as a whole (rectangle_factor.h).
+void completeKernel(const Mesh &, int receiver, int sender, Transfer &);
 
 /// Integrates anew what the rules say roughly, by those of quarters of the elements.
 void refineKernel(const Mesh &, int receiver, int sender, Transfer &);
