@@ -96,7 +96,7 @@ void seeFromLight(EyeWave &wave) {
     Connections &own = wave.own;
     const int count = chunk.count();
     std::fill_n(own.eyeReversePdf, count, 0.0f);
-    if (std::none_of(ends.earlier, ends.earlier + count, [](double e) { return e > 0; }))
+    if (!ends.anyEarlier(count))
         return;
     for (int c = 0; c < 3; ++c)
         for (int i = 0; i < count; ++i)
@@ -169,7 +169,6 @@ void weigh(EyeWave &wave, const std::int32_t *lane, int count) {
 
     const ConstVec3Planes Ng = chunk.vertices.input(ShaderInput::Ng);
     const ConstVec3Planes farNg = own.far.input(ShaderInput::Ng);
-    const double tries = square(ends.counts.connections), merged = square(ends.counts.merging);
     const double scale = double(wave.lightVertices->rows.size()) /
                          (double(wave.lightVertices->paths) * wave.connections);
     for (int k = 0; k < count; ++k) {
@@ -179,12 +178,11 @@ void weigh(EyeWave &wave, const std::int32_t *lane, int count) {
         const double perArea = 1 / square(own.distance[i]);
         const double out = std::fabs(double(dot(direction, at(farNg, k))));
         const double in = std::fabs(double(dot(vertex.toPrevious, at(farNg, k))));
-        const double fromEye =
-            square(own.eyePdf[i] * out * perArea) *
-            (vertex.last + merged + square(double(reversePdf[k]) * vertex.back) * vertex.earlier);
-        const double reached = pdf[k] * std::fabs(double(dot(direction, at(Ng, i)))) * perArea;
-        const double fromLight = techniquesBefore(ends, i, reached, own.eyeReversePdf[i]);
-        const double weight = misWeightAmong(1, (fromEye + fromLight) / tries);
+        const ReachedVertex ofEye{ends.vertices[i],
+                                  pdf[k] * std::fabs(double(dot(direction, at(Ng, i)))) * perArea,
+                                  own.eyeReversePdf[i]};
+        const ReachedVertex ofLight{vertex.ofPath, own.eyePdf[i] * out * perArea, reversePdf[k]};
+        const double weight = misWeightAmong(1, othersOfConnection(ofEye, ofLight, ends.counts));
         const bool shows = !wave.frame.scene.isOneSided(vertex.instance, vertex.shape) ||
                            dot(direction, at(farNg, k)) < 0;
         const double worth = in > 0 && shows ? scale * weight * out * perArea / (in * pi * pi) : 0;

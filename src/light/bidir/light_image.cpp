@@ -23,13 +23,16 @@ int findSeen(LightWave &wave) {
     LightImage &image = wave.image;
     const auto [width, height] = wave.frame.scene.options().format.effectiveResolution();
     const PixelFilterRecord &filter = wave.frame.filter.record();
+    const float reach = wave.tally ? float(wave.tally->reach) : 0;
+    const float beyondX = filter.xWidth + reach * float(width),
+                beyondY = filter.yWidth + reach * float(height);
     const ConstVec3Planes Ng = chunk.vertices.input(ShaderInput::Ng);
     const ShadingPoints &points = chunk.vertices.points;
     int seen = 0;
     for (int i = 0; i < chunk.count(); ++i) {
         const float x = image.sights.x[i], y = image.sights.y[i];
-        const bool onFrame = x > -filter.xWidth && x < float(width) + filter.xWidth &&
-                             y > -filter.yWidth && y < float(height) + filter.yWidth;
+        const bool onFrame = x > -beyondX && x < float(width) + beyondX && y > -beyondY &&
+                             y < float(height) + beyondY;
         if (!(image.sights.distance[i] > 0) || !onFrame ||
             chunk.paths.depth[i] + 1 > wave.frame.settings.maxDepth)
             continue;
@@ -89,15 +92,16 @@ int weigh(LightWave &wave, int count) {
         const double perArea =
             parallel ? 1 : 1 / (double(image.sights.distance[i]) * image.sights.distance[i]);
         const double reached = double(image.sights.pdf[i]) * out * perArea;
-        const double tries = ends.counts.lightImage;
-        const double path =
-            pathTechniquesBefore(ends, i, reached, ends.reversePdf[i], chunk.paths.depth[i] == 0);
+        const double path = ends.vertices[i].techniquesOfPath(reached, ends.reversePdf[i],
+                                                              chunk.paths.depth[i] == 0);
         const double weight =
             ends.counts.besidePath
                 ? (path > 0 ? 0.0 : 1.0)
-                : misWeightAmong(1, techniquesBefore(ends, i, reached, ends.reversePdf[i]) /
-                                        (tries * tries));
-        image.pathGain[i] = float(1 / (weight * std::max(std::sqrt(path) / tries, leastOfPath)));
+                : misWeightAmong(1,
+                                 othersOfLightImage({ends.vertices[i], reached, ends.reversePdf[i]},
+                                                    ends.counts));
+        image.pathGain[i] =
+            float(1 / (weight * std::max(std::sqrt(path) / ends.counts.lightImage, leastOfPath)));
         const double scale = in > 0 ? weight * image.sights.importance[i] * out / (in * pi) : 0;
         bool some = false, sound = true;
         for (int c = 0; c < colorSamples; ++c) {
@@ -114,12 +118,17 @@ int weigh(LightWave &wave, int count) {
 void note(LightTally &tally, const LightImage &image, int slot, int i, int k,
           const SplatPlace &place) {
     const int cell = tally.cellAt(place.x, place.y);
-    if (cell < 0)
+    if (cell < 0 && !(tally.reach > 0))
         return;
     double Y = 0;
     for (int c = 0; c < colorSamples; ++c)
         Y += double(luminanceWeights[c]) * image.seen[c][i] * image.transmittance[c][k];
     Y *= place.weight;
+    if (cell < 0) {
+        const double nearness = 1 / (1 + tally.beyondFrame(place.x, place.y));
+        tally.splats.push_back({slot, cell, std::fabs(Y) * nearness * nearness});
+        return;
+    }
     LightTally::Cell &to = tally.values[cell];
     to.sum += Y, to.squares += Y * Y;
     if (std::fabs(Y) / tally.samples * image.pathGain[i] > to.seldom)
@@ -160,6 +169,14 @@ int LightTally::cellAt(float x, float y) const {
     const int row = int(std::floor((y - float(y0)) / float(y1 - y0) * cells));
     const bool inside = column >= 0 && column < cells && row >= 0 && row < cells;
     return inside ? row * cells + column : -1;
+}
+
+double LightTally::beyondFrame(float x, float y) const {
+    const auto [x0, x1, y0, y1] = frame;
+    const auto beyond = [](double low, double high, double at) {
+        return std::max({low - at, at - high, 0.0}) / (high - low);
+    };
+    return std::max(beyond(x0, x1, x), beyond(y0, y1, y));
 }
 
 LightImage::LightImage(int capacity)

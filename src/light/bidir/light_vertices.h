@@ -6,6 +6,7 @@
 #include "foundation/base/vec3.h"
 #include "foundation/units/color.h"
 #include "light/bidir/merge_cells.h"
+#include "light/path/techniques.h"
 
 #include <array>
 #include <cstdint>
@@ -24,8 +25,7 @@ struct LightVertex {
     float distance;                       ///< To there, metres.
     float time, width;                    ///< Of the ray, where it met the surface.
     std::array<float, colorSamples> flux; ///< That arrives with the path, W.
-    float back;                           ///< Subpaths::back.
-    double last, earlier;                 ///< Likewise.
+    PathVertex ofPath;
     std::int32_t light; ///< What shines on it: index + 1, 0 = what other surfaces scatter.
     std::int32_t depth; ///< Scatterings before.
     std::int32_t code;  ///< Of its shader.

@@ -77,6 +77,7 @@ void startLight(LightWave &wave, std::int64_t first, int count) {
                                     wave.frame.guide, wave.starts);
 
     ActivePaths &active = wave.active;
+    float *pdf = numbers[2 * choicePair]; // Of the directions; its numbers have been taken.
     int paths = 0;
     for (int i = 0; i < count; ++i) {
         const LightStarts &from = wave.starts;
@@ -99,20 +100,16 @@ void startLight(LightWave &wave, std::int64_t first, int count) {
             active.throughput[c][at] = from.flux[c][i];
         active.slot[at] = i, active.depth[at] = 0, active.seen[at] = 0;
         active.sampleIndex[at] = sample[i];
-        const bool parallel = wave.frame.scene.lights().isDistant(from.light[i]);
-        const bool shows = dot(normal, normal) > 0;
-        const double perPlace = 1 / square(from.positionPdf[i]);
-        SubpathHistory &history = active.history;
-        history.connections[at] = perPlace;
-        history.earlier[at] = history.earlierOfPath[at] = shows ? perPlace : 0;
-        history.pdf[at] = from.directionPdf[i], history.parallel[at] = parallel ? 1.0f : 0.0f;
-        history.cosine[at] = std::fabs(dot(direction, normal));
+        pdf[at] = from.directionPdf[i];
+        active.history[at] = edgeOfLight({from.positionPdf[i], from.directionPdf[i],
+                                          wave.frame.scene.lights().isDistant(from.light[i]),
+                                          std::fabs(dot(direction, normal)), from.skyPdf[i]});
     }
     active.count = active.rays.count = paths;
     active.rays.shares = nullptr;
     if (wave.frame.scene.hasVolumes())
         enterMedia(wave);
-    spreadOfDirections(paths, active.history.pdf, active.rays.spread);
+    spreadOfDirections(paths, pdf, active.rays.spread);
     wave.chunk.vertices.speak(false);
     wave.frame.statistics.lightPaths += count;
 }
@@ -153,8 +150,10 @@ std::array<float, colorSamples> worthOfGiven(LightWave &wave, int i) {
         return worth;
     const double distance = wave.hits.t[wave.chunk.rays[i]];
     const bool isDistant = wave.frame.scene.lights().isDistant(wave.arrival.light[i]);
+    const double pdf = given.pdfSolidAngle[i]; // Of a sky: what is given is radiance.
+    const double unit = pdf > 0 ? 1 / pdf : std::numbers::pi;
     for (int c = 0; c < colorSamples; ++c)
-        worth[c] = float(std::numbers::pi * (isDistant ? 1 : square(distance)) * given.value[c][i]);
+        worth[c] = float(unit * (isDistant ? 1 : square(distance)) * given.value[c][i]);
     return worth;
 }
 
@@ -177,8 +176,7 @@ void receive(PathWave &path) {
         if (arrival.light[i] == 0)
             continue;
         const bool hasExtent = arrival.withoutExtent[i] == 0;
-        const double pdf = arrival.pdf[i];
-        ends.last[i] *= square(hasExtent ? pdf * ends.back[i] : pdf);
+        ends.vertices[i].last = lastOfLit(ends.vertices[i], arrival.pdf[i], hasExtent);
         std::array<float, colorSamples> worth{1, 1, 1};
         if (!hasExtent)
             worth = worthOfGiven(wave, i);
@@ -225,7 +223,7 @@ void keep(PathWave &path) {
         vertex.distance = hits.t[ray];
         vertex.time = time[i];
         vertex.width = wave.active.rays.width[ray] + wave.active.rays.spread[ray] * hits.t[ray];
-        vertex.back = ends.back[i], vertex.last = ends.last[i], vertex.earlier = ends.earlier[i];
+        vertex.ofPath = ends.vertices[i];
         vertex.depth = chunk.paths.depth[i];
         vertex.light = wave.arrival.light[i];
         vertex.code = chunk.code;

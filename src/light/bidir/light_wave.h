@@ -60,18 +60,21 @@ struct LightTally {
     };
     /// What one path has brought.
     struct Splat {
-        int slot, cell;
+        int slot, cell; ///< Cell -1: near the frame.
         double luminance;
     };
     LightTally(const std::array<int, 4> &frame, double samples)
         : frame(frame), samples(samples), values(cells * cells) {}
     /// Of a raster position; -1 = beyond the frame.
     int cellAt(float x, float y) const;
+    /// How far beyond the frame, in frames.
+    double beyondFrame(float x, float y) const;
 
     std::array<int, 4> frame;
     double samples; ///< Splats over this are shares of a pixel's sample.
     std::vector<Cell> values;
     bool keepsSplats = false;
+    double reach = 0;          ///< How far beyond the frame splats are kept, in frames.
     std::vector<Splat> splats; ///< If they are wanted.
 };
 

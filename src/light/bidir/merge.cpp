@@ -75,7 +75,7 @@ void seeFromLight(EyeWave &wave) {
     for (int k = 0; k < own.count; ++k) {
         own.eyeReversePdf[k] = 0;
         const int i = own.lane[k];
-        if (!(ends.earlier[i] > 0))
+        if (!(ends.vertices[i].earlier > 0))
             continue;
         own.unlike[count] = k, own.unlikeLane[count] = i;
         put(own.along, count, -at(constant(own.direction), k));
@@ -109,11 +109,9 @@ void addPairs(EyeWave &wave) {
     for (int k = 0; k < own.count; ++k) {
         const int i = own.lane[k];
         const LightVertex &vertex = wave.lightVertices->rows[own.row[k]];
-        const double fromEye =
-            vertex.last + square(double(own.eyePdf[k]) * vertex.back) * vertex.earlier;
-        const double fromLight = techniquesUpTo(ends, i, own.eyeReversePdf[k]);
         const double weight =
-            misWeightAmong(1, (fromEye + fromLight) / square(ends.counts.merging));
+            misWeightAmong(1, othersOfMerging(ends.vertices[i], own.eyeReversePdf[k], vertex.ofPath,
+                                              own.eyePdf[k], ends.counts));
         const double in = std::fabs(double(dot(vertex.toPrevious, at(Ng, i))));
         const double worth = in > 0 ? weight * perDisc / (pi * in) : 0;
         for (int c = 0; c < colorSamples; ++c) {

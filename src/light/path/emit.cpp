@@ -2,6 +2,7 @@
 #include "foundation/base/hot.h"
 #include "foundation/base/lanes.h"
 #include "light/path/stages.h"
+#include "light/path/steps.h"
 #include "light/sampling/mis.h"
 
 #include <algorithm>
@@ -40,8 +41,8 @@ bool hearsAllAsIndirect(const Scene &scene, int code) {
                     : scene.code(code).categories().hearsAllAsIndirect();
 }
 
-/// Directions bring nothing of lamps that are off for the vertex they left, or that its shader
-/// hears by samples of the light alone.
+} // namespace
+
 void leaveOutUnheard(const Scene &scene, int count, const std::int32_t *light,
                      const RayOrigins &left, float *weight) {
     for (int i = 0; i < count; ++i)
@@ -51,13 +52,10 @@ void leaveOutUnheard(const Scene &scene, int count, const std::int32_t *light,
             weight[i] = 0;
 }
 
-/// LightQuery::scattered of the vertices that the rays left.
 void markHeard(const Scene &scene, int count, const RayOrigins &left, float *heard) {
     for (int i = 0; i < count; ++i)
         heard[i] = left.pdf[i] > 0 && hearsAllAsIndirect(scene, left.code[i]) ? 1.0f : 0.0f;
 }
-
-} // namespace
 
 void emit(PathWave &wave) {
     VertexChunk &chunk = wave.chunk;

@@ -88,6 +88,7 @@ void follow(PathWave &wave, int vertex) {
             continue;
         }
         trace(wave);
+        escape(wave);
         bin(wave);
         for (int bin = 0; bin < wave.bins.count(); ++bin)
             shadeBin(wave, bin);

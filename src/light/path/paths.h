@@ -4,10 +4,12 @@
 
 #include "foundation/base/planes.h"
 #include "foundation/units/color.h"
+#include "light/path/techniques.h"
 #include "light/sampling/cone_mixture.h"
 #include "world/rays/ray_batch.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace candela {
 
@@ -46,22 +48,6 @@ struct RayOrigins {
     int *code;     ///< Of that vertex's shader; -1 = none: it hears all lights.
 };
 
-/// What rays carry where paths have two ends (path/subpath.h): of the vertex that they left.
-struct SubpathHistory {
-    explicit SubpathHistory(int capacity) : doubles(3, capacity), floats(3, capacity) {
-        earlier = doubles[0], connections = doubles[1], earlierOfPath = doubles[2];
-        pdf = floats[0], cosine = floats[1], parallel = floats[2];
-    }
-    Planes<double> doubles;
-    Planes<float> floats;
-    double *earlier; ///< SubpathVertices::earlier of the next vertex, times its density squared.
-    double *earlierOfPath; ///< Likewise, of Subpaths::earlierOfPath.
-    double *connections;   ///< The square of how often this edge is a connection; 0 = never.
-    float *pdf;            ///< Of the direction, per steradian; 1 = it had no choice.
-    float *cosine;         ///< With the geometric normal, >= 0.
-    float *parallel;       ///< 1: pdf is that of the ray's place across it, per m^2.
-};
-
 /// What rays carry in scenes that have volumes: what they are in, and what the opacity that they
 /// lead to is worth. Volumes may make light of it (a fog that hides nothing where nothing is).
 struct PathMedia {
@@ -97,9 +83,9 @@ struct ActivePaths {
     int *depth; ///< Scatterings so far.
     int *seen;  ///< 1 as long as the camera sees along this ray: it adds to opacity.
     Planes<std::uint32_t> keys;
-    std::uint32_t *sampleIndex; ///< The path's number within its pixel: see path/split.h.
-    PathMedia media;            ///< Empty if the scene has no volumes.
-    SubpathHistory history;     ///< Empty unless paths have two ends.
+    std::uint32_t *sampleIndex;    ///< The path's number within its pixel: see path/split.h.
+    PathMedia media;               ///< Empty if the scene has no volumes.
+    std::vector<PathEdge> history; ///< Empty unless paths have two ends.
 };
 
 } // namespace candela

@@ -29,6 +29,8 @@ void startGathering(PathWave &, int count, const int *lane, const GatheringRays 
 
 /// Hits of the active rays.
 void trace(PathWave &);
+/// What rays bring that have met nothing: skies (world/scene/skies.h).
+void escape(PathWave &);
 /// Sorts the hits by what is shaded together.
 void bin(PathWave &);
 

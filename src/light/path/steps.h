@@ -7,6 +7,12 @@
 
 namespace candela {
 
+/// weight[i] = 0 of light[i] (index + 1) that is off for the vertex that the ray left, or that its
+/// shader hears by samples of the light alone: directions bring nothing of those.
+void leaveOutUnheard(const Scene &, int count, const std::int32_t *light, const RayOrigins &left,
+                     float *weight);
+/// LightQuery::scattered of the vertices that the rays left.
+void markHeard(const Scene &, int count, const RayOrigins &left, float *heard);
 /// Draws one of the vertices' dimension pairs into chunk.numbers.
 void drawNumbers(PathWave &, VertexPair);
 /// True where all vertices have numbers of lightChoicePair, roulette's among them, from the start.

@@ -13,74 +13,42 @@
 
 namespace candela {
 
-double techniquesUpTo(const Subpaths &ends, int i, double reversePdf) {
-    return ends.last[i] + square(reversePdf * ends.back[i]) * ends.earlier[i];
-}
-
-double techniquesBefore(const Subpaths &ends, int i, double reached, double reversePdf) {
-    return square(reached) * (techniquesUpTo(ends, i, reversePdf) + square(ends.counts.merging));
-}
-
-double pathTechniquesBefore(const Subpaths &ends, int i, double reached, double reversePdf,
-                            bool isFirst) {
-    return square(reached) * ((isFirst ? ends.last[i] : 0) +
-                              square(reversePdf * ends.back[i]) * ends.earlierOfPath[i]);
-}
-
 Subpaths::Subpaths(int capacity, TechniqueCounts counts)
-    : counts(counts), doubles(6, capacity), floats(12, capacity), integers(1, capacity),
-      other(capacity) {
+    : counts(counts), vertices(capacity), leaving(capacity), floats(9, capacity),
+      integers(1, capacity), other(capacity) {
     reverseRequest = integers[0];
-    last = doubles[0], earlier = doubles[1], nextEarlier = doubles[2];
-    nextConnections = doubles[3];
-    earlierOfPath = doubles[4], nextEarlierOfPath = doubles[5];
-    back = floats[0];
-    toPrevious = {floats[1], floats[2], floats[3]}, seenAlong = {floats[4], floats[5], floats[6]};
-    reversePdf = floats[7], nextPdf = floats[8], nextCosine = floats[9];
-    startPosition = floats[10], startDirection = floats[11];
+    toPrevious = {floats[0], floats[1], floats[2]}, seenAlong = {floats[3], floats[4], floats[5]};
+    reversePdf = floats[6];
+    startPosition = floats[7], startDirection = floats[8];
 }
 
 void beginHistory(PathWave &wave) {
-    SubpathHistory &history = wave.active.history;
     const Camera &camera = wave.frame.scene.camera();
-    const double tries = square(wave.subpaths->counts.lightImage);
-    for (int i = 0; i < wave.slots; ++i) {
-        history.earlier[i] = history.earlierOfPath[i] = 0, history.connections[i] = tries;
-        history.pdf[i] = camera.pdf(wave.active.rays.direction[2][i]);
-        history.cosine[i] = 0, history.parallel[i] = camera.isParallel() ? 1.0f : 0.0f;
-    }
+    for (int i = 0; i < wave.slots; ++i)
+        wave.active.history[i] =
+            edgeOfCamera(wave.subpaths->counts, camera.pdf(wave.active.rays.direction[2][i]),
+                         camera.isParallel());
 }
 
 void beginHistoryAtPoints(PathWave &wave) {
-    const ActivePaths &active = wave.active;
-    const SubpathHistory &history = active.history;
+    ActivePaths &active = wave.active;
     for (int i = 0; i < wave.slots; ++i) {
-        history.earlier[i] = history.earlierOfPath[i] = history.connections[i] = 0;
-        history.pdf[i] = active.left.pdf[i] > 0 ? active.left.pdf[i] : 1.0f;
-        history.cosine[i] = history.parallel[i] = 0;
+        active.history[i] = {};
+        active.history[i].pdf = active.left.pdf[i] > 0 ? active.left.pdf[i] : 1;
     }
 }
 
 void arrive(PathWave &wave) {
     Subpaths &ends = *wave.subpaths;
     VertexChunk &chunk = wave.chunk;
-    const SubpathHistory &history = wave.active.history;
     const std::array<float *, 3> &along = wave.active.rays.direction;
     const ConstVec3Planes Ng = chunk.vertices.input(ShaderInput::Ng);
     for (int i = 0; i < chunk.count(); ++i) {
         const int ray = chunk.rays[i];
         const Vec3 direction{along[0][ray], along[1][ray], along[2][ray]};
-        for (int c = 0; c < 3; ++c)
-            ends.toPrevious[c][i] = -direction[c];
-        const double distance = wave.hits.t[ray];
-        const double perArea = history.parallel[ray] != 0 ? 1 : 1 / square(distance);
-        const double density =
-            history.pdf[ray] * std::fabs(double(dot(direction, at(Ng, i)))) * perArea;
-        const double inverse = density > 0 ? 1 / square(density) : 0;
-        ends.last[i] = history.connections[ray] * inverse;
-        ends.earlier[i] = history.earlier[ray] * inverse;
-        ends.earlierOfPath[i] = history.earlierOfPath[ray] * inverse;
-        ends.back[i] = float(history.cosine[ray] * perArea);
+        put(ends.toPrevious, i, -direction);
+        ends.vertices[i] =
+            arriveAlong(wave.active.history[ray], dot(direction, at(Ng, i)), wave.hits.t[ray]);
     }
 }
 
@@ -92,10 +60,16 @@ void weighEmissionAmongAll(PathWave &wave, float *weight) {
         count, chunk.vertices.points.light, constant(ends.toPrevious),
         chunk.vertices.input(ShaderInput::Ng), chunk.vertices.P(), wave.frame.guide,
         {ends.startPosition, ends.startDirection});
-    for (int i = 0; i < count; ++i) {
-        const double begun = double(ends.startPosition[i]) * ends.startDirection[i] * ends.back[i];
-        weight[i] = float(misWeightAmong(weight[i], square(begun) * ends.earlier[i]));
-    }
+    for (int i = 0; i < count; ++i)
+        weight[i] = float(
+            misWeightAmong(weight[i], othersOfEmission(ends.vertices[i], ends.startPosition[i],
+                                                       ends.startDirection[i])));
+}
+
+float weightAmongLightPaths(const PathWave &wave, int ray, float weight, double startPosition,
+                            double startDirection) {
+    return float(misWeightAmong(weight, othersOfEmission(arriveAtSky(wave.active.history[ray]),
+                                                         startPosition, startDirection)));
 }
 
 void weighLightSamplesAmongAll(PathWave &wave) {
@@ -114,7 +88,7 @@ void weighLightSamplesAmongAll(PathWave &wave) {
         {samples.normal[0], samples.normal[1], samples.normal[2]}, chunk.vertices.P(),
         wave.frame.guide, {ends.startPosition, ends.startDirection});
     std::fill_n(ends.reversePdf, count, 0.0f);
-    if (std::any_of(ends.earlier, ends.earlier + count, [](double e) { return e > 0; })) {
+    if (ends.anyEarlier(count)) {
         ends.other.look(chunk.vertices, constant(ends.seenAlong),
                         wave.frame.settings.hemisphereOnly);
         ends.other.pdf(constant(ends.toPrevious), ends.reversePdf);
@@ -124,19 +98,28 @@ void weighLightSamplesAmongAll(PathWave &wave) {
             continue;
         const double started = double(ends.startPosition[i]) * ends.startDirection[i] *
                                std::fabs(double(dot(at(unit, i), at(Ng, i))));
+        // At infinity both ends draw the direction in the same way.
         double sampled = samples.probability[i], own = 1;
-        if (samples.pdfSolidAngle[i] > 0) {
+        const bool hasPlace = samples.distance[i] != INFINITY;
+        if (samples.pdfSolidAngle[i] > 0)
+            own = misWeight(samples.pdfSolidAngle[i], direct.directionPdf[i]);
+        if (samples.pdfSolidAngle[i] > 0 && hasPlace) {
             const Vec3 normal{samples.normal[0][i], samples.normal[1][i], samples.normal[2][i]};
             sampled = samples.pdfSolidAngle[i] * std::fabs(double(dot(at(unit, i), normal)));
-            own = misWeight(samples.pdfSolidAngle[i], direct.directionPdf[i]);
-        } else if (samples.distance[i] != INFINITY) {
+        } else if (hasPlace) {
             sampled *= square(samples.distance[i]);
         }
         if (!(sampled > 0))
             continue;
-        const double others = techniquesBefore(ends, i, started / sampled, ends.reversePdf[i]);
+        const double others = othersOfLightSample(ends.vertices[i], ends.counts, started / sampled,
+                                                  ends.reversePdf[i]);
         direct.factor[i] *= float(misWeightAmong(own, others) / own);
     }
+}
+
+bool Subpaths::anyEarlier(int count) const {
+    return std::any_of(vertices.begin(), vertices.begin() + count,
+                       [](const PathVertex &vertex) { return vertex.earlier > 0; });
 }
 
 /// The direction that the paths take is looked along from the far end.
@@ -170,33 +153,23 @@ void lookBack(PathWave &wave, const ConstVec3Planes &direction) {
     const ConstVec3Planes Ng = chunk.vertices.input(ShaderInput::Ng);
     for (int i = 0; i < count; ++i) {
         const bool finite = event[i] == finiteRequests;
-        const bool passable = affine && (finite || ends.reversePdf[i] > 0);
-        const double last = finite ? ends.last[i] : 0;
-        const double back = square(ends.reversePdf[i] * ends.back[i]);
-        const double merged = finite ? square(ends.counts.merging) : 0;
-        ends.nextEarlier[i] = passable ? last + merged + back * ends.earlier[i] : 0;
-        ends.nextEarlierOfPath[i] =
-            passable ? (chunk.paths.depth[i] == 0 ? last : 0) + back * ends.earlierOfPath[i] : 0;
-        ends.nextConnections[i] = finite ? square(ends.counts.connections) : 0;
-        ends.nextPdf[i] = finite ? chunk.way.pdf[i] : 1.0f;
-        ends.nextCosine[i] = std::fabs(dot(at(constant(ends.seenAlong), i), at(Ng, i)));
+        const PathEvent leaving{finite,
+                                affine && (finite || ends.reversePdf[i] > 0),
+                                chunk.paths.depth[i] == 0,
+                                chunk.way.pdf[i],
+                                ends.reversePdf[i],
+                                std::fabs(dot(at(constant(ends.seenAlong), i), at(Ng, i)))};
+        ends.leaving[i] = leaveAlong(ends.vertices[i], leaving, ends.counts);
     }
 }
 
 void leaveHistory(PathWave &wave, int count, int first) {
-    Subpaths &ends = *wave.subpaths;
     const VertexChunk &chunk = wave.chunk;
-    const SubpathHistory &from = wave.active.history;
-    SubpathHistory &to = wave.next.history;
     for (int k = 0; k < count; ++k) {
-        const int i = chunk.way.lane[k], next = first + k, ray = chunk.rays[i];
+        const int i = chunk.way.lane[k];
         const bool goesOn = chunk.events.event()[i] == straightThrough;
-        to.earlier[next] = goesOn ? from.earlier[ray] : ends.nextEarlier[i];
-        to.earlierOfPath[next] = goesOn ? from.earlierOfPath[ray] : ends.nextEarlierOfPath[i];
-        to.connections[next] = goesOn ? from.connections[ray] : ends.nextConnections[i];
-        to.pdf[next] = goesOn ? from.pdf[ray] : ends.nextPdf[i];
-        to.cosine[next] = goesOn ? from.cosine[ray] : ends.nextCosine[i];
-        to.parallel[next] = goesOn ? from.parallel[ray] : 0;
+        wave.next.history[first + k] =
+            goesOn ? wave.active.history[chunk.rays[i]] : wave.subpaths->leaving[i];
     }
 }
 

@@ -7,6 +7,7 @@
 #include "light/path/chunk.h"
 #include "light/path/classic_light.h"
 #include "light/path/crossing.h"
+#include "light/path/escape.h"
 #include "light/path/first_hit.h"
 #include "light/path/gathered_light.h"
 #include "light/path/hit_bins.h"
@@ -93,7 +94,8 @@ struct PathWave {
     std::unique_ptr<ClassicLight> classic;   ///< Made when the first vertex needs it,
     std::unique_ptr<GatheredLight> gathered; ///< this too,
     std::unique_ptr<AlbedoPlanes> albedo;    ///< this,
-    std::unique_ptr<Crossing> crossing;      ///< and this.
+    std::unique_ptr<Crossing> crossing;      ///< and this,
+    std::unique_ptr<EscapingRays> escaping;  ///< and this.
     std::unique_ptr<Subpaths> subpaths;      ///< Null unless paths have two ends.
     std::unique_ptr<SolutionLight> solution; ///< Null unless the scene has been solved.
 

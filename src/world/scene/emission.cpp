@@ -102,6 +102,9 @@ std::uint64_t Lights::nonFiniteSamples() const { return state_->nonFiniteLight; 
 bool Lights::isOn(std::int32_t lightSet, std::int32_t light) const {
     return state_->lights.on(lightSet, light);
 }
+bool Lights::castsShadow(std::int32_t light) const {
+    return state_->lights.lights[light - 1].castsShadow;
+}
 std::int32_t Lights::setOfAll() const { return state_->lights.setOfAll; }
 bool Lights::areLeftToSamples() const { return state_->lights.leftToSamples; }
 

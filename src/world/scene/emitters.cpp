@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/scene/emitters.h"
 
-#include "world/scene/light_question.h"
 #include "world/scene/scene_state.h"
+#include "world/scene/stated_cones.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,63 +13,6 @@ namespace candela {
 
 namespace {
 
-/// Where the light shader says that it stands and sends.
-struct StatedEmission {
-    Vec3 place;
-    std::vector<EmissionCone> cones;
-};
-
-/// Asks a shader whose cones are its light's own; nothing if it states none, or from several
-/// places.
-std::optional<StatedEmission> statedEmission(const SceneState &state, const SceneLight &light) {
-    const ShaderCode &code = *light.shader.code;
-    const ir::LightFacts facts = ir::lightFacts(code.shader().whole);
-    if (facts.cones.empty() || !facts.conesAreTheLights)
-        return std::nullopt;
-    const QuestionCode &question = code.question(ir::Question::Emission);
-    if (question.reads(ShaderInput::N) || question.reads(ShaderInput::Ng))
-        return std::nullopt; // Those of what is lit.
-    LightBatch batch(1);
-    batch.count = 1;
-    placePointLight(batch, 0, light, state.points.shutter);
-    batch.parameterOffset[0] = light.shader.parameterOffset;
-    batch.objectIndex[0] = 0;
-    Planes<float> answers(int(question.function.outputs.size()), 1);
-    std::vector<float *> outputs;
-    for (int plane = 0; plane < answers.planes(); ++plane)
-        outputs.push_back(answers[plane]);
-    ShaderArgs args;
-    args.count = 1;
-    args.inputs = batch.inputTable.data();
-    args.parameterOffset = batch.parameterOffset;
-    args.objectMatrices = state.points.shapeMatrices.data();
-    args.objectIndex = batch.objectIndex;
-    args.outputs = outputs.data();
-    code.bind(args, false);
-    question.ask(args);
-
-    const auto vec3 = [&](int plane) {
-        return Vec3{answers[plane][0], answers[plane + 1][0], answers[plane + 2][0]};
-    };
-    StatedEmission stated;
-    for (const ir::ConeSlot &slot : facts.cones) {
-        const EmissionCone cone{normalize(vec3(slot.axis)), answers[slot.angle][0],
-                                answers[slot.exponent][0], answers[slot.importance][0]};
-        if (!(cone.importance > 0))
-            continue;
-        const Vec3 place = vec3(slot.position);
-        if (!isFinite(place) || !isFinite(cone.axis))
-            return std::nullopt;
-        if (!stated.cones.empty() && !(place == stated.place))
-            return std::nullopt;
-        stated.place = place;
-        stated.cones.push_back(cone);
-    }
-    if (stated.cones.empty())
-        return std::nullopt;
-    return stated;
-}
-
 /// All surfaces hear the light as they hear light from elsewhere.
 bool isHeardAlike(const SceneState &state, std::int32_t light) {
     return std::ranges::all_of(state.points.codes, [&](const SurfaceCode &code) {
@@ -77,13 +20,22 @@ bool isHeardAlike(const SceneState &state, std::int32_t light) {
     });
 }
 
-/// A whole sphere around all that the scene holds: few of its paths would meet anything.
+/// A whole sphere around all that the scene holds, its own box: few of its paths would meet
+/// anything.
 bool surroundsScene(const SceneState &state, const SceneLight &light) {
+    constexpr float rounding = 1e-3f;
     const LightTable &table = state.lights;
     if (light.sources != 1)
         return false;
     const LightElement &element = table.firstElementOf(table.sources[light.firstSource]);
-    return element.form == LightElement::Form::Sphere && element.edgeA.x > state.radius * 0.5f;
+    if (element.form != LightElement::Form::Sphere)
+        return false;
+    const float reach = element.edgeA.x * (1 + rounding);
+    for (int c = 0; c < 3; ++c)
+        if (state.bound.low[c] < element.corner[c] - reach ||
+            state.bound.high[c] > element.corner[c] + reach)
+            return false;
+    return true;
 }
 
 /// Why no path begins at the light; empty if it can.
@@ -101,7 +53,7 @@ std::string describe(const SceneState &state, int index, Emitter &emitter) {
         return {};
     }
     if (light.kind == LightKind::Point) {
-        const std::optional<StatedEmission> stated = statedEmission(state, light);
+        const std::optional<StatedCones> stated = statedCones(state, light);
         if (!stated)
             return "where it stands depends on what it lights";
         emitter.form = EmitterForm::Point;

@@ -4,6 +4,7 @@
 
 #include "world/scene/absent_lamps.h"
 #include "world/scene/light_power.h"
+#include "world/scene/skies.h"
 #include "world/scene/source_geometry.h"
 #include "world/scene/source_pieces.h"
 
@@ -378,7 +379,11 @@ void LightBuilder::addSetOfAll() {
     std::set<int> on;
     for (const std::vector<int> &set : sets)
         on.insert(set.begin(), set.end());
-    for (int light = 0; sets.empty() && light < int(state_.lights.lights.size()); ++light)
+    const bool areOnlyLamps =
+        std::ranges::all_of(state_.points.details, [](const AppearanceDetail &detail) {
+            return detail.attributes->areaLight != nullptr;
+        });
+    for (int light = 0; areOnlyLamps && light < int(state_.lights.lights.size()); ++light)
         on.insert(light);
     const std::vector<int> all(on.begin(), on.end());
     const auto same = std::ranges::find(sets, all);
@@ -499,6 +504,7 @@ void LightBuilder::prepareChoices() {
     LightTable &table = state_.lights;
     measureCutLamps(state_);
     estimateLights(state_);
+    findSkies(state_);
     table.number(state_.points);
     const std::vector<EmitterBound> bounds = boundsOfSources();
     const SurroundingLight dome = surroundingLight(table, state_.points, bounds);

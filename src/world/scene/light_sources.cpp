@@ -12,6 +12,7 @@ SourceBin binOf(const SceneLight &light, const LightElement &element, const Poin
     SourceBin bin;
     bin.castsShadow = light.castsShadow, bin.si = light.si;
     bin.distant = light.kind == LightKind::Distant;
+    bin.isSky = light.sky && light.castsShadow;
     const std::int32_t appearance =
         light.hasGeometry() ? points.appearanceOf(element.instance, element.shape) : 0;
     if (light.finite() && points.details[appearance].attributes->sides == 1)

@@ -5,11 +5,13 @@
 
 #include "foundation/base/diagnostics.h"
 #include "world/lights/light_choice.h"
+#include "world/lights/sky_cones.h"
 #include "world/points/point_tables.h"
 #include "world/scene/lights.h"
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -65,6 +67,7 @@ struct SourceBin {
     int surfaceCode = -1;
     const ShaderCode *shader = nullptr; ///< Of the light.
     bool castsShadow = true, si = true, distant = false;
+    bool isSky = false; ///< Samples share with rays that escape.
     float elementSign = 1; ///< Appearance::elementSign.
     float frontSign = 0; ///< RayShape::frontSign: what is seen from one side shines to that alone.
 
@@ -94,6 +97,7 @@ struct SceneLight {
     Vec3 axis;                      ///< Without geometry: unit vector, or zero.
     float spread = 3.14159274f;     ///< Nearly all of its light leaves within this of the axis.
     LightSides sides = LightSides::Both;
+    std::optional<SkyCones> sky; ///< Of what rays meet that escape (world/scene/skies.h).
     double power = 0; ///< An estimate; W, or what would be W for classic units.
     /// Of area lights: what their surfaces' shaders send besides; an estimate of its mean.
     double surfaceRadiance = 0;
@@ -124,6 +128,7 @@ struct LightTable {
     std::vector<std::array<LightChoice, lightGroups>> choices;
     std::vector<LightGroup> groups;              ///< Those that have lights.
     std::vector<int> ambient;                    ///< Indices of the ambient lights.
+    std::vector<std::int32_t> skies;             ///< Index + 1 of those that have SceneLight::sky.
     std::vector<std::vector<std::uint8_t>> isOn; ///< [lightSet][index + 1].
     std::int32_t setOfAll = 0;                   ///< See Lights::setOfAll(),
     bool leftToSamples = false;                  ///< and areLeftToSamples().

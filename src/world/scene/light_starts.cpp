@@ -94,6 +94,7 @@ public:
     void run(int count) {
         const Emitters &emitters = state_.emitters;
         place_.assign(count, 0);
+        std::fill_n(out_.skyPdf, count, 0.0f);
         std::vector<std::vector<int>> byCode(state_.points.codes.size());
         for (int i = 0; i < count; ++i) {
             const int light = choose(i);
@@ -246,6 +247,8 @@ private:
         put(out_.normal, i, {});
         out_.positionPdf[i] = float(probability);
         out_.directionPdf[i] = float(pdf);
+        if (const auto &sky = state_.lights.lights[out_.light[i] - 1].sky)
+            out_.skyPdf[i] = float(sky->pdfOfDrawn(out_.lightSample[0][i], direction));
         for (float *plane : out_.flux)
             plane[i] = float(1 / (pdf * probability));
     }
@@ -330,14 +333,15 @@ private:
 } // namespace
 
 LightStarts::LightStarts(int capacity)
-    : floats(13 + colorSamples, capacity), integers(3, capacity) {
+    : floats(14 + colorSamples, capacity), integers(3, capacity) {
     light = integers[0], source = integers[1], element = integers[2];
     for (int c = 0; c < 3; ++c)
         origin[c] = floats[c], direction[c] = floats[3 + c], normal[c] = floats[6 + c];
     positionPdf = floats[9], directionPdf = floats[10];
     lightSample = {floats[11], floats[12]};
+    skyPdf = floats[13];
     for (int c = 0; c < colorSamples; ++c)
-        flux[c] = floats[13 + c];
+        flux[c] = floats[14 + c];
 }
 
 bool Lights::startPaths() const {

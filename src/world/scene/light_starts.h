@@ -32,6 +32,7 @@ struct LightStarts {
     std::array<float *, colorSamples> flux;
     float *positionPdf;  ///< Choice included: per m^2, or without extent a probability.
     float *directionPdf; ///< Per steradian; of distant lights of the place, per m^2.
+    float *skyPdf; ///< Of distant lights that rays meet, of the direction, per steradian; else 0.
     std::array<float *, 2> lightSample; ///< What the shader was given as such.
 };
 

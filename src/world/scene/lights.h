@@ -68,6 +68,13 @@ struct LightSamples {
     std::array<float *, 3> normal{};
 };
 
+/// What a light at infinity sends along rays that escape; planes are the caller's.
+struct SkyAnswer {
+    std::array<float *, colorSamples> radiance{}; ///< W m^-2 sr^-1; black where it is off.
+    float *probability = nullptr;  ///< With which sample() chooses the light.
+    float *directionPdf = nullptr; ///< Per steradian, of the direction once it is chosen.
+};
+
 /// What is told of a light in messages.
 struct LightFacts {
     std::string title; ///< 'light "key" ("pointlight")'
@@ -116,6 +123,15 @@ public:
     /// radiance[c][i] that area lights (si) and emitting surfaces send from the points to the
     /// viewers they were hit from (I), W m^-2 sr^-1; added to what is there.
     void emission(int code, ShadingPoints &, float *const *radiance) const;
+    /// The lights at infinity that rays meet which escape, by index + 1.
+    std::span<const std::int32_t> skies() const;
+    /// What one of them sends along rays in these unit directions. Of the query count (at most 512),
+    /// P, Ps, N, lightSet, scattered and time are read; light sets are there. Lights that cast no
+    /// shadow are sampled as if no ray met them.
+    void sky(std::int32_t number, const LightQuery &query,
+             const std::array<const float *, 3> &direction, const SkyAnswer &) const;
+    /// It casts shadows; `light` is index + 1.
+    bool castsShadow(std::int32_t light) const;
     /// Sum of the ambient lights at the points, as ambient() returns it. Of the query count, Ps,
     /// Ns, I and lightSet are read.
     void ambient(const LightQuery &, float *const *ambient) const;

@@ -309,6 +309,8 @@ void lowerSolar(Lowering &lowering, const sl::Stmt &statement) {
     if (light.form != sl::ConeForm::Extended)
         cones = {classicCone(b, drawn.axis, drawn.angle)};
     stateEmission(lowering, statement, triple(b, 0, 0, 0), cones);
+    if (!constantFloat(b, drawn.angle)) // Nothing is farther off than what lies behind.
+        drawn.angle = min(b, drawn.angle, number(b, std::numbers::pi_v<float>));
     const Triple direction =
         directionInCone(b, drawn.axis, drawn.angle, drawn.x, input(b, ShaderInput::lightSample, 1),
                         ConeWeight::Uniform);
