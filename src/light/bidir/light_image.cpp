@@ -125,8 +125,8 @@ void note(LightTally &tally, const LightImage &image, int slot, int i, int k,
         Y += double(luminanceWeights[c]) * image.seen[c][i] * image.transmittance[c][k];
     Y *= place.weight;
     if (cell < 0) {
-        const double nearness = 1 / (1 + tally.beyondFrame(place.x, place.y));
-        tally.splats.push_back({slot, cell, std::fabs(Y) * nearness * nearness});
+        const double beyond = tally.beyondFrame(place.x, place.y), nearness = 1 / (1 + beyond);
+        tally.splats.push_back({slot, cell, std::fabs(Y) * nearness * nearness, beyond});
         return;
     }
     LightTally::Cell &to = tally.values[cell];
@@ -134,7 +134,7 @@ void note(LightTally &tally, const LightImage &image, int slot, int i, int k,
     if (std::fabs(Y) / tally.samples * image.pathGain[i] > to.seldom)
         to.pathSquares += Y * Y * image.pathGain[i];
     if (tally.keepsSplats)
-        tally.splats.push_back({slot, cell, std::fabs(Y)});
+        tally.splats.push_back({slot, cell, std::fabs(Y), 0});
 }
 
 void splat(LightWave &wave, int count) {

@@ -58,10 +58,10 @@ struct LightTally {
         double pathSquares = 0;      ///< What `path` would make of the light that it seldom finds.
         double seldom = 0; ///< Found so seldom is what has more luminance than this in a sample.
     };
-    /// What one path has brought.
+    /// What one path has brought, and how far beyond the frame, in frames.
     struct Splat {
         int slot, cell; ///< Cell -1: near the frame.
-        double luminance;
+        double luminance, beyond;
     };
     LightTally(const std::array<int, 4> &frame, double samples)
         : frame(frame), samples(samples), values(cells * cells) {}

@@ -27,11 +27,15 @@ constexpr int lightPathsOfPilot = 4096;
 /// matte and plastic walls.
 constexpr double costOfLightRay = 1.6, costOfConnections = 1.4;
 /// A round of merging has as many light paths as fill a picture of this many pixels, if there is
-/// one path a pixel; small frames put some samples of a pixel together.
+/// one path a pixel; small frames put some samples of a pixel together, and take more paths for
+/// each.
 constexpr double pathsOfRound = 1 << 16;
 constexpr int mostSamplesOfRound = 16;
-/// Discs that are merged over are at first so many pixels wide.
+/// Discs that are merged over are at first so many pixels wide, and of small frames as wide as if
+/// they had so many pixels along a side: what is spread over much of a wall is lost beyond its
+/// ends.
 constexpr float widthInPixels = 6;
+constexpr double leastSide = 256;
 
 constexpr int cells = LightTally::cells * LightTally::cells;
 
@@ -72,12 +76,17 @@ MergingPlan Pilot::planMerging(double lightPaths) {
     const BidirectionalWishes &wishes = settings_.bidirectional;
     MergingPlan plan;
     plan.trust = wishes.trustInMerging;
-    plan.radius = wishes.radius.value_or(widthInPixels / 2 * widthOfPixels());
+    const float shrunk = float(std::min(1.0, std::sqrt(pixels()) / leastSide));
+    plan.radius = wishes.radius.value_or(widthInPixels / 2 * widthOfPixels() * shrunk);
     plan.samplesOfRound = 1;
     while (plan.samplesOfRound < mostSamplesOfRound &&
            lightPaths * pixels() * plan.samplesOfRound < pathsOfRound)
         plan.samplesOfRound *= 2;
     return plan;
+}
+
+double Pilot::lightPathsOf(const MergingPlan &plan) const {
+    return pathsOfRound / (pixels() * plan.samplesOfRound);
 }
 
 Trial Pilot::run(const BidirectionalPlan &plan) {

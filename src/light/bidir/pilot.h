@@ -38,6 +38,8 @@ public:
     EmissionGuide learn(int rounds, bool besidePath = false);
     /// How vertices are merged where there are so many light paths a sample of a pixel.
     MergingPlan planMerging(double lightPaths);
+    /// Light paths for each sample of a pixel that fill such rounds.
+    double lightPathsOf(const MergingPlan &) const;
 
 private:
     class NoMessages : public DiagnosticSink {

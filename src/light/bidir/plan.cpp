@@ -12,6 +12,8 @@ namespace {
 
 /// What a pilot asks about: no light paths at all, and three plans with them.
 constexpr BidirectionalPlan candidates[] = {{0, 0}, {0.25, 0}, {1, 0}, {1, 1}};
+/// The first of them that merging is done with: of light paths there is one a sample.
+constexpr std::size_t leastMerging = 2;
 
 /// Of learning where light paths begin best: for the pilots, and for the frame, if it has such
 /// paths.
@@ -109,15 +111,13 @@ BidirectionalPlan chooseTechniques(const FrameContext &frame, Pilot &pilot, Emis
     const Trial path = trials[0];
     for (std::size_t cell = 0; cell < mean.size(); ++cell)
         trials[0].variance[cell] += pilot.varianceOfPath()[cell];
-    std::size_t best = 0;
+    // Pilots do not merge: they know nothing of what few light paths would cost there, and may see
+    // no light at all.
+    std::size_t best = wishes.merges ? leastMerging : 0;
     double least = wishes.merges ? INFINITY : worthLeavingPath * badness(trials[0], mean);
-    for (std::size_t k = 1; k < plans.size(); ++k) {
-        // Pilots do not merge, and know nothing of what few light paths would cost there.
-        if (wishes.merges && plans[k].lightPaths < 1)
-            continue;
+    for (std::size_t k = std::max<std::size_t>(best, 1); k < plans.size(); ++k)
         if (const double own = badness(trials[k], mean); own < least)
             best = k, least = own;
-    }
     if (best == 0)
         return planBesidePath(frame.scene, path, pilot, guide);
     if (std::ranges::any_of(guide.lights, [](auto &grid) { return grid.has_value(); }))
@@ -142,8 +142,12 @@ BidirectionalPlan planTechniques(FrameContext &frame, EmissionGuide &guide) {
         return {};
     Pilot pilot(frame);
     BidirectionalPlan plan = chooseTechniques(frame, pilot, guide);
-    if (frame.settings.bidirectional.merges && plan.lightPaths > 0 && !plan.besidePath)
-        plan.merging = pilot.planMerging(plan.lightPaths);
+    const BidirectionalWishes &wishes = frame.settings.bidirectional;
+    if (!wishes.merges || !(plan.lightPaths > 0) || plan.besidePath)
+        return plan;
+    plan.merging = pilot.planMerging(plan.lightPaths);
+    if (!wishes.lightPaths)
+        plan.lightPaths = std::max(plan.lightPaths, pilot.lightPathsOf(plan.merging));
     return plan;
 }
 

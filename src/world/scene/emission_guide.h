@@ -6,7 +6,7 @@
 #pragma once
 
 #include "foundation/base/vec3.h"
-#include "world/lights/square_grid.h"
+#include "world/lights/nested_grid.h"
 
 #include <array>
 #include <optional>
@@ -18,7 +18,7 @@ struct EmissionGuide {
     /// Of a light's paths, those that follow the grid; the others begin as they would without.
     double share = 0.8;
 
-    std::vector<std::optional<SquareGrid>> lights; ///< By index; none = nothing is known.
+    std::vector<std::optional<NestedGrid>> lights; ///< By index; none = nothing is known.
     std::vector<double> probability, cumulative;   ///< Of beginning a path at each.
 };
 

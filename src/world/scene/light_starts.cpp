@@ -45,7 +45,7 @@ Vec3 sampleCosine(LightSides sides, Vec3 normal, float u, float v) {
 
 /// A light's grid, if it has one, and how many of its paths follow it.
 struct Guide {
-    const SquareGrid *grid = nullptr;
+    const NestedGrid *grid = nullptr;
     double share = 0;
 
     Guide(const EmissionGuide *all, int light) {
