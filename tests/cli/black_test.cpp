@@ -52,6 +52,8 @@ const BlackScene scenes[] = {
     {"IntensityOfNothing", "", "LightSource \"pointlight\" 1 \"intensity\" 0\n", ball,
      "light \"1\" (\"pointlight\") (scene.rib:3:1) sends nothing to what is seen"},
     {"BlackSurface", "", lamp, "Color 0 0 0\n" + ball, "nothing comes back from it"},
+    {"AmbientLightAlone", "", "LightSource \"ambientlight\" 1\n",
+     "Surface \"matte\" \"Ka\" [0]\n" + ball, "Ka for ambient light"},
     {"LitFromBehind", "", "LightSource \"pointlight\" 1 \"intensity\" 40 \"from\" [0 0 60]\n",
      "Translate 0 0 6 Disk 0 8 360", "turns its back to light \"1\""},
     {"InShadow", "Attribute \"light\" \"string shadows\" \"on\"\n",

@@ -45,6 +45,25 @@ TEST(LightVariables, ANewLIsWhatSurfacesSee) {
             }
 }
 
+/// Each point that is lit has random numbers of its own, and each sample of a pixel.
+TEST(LightVariables, RandomNumbersDiffer) {
+    for (const std::string &integrator : {classic, path}) {
+        const std::string lamp = "LightSource \"speckled\" 1\n";
+        const SmallPicture once = takePicture(integrator, lamp + receiver, 1);
+        const SmallPicture often = takePicture(integrator, lamp + receiver, 256);
+        double mean = 0, apart = 0, meanOften = 0, apartOften = 0;
+        for (std::size_t i = 0; i < 64; ++i) {
+            mean += once.red[i] / 64, apart += std::fabs(once.red[i] - .5) / 64;
+            meanOften += often.red[i] / 64, apartOften += std::fabs(often.red[i] - .5) / 64;
+        }
+        EXPECT_NEAR(mean, .5, .18) << integrator; // Five standard errors.
+        EXPECT_NEAR(apart, .25, .09) << integrator;
+        EXPECT_NEAR(meanOften, .5, .012) << integrator;
+        EXPECT_LT(apartOften, .03) << integrator;
+        EXPECT_GT(apartOften, .003) << integrator;
+    }
+}
+
 /// What lights leave in their output parameters stays there: it is no light, and no direction.
 TEST(LightVariables, OutputParametersChangeNothing) {
     struct Pair {

@@ -84,6 +84,10 @@ std::vector<Row> rows() {
          "LightSource \"distantlight\" 2 \"from\" [0 0 1] \"to\" [0 0 0] \"intensity\" [.01]\n" +
              aroundEye,
          below, ofLamp + .01},
+        {"sunBehindALampAlone",
+         lamp(sphere("0 0 -5", ".05")) +
+             "LightSource \"distantlight\" 2 \"from\" [0 0 1] \"to\" [0 0 0]\n",
+         "0 0 0" + up, 1, exactly},
         {"lampAroundEyeWithin", aroundEye + lamp(sphere("0 0 0", ".02"), 100, false), below,
          ofLamp},
         {"lampAroundEyeBesideAnother", aroundEye + lamp(sphere("1 0 1", ".05")), below,

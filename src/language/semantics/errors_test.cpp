@@ -259,10 +259,12 @@ TEST(Errors, LightStatements) {
     EXPECT_EQ(Compiled("light l() { illuminance(P) { } }").firstMessage(),
               "test.sl:1:13: error: illuminance stands only in surface and volume shaders, not in "
               "a light shader");
-    EXPECT_EQ(Compiled(surfaceWith("illuminance(P, 1, N, degrees(PI), 0, 1) { }"))
-                  .diagnostics.text()
-                  .find("radians"),
-              std::string::npos);
+    for (const std::string angle : {"degrees(PI)", ".53", "1", "6"})
+        EXPECT_EQ(Compiled(surfaceWith("illuminance(P, 1, N, " + angle + ", 0, 1) { }"))
+                      .diagnostics.text()
+                      .find("radians"),
+                  std::string::npos)
+            << angle;
 }
 
 TEST(Errors, OfShaders) {

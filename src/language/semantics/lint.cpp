@@ -16,8 +16,12 @@ static bool mentionsPi(const ast::Expr &e) {
 }
 
 bool looksLikeRadians(const ast::Expr &angle) {
-    if (angle.kind == ast::ExprKind::Number)
-        return angle.number > 0 && angle.number <= 2 * M_PI + 1e-3;
+    if (angle.kind == ast::ExprKind::Number) {
+        // A part of pi, as a twelfth is, or some of these: the sun's disc of .53 degrees is not.
+        constexpr double part = M_PI / 12, near = 2e-3;
+        const double parts = std::round(angle.number / part);
+        return parts >= 1 && parts <= 24 && std::abs(angle.number - parts * part) < near;
+    }
     bool converted = angle.kind == ast::ExprKind::Call && angle.text == "degrees";
     return !converted && mentionsPi(angle);
 }

@@ -6,8 +6,8 @@
 
 namespace candela::sl {
 
-/// Whether the angle of an importance cone, which is in degrees, looks like radians: a literal in
-/// (0, 2 pi], or anything that mentions PI (ALGORITHMS section 1).
+/// Whether the angle of an importance cone, which is in degrees, looks like radians: a
+/// literal that is some twelfths of pi, or anything that mentions PI.
 bool looksLikeRadians(const ast::Expr &angle);
 /// Whether an angle, which is in radians, looks like degrees: a literal multiple of 5 above 2 pi,
 /// or what degrees() gives.

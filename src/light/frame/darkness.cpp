@@ -140,6 +140,10 @@ public:
         Share share;
         for (int i = 0; i < count_; ++i)
             share.lit += scene_.lights().isOn(points_.lightSet[i], light + 1);
+        if (scene_.lights().facts(light).isAmbient) {
+            addAmbient(share);
+            return share;
+        }
         for (int place = 0; place < placesOnLights; ++place)
             addSamples(light, place, share);
         return share;
@@ -150,11 +154,8 @@ private:
         return {points_.input(first, 0)[i], points_.input(first, 1)[i], points_.input(first, 2)[i]};
     }
 
-    void addSamples(int light, int place, Share &share) {
-        for (int i = 0; i < count_; ++i)
-            for (int c = 0; c < 3; ++c)
-                numbers_[c][i] = radicalInverse(c + 2, i * placesOnLights + place + 1);
-        const std::vector<float> anySide(std::size_t(count_), 0.0f);
+    /// What asks at the points; `anySide` is 0 in all lanes.
+    LightQuery queryOf(const std::vector<float> &anySide) {
         LightQuery query;
         query.count = count_;
         query.P = {origins_[0], origins_[1], origins_[2]};
@@ -167,6 +168,26 @@ private:
         query.N = {anySide.data(), anySide.data(), anySide.data()};
         query.lightSet = points_.lightSet;
         query.time = points_.input(int(ShaderInput::time));
+        return query;
+    }
+
+    /// Ambient lights are asked together, and nothing stands between.
+    void addAmbient(Share &share) {
+        const std::vector<float> anySide(std::size_t(count_), 0.0f);
+        Planes<float> light(colorSamples, looks);
+        float *const planes[colorSamples] = {light[0], light[1], light[2]};
+        scene_.lights().ambient(queryOf(anySide), planes);
+        for (int i = 0; i < count_; ++i)
+            share.open += planes[0][i] > 0 || planes[1][i] > 0 || planes[2][i] > 0;
+        share.bright = share.faced = share.open;
+    }
+
+    void addSamples(int light, int place, Share &share) {
+        for (int i = 0; i < count_; ++i)
+            for (int c = 0; c < 3; ++c)
+                numbers_[c][i] = radicalInverse(c + 2, i * placesOnLights + place + 1);
+        const std::vector<float> anySide(std::size_t(count_), 0.0f);
+        LightQuery query = queryOf(anySide);
         query.choice = numbers_[0];
         query.position = {numbers_[1], numbers_[2]};
         LightSamples &samples = storage_.samples;
@@ -242,7 +263,7 @@ std::string whyTheSeenIsDark(const Scene &scene, Looks &look) {
         const Share share = points.shareOf(light);
         if (share.open > 0)
             return "light reaches what is seen, and nothing comes back from it: its surfaces are "
-                   "black (Color, Kd) or want light that they do not get";
+                   "black (Color, Kd; Ka for ambient light) or want light that they do not get";
         (share.lit == 0      ? off
          : share.bright == 0 ? dark
          : share.faced == 0  ? behind

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/scene/light_question.h"
 
+#include "foundation/base/hash.h"
+
 #include <algorithm>
 #include <array>
+#include <bit>
 
 namespace candela {
 
@@ -68,8 +71,27 @@ void LightBatch::tellWhoAsks(const ShaderCode &code) {
     readFrom(ShaderInput::Ng, 3, told);
 }
 
+/// random(), and the rays of occlusion(), are others for each point that is lit and each sample.
+void LightBatch::drawSeeds(const ShaderCode &code) {
+    if (!code.reads(ShaderInput::seed))
+        return;
+    const int told[] = {
+        int(ShaderInput::Ps),   int(ShaderInput::Ps) + 1,      int(ShaderInput::Ps) + 2,
+        int(ShaderInput::P),    int(ShaderInput::P) + 1,       int(ShaderInput::P) + 2,
+        int(ShaderInput::time), int(ShaderInput::lightSample), int(ShaderInput::lightSample) + 1};
+    float *const seed = input(ShaderInput::seed);
+    for (int lane = 0; lane < count; ++lane) {
+        std::uint64_t bits = 0;
+        for (int plane : told)
+            bits = mixBits(bits ^ std::bit_cast<std::uint32_t>(inputTable[plane][lane]));
+        seed[lane] = std::bit_cast<float>(std::uint32_t(bits >> 32));
+    }
+    readFrom(ShaderInput::seed, 1, nullptr);
+}
+
 void LightBatch::ask(const SceneState &state, const ShaderCode &code, const std::uint16_t *active) {
     tellWhoAsks(code);
+    drawSeeds(code);
     for (int plane = 0; plane < answers.planes(); ++plane)
         std::fill_n(answers[plane], count, 0.0f);
     const QuestionCode &question = code.question(ir::Question::Light);

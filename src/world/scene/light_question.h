@@ -39,6 +39,7 @@ struct LightBatch {
 
 private:
     void tellWhoAsks(const ShaderCode &);
+    void drawSeeds(const ShaderCode &);
 };
 
 /// The shader looks at what is lit, beyond where that is.
