@@ -179,6 +179,16 @@ TEST(Bounds, WhatIsNotKnownHasALine) {
     EXPECT_TRUE(boundFacts(BoxRun(glow("s")).whole).boundless.empty());
 }
 
+TEST(Bounds, LightsHearNoLight) {
+    for (const std::string Cl :
+         {"1 + xcomp(P) + diffuse(N)", "u > 2 ? 7 : 1 + xcomp(P) + specular(N, N, .1)"}) {
+        BoxRun run("light test() { illuminate(P + vector(comp(diffuse(N), 0)), N, PI / 2) Cl = " +
+                   Cl + "; }");
+        EXPECT_FLOAT_EQ(run.ask("Cl", Question::LightBounds), 1.25f) << Cl;
+        EXPECT_LT(run.ask("Cl tolerance", Question::LightBounds), 1e-5f) << Cl;
+    }
+}
+
 TEST(Bounds, LightsAreKnownOverTheirSurfaceAndDirections) {
     const std::string text =
         "light test() { illuminate(P) { Cl = 1 + xcomp(P) + ycomp(normalize(L)); } }";

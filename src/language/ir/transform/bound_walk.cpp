@@ -46,10 +46,17 @@ void BoundWalk::walk(const Instruction &i) {
     case Op::Output: return;
     case Op::If: return walkIf(i);
     case Op::Loop: return walkLoop(i);
+    case Op::LightLoop: return skipLightLoop(i);
     case Op::ArrayLoad: return walkLoad(i);
     case Op::ArrayStore: return walkStore(i);
     default: rules_.write(i, written_);
     }
+}
+
+/// Surfaces' are written out in a uniform field before; those of lights hear no light.
+void BoundWalk::skipLightLoop(const Instruction &i) {
+    for (std::size_t k = 0; k < i.results.size(); ++k)
+        written_[i.results[k]] = written_[initialOf(i, k)];
 }
 
 /// The values and what stands beside them, with as many parts as those in `like` have.

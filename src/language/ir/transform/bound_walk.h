@@ -42,6 +42,7 @@ private:
     void walk(const Instruction &);
     void walkIf(const Instruction &);
     void walkLoop(const Instruction &);
+    void skipLightLoop(const Instruction &);
     void walkLoad(const Instruction &);
     void walkStore(const Instruction &);
 
