@@ -48,6 +48,52 @@ std::string patch(double s) {
     return "Patch \"bicubic\" \"P\" " + P + "]\n";
 }
 
+/// Hairs that bend, get wider and change their colour.
+std::string hairs(double s) {
+    const std::string P =
+        array({-.6,          -.8, 0,      -.6,          -.5, 0,      -.6,          -.2, 0,
+               -.5 + .2 * s, .1,  0,      -.4 + .4 * s, .4,  .1 * s, -.4 + .6 * s, .6,  .1 * s,
+               -.4 + .8 * s, .8,  .2 * s, .2,           -.8, .5 * s, .2,           -.2, 0,
+               .2 + .5 * s,  .2,  0,      .3 + .5 * s,  .8,  0});
+    return "Curves \"cubic\" [7 4] \"nonperiodic\" \"P\" " + P + " \"width\" " +
+           array({.2 + .2 * s, .1, .2, .2, .3 - .2 * s}) + " \"Cs\" " +
+           array({1, 1, 1, s, s, s, .5, 0, 0, 1, 0, 0, 1 - s, 1, 1}) + "\n";
+}
+
+/// Lines with corners, whose mitres change.
+std::string lines(double s) {
+    return "Curves \"linear\" [3 3] \"periodic\" \"P\" " +
+           array({-.8, -.7, 0, -.1 - .3 * s, -.7, 0, -.4, .2 + .4 * s, 0, .2, .5, 0, .8, .5 - s, 0,
+                  .3 + .3 * s, -.4, .3 * s}) +
+           " \"constantwidth\" " + array({.15}) + "\n";
+}
+
+/// A ribbon that is twisted, and bent.
+std::string ribbon(double s) {
+    return "Curves \"linear\" [3] \"nonperiodic\" \"P\" " +
+           array({-.6, -.5, 0, .1, 0 + .4 * s, 0, .6, .5 - .3 * s, 0}) + " \"vertex normal N\" " +
+           array({s, 0, -1, s, .5 * s, -1, 0, .8 * s, -1}) + " \"constantwidth\" " + array({.3}) +
+           "\n";
+}
+
+/// Grains that part, grow and change their colour.
+std::string grains(double s) {
+    return "Points \"P\" " + array({-.5, -.5 + .6 * s, 0, .4 - .3 * s, .4, .2 * s, .5, -.5, 0}) +
+           " \"width\" " + array({.4, .2 + .3 * s, .5 - .4 * s}) + " \"Cs\" " +
+           array({1, 0, 0, s, s, s, 1 - .5 * s, 1, 1}) + "\n";
+}
+
+/// Two blobs that go their ways, and a limb that stretches.
+std::string blobs(double s) {
+    const std::string round = array(
+        {.6,     0,  0, 0, 0, .6,          0,   0,  0,  0, .6, 0,  -.4, .3 * s - .3, 0,
+         1,      .5, 0, 0, 0, 0,           .5,  0,  0,  0, 0,  .5, 0,   -.1,         -.3 - .1 * s,
+         .1 * s, 1,  0, 0, 0, .4 + .3 * s, .4,  0,  .3, 1, 0,  0,  0,   0,           1,
+         0,      0,  0, 0, 1, 0,           -.2, .1, 0,  1});
+    return "Blobby 3 [1001 0 1001 16 1002 32 0 3 0 1 2] " + round + " [\"\"] \"vertex color Cs\" " +
+           array({1, 0, 0, s, s, s, 1 - .5 * s, 1, 1}) + "\n";
+}
+
 std::vector<Change> changes() {
     const std::string lit = SUN "Surface \"matte\"\nTranslate 0 0 3\n";
     const auto inObjects = [](const std::string &around) {
@@ -82,6 +128,33 @@ std::vector<Change> changes() {
          "\"intensity\" 9 \"from\" [.5 0 -1]\nSurface \"matte\"\n"
          "Polygon \"P\" [-2 -2 4 -2 2 4 2 2 4 2 -2 4]\nTranslate 0 0 2.5\nScale .4 .4 .4\n@\n",
          mesh},
+        {"Hairs", lit + "@\n", hairs},
+        {"HairsInAMirror", lit + "Scale -1 1 1\n@\n", hairs},
+        {"HairsOneSided", lit + "Sides 1\n@\n", hairs},
+        {"HairsAsTriangles", lit + "Scale 1 .7 2\n@\n", hairs},
+        {"HairsInObjects", inObjects(lit), hairs},
+        {"HairsInWideObjects", inObjects(lit + "Scale 1 1 .5\n"), hairs},
+        {"HairsThatMoveToo",
+         lit + "MotionBegin [0 1]\nRotate 0 0 0 1\nRotate 0 0 0 1\nMotionEnd\n@\n", hairs},
+        {"HairsFarAway", "Translate -1000 300 50\n" + lit + "Translate 1000 -300 -50\n@\n", hairs},
+        {"HairsSeeThrough", lit + "Opacity [.3 .3 .3]\n@\n", hairs},
+        {"TinyHairs", lit + "Scale 1e3 1e3 1e3\nScale 1e-3 1e-3 1e-3\n@\n", hairs},
+        {"Lines", lit + "@\n", lines},
+        {"LinesAsTriangles", lit + "Scale 1 1 2\n@\n", lines},
+        {"Ribbon", lit + "@\n", ribbon},
+        {"RibbonInObjects", inObjects(lit), ribbon},
+        {"Points", lit + "@\n", grains},
+        {"PointsInAMirror", lit + "Scale 1 -1 1\n@\n", grains},
+        {"PointsAsTriangles", lit + "Scale 1 .7 2\n@\n", grains},
+        {"PointsInObjects", inObjects(lit), grains},
+        {"PointsSeeThrough", lit + "Opacity [.7 .7 .7]\n@\n", grains},
+        {"ShadowOfHairs",
+         "Attribute \"light\" \"string shadows\" \"on\"\nLightSource \"pointlight\" 1 "
+         "\"intensity\" 9 \"from\" [.5 0 -1]\nSurface \"matte\"\n"
+         "Polygon \"P\" [-2 -2 4 -2 2 4 2 2 4 2 -2 4]\nTranslate 0 0 2.5\nScale .4 .4 .4\n@\n",
+         hairs},
+        {"Blobs", lit + "@\n", blobs},
+        {"BlobsInObjects", inObjects(lit), blobs},
         {"Color", "Surface \"constant\"\n@\n" + disk, color},
         {"ColorInObjects",
          "ObjectBegin 1\nDisk 0 .8 360\nObjectEnd\nSurface \"constant\"\n"

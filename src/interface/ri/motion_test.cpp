@@ -233,6 +233,28 @@ TEST_F(State, shapesMoveBetweenWhatABlockSays) {
     EXPECT_EQ(errors() + warnings(), 0) << found.text();
 }
 
+TEST_F(State, blobsMoveIfTheirCodesAreTheSame) {
+    const auto blobs = [](float x) {
+        return Floats{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, 0, 0, 1};
+    };
+    state.worldBegin(at);
+    state.motionBegin(at, {{0, 1}});
+    state.blobby(at, 1, {1001, 0}, blobs(2), {}, {});
+    state.blobby(at, 1, {1001, 0}, blobs(4), {}, {});
+    state.motionEnd(at);
+    ASSERT_EQ(primitives().size(), 1u);
+    const auto half = recordAt(primitives()[0].record, .5);
+    EXPECT_EQ(std::get<BlobbyRecord>(half->shape).floats, blobs(3));
+    EXPECT_EQ(errors() + warnings(), 0) << found.text();
+    state.motionBegin(at, {{0, 1}});
+    state.blobby(at, 1, {1001, 0}, blobs(2), {}, {});
+    state.blobby(at, 1, {1001, 0, 6, 0}, blobs(4), {}, {});
+    state.motionEnd(at);
+    ASSERT_EQ(primitives().size(), 2u);
+    EXPECT_FALSE(primitives()[1].record->motion);
+    EXPECT_TRUE(says("the same counts")) << found.text();
+}
+
 TEST_F(State, shapesThatCannotBecomeEachOtherStayAsTheyAre) {
     state.worldBegin(at);
     state.motionBegin(at, {{0, 1}});

@@ -10,7 +10,7 @@ Vec3 mix(Vec3 a, Vec3 b, double share) {
     return {mix(a.x, b.x, share), mix(a.y, b.y, share), mix(a.z, b.z, share)};
 }
 
-/// The numbers of a quadric, in place.
+/// The numbers of a quadric or a blobby, in place.
 struct Mix {
     double share;
 
@@ -39,6 +39,10 @@ struct Mix {
     void operator()(TorusRecord &a, const TorusRecord &b) const {
         each(a, b, &TorusRecord::majorRadius, &TorusRecord::minorRadius, &TorusRecord::phiMin,
              &TorusRecord::phiMax, &TorusRecord::thetaMax);
+    }
+    void operator()(BlobbyRecord &a, const BlobbyRecord &b) const {
+        for (std::size_t k = 0; k < a.floats.size(); ++k)
+            a.floats[k] = mix(a.floats[k], b.floats[k], share);
     }
     /// Others are all in their variables.
     template <class A, class B> void operator()(A &, const B &) const {}
@@ -73,8 +77,10 @@ struct SameCounts {
     bool operator()(const CurvesRecord &a, const CurvesRecord &b) const {
         return a.cubic == b.cubic && a.periodic == b.periodic && a.vertexCounts == b.vertexCounts;
     }
-    /// Level surfaces have no names that would mean the same.
-    bool operator()(const BlobbyRecord &, const BlobbyRecord &) const { return false; }
+    bool operator()(const BlobbyRecord &a, const BlobbyRecord &b) const {
+        return a.leaves == b.leaves && a.codes == b.codes && a.strings == b.strings &&
+               a.floats.size() == b.floats.size();
+    }
     template <class Record> bool operator()(const Record &, const Record &) const { return true; }
     template <class A, class B> bool operator()(const A &, const B &) const { return false; }
 

@@ -24,11 +24,15 @@ FieldValue quotient(FieldValue a, FieldValue b) {
 
 } // namespace
 
-FieldValue Blob::at(Vec3 P) const {
+Blob::Place Blob::placeOf(Vec3 P) const {
     const Vec3 here = transformPoint(blobFromObject, P), way = to - from;
     const float squared = dot(way, way);
     const float along = squared > 0 ? std::clamp(dot(here - from, way) / squared, 0.0f, 1.0f) : 0;
-    const Vec3 out = (here - from - way * along) * (1 / radius);
+    return {along, (here - from - way * along) * (1 / radius)};
+}
+
+FieldValue Blob::at(Vec3 P) const {
+    const Vec3 out = placeOf(P).out;
     const float rest = 1 - dot(out, out);
     if (!(rest > 0))
         return {};
@@ -77,6 +81,14 @@ FieldValue BlobField::at(Vec3 P) const {
     thread_local std::vector<FieldValue> values;
     computeAll(P, values);
     return values.empty() ? FieldValue{} : values.back();
+}
+
+std::vector<const Blob *> BlobField::blobsOfLeaves() const {
+    std::vector<const Blob *> blobs(std::size_t(leaves_), nullptr);
+    for (const Instruction &of : instructions_)
+        if (of.kind == Kind::BlobLeaf && of.leaf < leaves_)
+            blobs[std::size_t(of.leaf)] = &blobs_[of.blob];
+    return blobs;
 }
 
 void BlobField::sharesAt(Vec3 P, std::span<float> shares) const {

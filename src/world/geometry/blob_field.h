@@ -36,6 +36,12 @@ struct Blob {
     Matrix4 blobFromObject;
     Box3 bound; ///< In object space; it is 0 outside.
 
+    /// Where P is beside it: how far along the segment, and how many radii away from it.
+    struct Place {
+        float along;
+        Vec3 out;
+    };
+    Place placeOf(Vec3 P) const;
     FieldValue at(Vec3 P) const;
     FieldBounds over(const Box3 &) const;
 };
@@ -60,6 +66,8 @@ public:
     /// How much of the field is each blob's at P: shares that add up to 1, or are all 0. By leaf.
     void sharesAt(Vec3 P, std::span<float> shares) const;
     int leaves() const { return leaves_; }
+    /// By leaf; null: the leaf is none.
+    std::vector<const Blob *> blobsOfLeaves() const;
 
 private:
     enum class Kind : std::uint8_t {

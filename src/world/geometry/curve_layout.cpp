@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/geometry/curve_layout.h"
 
+#include <algorithm>
+#include <functional>
+
 namespace candela {
 
 CurveLayout::CurveLayout(const CurvesRecord &record, const BasisRecord &basis)
@@ -14,23 +17,31 @@ CurveLayout::CurveLayout(const CurvesRecord &record, const BasisRecord &basis)
         bezierFromBasis_[2][j] = constant + (2 * line + square) / 3;
         bezierFromBasis_[3][j] = constant + line + square + cube;
     }
-    curves_.reserve(record.vertexCounts.size());
-    for (int count : record.vertexCounts) {
+    const std::vector<int> &counts = record.vertexCounts;
+    count_ = std::uint32_t(counts.size());
+    areAlike_ = std::ranges::adjacent_find(counts, std::not_equal_to()) == counts.end();
+    for (int count : counts) {
         const auto segments = std::uint32_t(curveSegments(record, count, basis.step));
-        curves_.push_back({std::uint32_t(curveOf_.size()), vertices_, ends_, std::uint32_t(count)});
-        curveOf_.insert(curveOf_.end(), segments, std::uint32_t(curves_.size() - 1));
-        vertices_ += std::uint32_t(count);
-        ends_ += segments + (periodic_ ? 0 : 1);
+        const Curve curve{segments_, vertices_, ends_, std::uint32_t(count), segments};
+        if (!areAlike_)
+            curveOf_.insert(curveOf_.end(), segments, std::uint32_t(curves_.size()));
+        if (!areAlike_ || curves_.empty())
+            curves_.push_back(curve);
+        segments_ += segments, vertices_ += curve.vertices, ends_ += endsOf(curve);
     }
 }
 
-std::uint32_t CurveLayout::segmentsOf(const Curve &curve) const {
-    const std::uint32_t next = std::uint32_t(&curve - curves_.data()) + 1;
-    return (next < curves_.size() ? curves_[next].firstSegment : segments()) - curve.firstSegment;
+CurveLayout::Curve CurveLayout::of(std::uint32_t segment) const {
+    const std::uint32_t number = curveOf(segment);
+    if (!areAlike_)
+        return curves_[number];
+    const Curve &one = curves_.front();
+    return {number * one.segments, number * one.vertices, number * endsOf(one), one.vertices,
+            one.segments};
 }
 
 std::uint32_t CurveLayout::segmentsBeside(std::uint32_t segment) const {
-    return segmentsOf(of(segment));
+    return of(segment).segments;
 }
 
 std::uint32_t CurveLayout::segmentsBefore(std::uint32_t segment) const {
@@ -38,15 +49,15 @@ std::uint32_t CurveLayout::segmentsBefore(std::uint32_t segment) const {
 }
 
 std::optional<std::uint32_t> CurveLayout::previous(std::uint32_t segment) const {
-    const Curve &curve = of(segment);
+    const Curve curve = of(segment);
     if (segment > curve.firstSegment)
         return segment - 1;
-    return periodic_ ? std::optional(curve.firstSegment + segmentsOf(curve) - 1) : std::nullopt;
+    return periodic_ ? std::optional(curve.firstSegment + curve.segments - 1) : std::nullopt;
 }
 
 std::optional<std::uint32_t> CurveLayout::next(std::uint32_t segment) const {
-    const Curve &curve = of(segment);
-    if (segment + 1 < curve.firstSegment + segmentsOf(curve))
+    const Curve curve = of(segment);
+    if (segment + 1 < curve.firstSegment + curve.segments)
         return segment + 1;
     return periodic_ ? std::optional(curve.firstSegment) : std::nullopt;
 }
@@ -54,7 +65,7 @@ std::optional<std::uint32_t> CurveLayout::next(std::uint32_t segment) const {
 int CurveLayout::valuesOf(StorageClass storage) const {
     switch (storage) {
     case StorageClass::Constant: return 1;
-    case StorageClass::Uniform: return int(curves_.size());
+    case StorageClass::Uniform: return int(count_);
     case StorageClass::Varying:
     case StorageClass::FaceVarying: return int(ends_);
     case StorageClass::Vertex:
@@ -64,11 +75,21 @@ int CurveLayout::valuesOf(StorageClass storage) const {
 }
 
 CurveOrdinates CurveLayout::ordinates(const NumericVariable &variable, std::uint32_t segment,
-                                      int component) const {
-    const Curve &curve = of(segment);
+                                      int component, Moment moment) const {
+    const CurveOrdinates from = ordinates(variable, segment, component, moment.step);
+    if (moment.share == 0)
+        return from;
+    return between(from, ordinates(variable, segment, component, moment.step + 1), moment.share);
+}
+
+CurveOrdinates CurveLayout::ordinates(const NumericVariable &variable, std::uint32_t segment,
+                                      int component, int step) const {
+    const Curve curve = of(segment);
     const std::uint32_t number = segment - curve.firstSegment;
+    const std::size_t before =
+        step == 0 ? 0 : std::size_t(step) * std::size_t(valuesOf(variable.declaration.storage));
     auto value = [&](std::uint32_t place) {
-        return variable.values[std::size_t(place) * variable.components + component];
+        return variable.values[(before + place) * variable.components + component];
     };
     auto line = [](float from, float to) {
         const float third = (to - from) / 3;
@@ -79,10 +100,13 @@ CurveOrdinates CurveLayout::ordinates(const NumericVariable &variable, std::uint
     };
     switch (variable.declaration.storage) {
     case StorageClass::Constant: return line(value(0), value(0));
-    case StorageClass::Uniform: return line(value(curveOf_[segment]), value(curveOf_[segment]));
+    case StorageClass::Uniform: {
+        const float one = value(curveOf(segment));
+        return line(one, one);
+    }
     case StorageClass::Varying:
     case StorageClass::FaceVarying: {
-        const std::uint32_t ends = segmentsOf(curve) + (periodic_ ? 0 : 1);
+        const std::uint32_t ends = endsOf(curve);
         return line(value(curve.firstEnd + number), value(curve.firstEnd + (number + 1) % ends));
     }
     case StorageClass::Vertex:

@@ -43,6 +43,16 @@ Vec3 turningOf(const CurvePlace &place, Vec3 tangent) {
 
 } // namespace
 
+CurveSegment between(const CurveSegment &from, const CurveSegment &to, float share) {
+    CurveSegment segment;
+    for (std::size_t c = 0; c < 3; ++c) {
+        segment.position[c] = between(from.position[c], to.position[c], share);
+        segment.normal[c] = between(from.normal[c], to.normal[c], share);
+    }
+    segment.width = between(from.width, to.width, share);
+    return segment;
+}
+
 Vec3 CurveSegment::at(float v) const { return placeAt(position, v).P; }
 Vec3 CurveSegment::slopeAt(float v) const { return placeAt(position, v).slope; }
 

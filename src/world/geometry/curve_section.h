@@ -11,7 +11,7 @@ struct CurveSegment {
     std::array<CurveOrdinates, 3> position;
     CurveOrdinates width; ///< Diameter of a tube, width of a ribbon.
     /// Of a ribbon; of tubes they are not looked at.
-    std::array<CurveOrdinates, 3> normal;
+    std::array<CurveOrdinates, 3> normal{};
 
     Vec3 at(float v) const;
     Vec3 slopeAt(float v) const;
@@ -20,6 +20,9 @@ struct CurveSegment {
     /// No derivative of the curve is longer.
     float largestSlope() const;
 };
+
+/// What stands between the two.
+CurveSegment between(const CurveSegment &, const CurveSegment &, float share);
 
 /// A point, its derivatives by u (across, or once around) and by v (along the segment), and the
 /// normal dPdu x dPdv, of any length but zero.

@@ -29,8 +29,7 @@ const DerivativeBounds &CurvesSurface::steepest() const {
     std::call_once(bounded_, [this] {
         DerivativeBounds &all = steepest_;
         all.skew = true;
-        for (std::uint32_t i = 0; i < layout_.segments(); ++i) {
-            const CurveSegment segment = segmentAt(i);
+        forSegments([&](std::uint32_t i, const CurveSegment &segment) {
             for (float u : {0.0f, 0.25f, 0.5f, 0.75f, 1.0f}) {
                 SectionPoint last = pointOn(segment, i, u, 0);
                 for (int place = 1; place <= places; ++place) {
@@ -44,7 +43,7 @@ const DerivativeBounds &CurvesSurface::steepest() const {
                     last = point;
                 }
             }
-        }
+        });
         // Around circles; ribbons are straight across.
         all.duu = normal_ ? 0 : 2 * std::numbers::pi * all.du;
     });
@@ -70,7 +69,7 @@ DicedMesh CurvesSurface::dice(const DiceRate &rate) const {
     const float scale = normal_ ? 1 : float(cornerScale(counts.u));
     DicedMesh mesh;
     for (std::uint32_t i = 0; i < layout_.segments(); ++i) {
-        const CurveSegment segment = segmentAt(i);
+        const CurveSegment segment = segmentOf(i, 0);
         const auto first = std::uint32_t(mesh.positions.size());
         for (int v = 0; v <= counts.v; ++v)
             for (int u = 0; u <= counts.u; ++u) {

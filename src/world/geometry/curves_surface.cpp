@@ -19,17 +19,7 @@ constexpr double roundingError = 2e-6;
 constexpr float slenderest = 256;
 constexpr int mostSplits = 32;
 
-Vec3 axisNumber(int number) { return {float(number == 0), float(number == 1), float(number == 2)}; }
-
 float largest(const CurveOrdinates &values) { return *std::ranges::max_element(values); }
-
-/// The part of a cubic between two places, as a cubic of its own.
-CurveOrdinates partOf(const CurveOrdinates &whole, float from, float to) {
-    const CubicAt begin = cubicAt(whole, from), end = cubicAt(whole, to);
-    const float third = (to - from) / 3;
-    return {begin.value, begin.value + third * begin.slope, end.value - third * end.slope,
-            end.value};
-}
 
 } // namespace
 
@@ -43,18 +33,74 @@ CurvesSurface::CurvesSurface(CurveLayout layout, NumericVariable position, Numer
     for (const NumericVariable &variable : variables_)
         infos_.push_back({variable.name, variable.declaration});
     defaultS_ = addDefault("s", infos_), defaultT_ = addDefault("t", infos_);
+    shareWidth();
     if (isRound())
         chooseAxes();
     measure();
 }
 
+/// Millions of hairs need not have their widths twice.
+void CurvesSurface::shareWidth() {
+    const auto same = std::ranges::find_if(variables_, [this](const NumericVariable &variable) {
+        return variable.name == width_.name && variable.values == width_.values;
+    });
+    if (same == variables_.end())
+        return;
+    sharedWidth_ = int(same - variables_.begin());
+    width_.values = {};
+}
+
+std::vector<NumericVariable *> CurvesSurface::numbers() {
+    if (sharedWidth_ >= 0)
+        width_.values = width().values, sharedWidth_ = -1;
+    std::vector<NumericVariable *> all{&position_, &width_};
+    for (NumericVariable &variable : variables_)
+        all.push_back(&variable);
+    if (normal_)
+        all.push_back(&*normal_);
+    return all;
+}
+
+CurvesSurface::CurvesSurface(const CurvesSurface &like, Moment moment)
+    : layout_(like.layout_), position_(like.position_), width_(like.width_),
+      variables_(like.variables_), infos_(like.infos_), normal_(like.normal_),
+      textureCoordinates_(like.textureCoordinates_), defaultS_(like.defaultS_),
+      defaultT_(like.defaultT_), sharedWidth_(like.sharedWidth_), axes_(like.axes_) {
+    for (NumericVariable *variable : numbers())
+        keepMoment(*variable, like.times_, moment);
+    measure();
+    splits_ = like.splits_;
+}
+
+CurvesSurface::CurvesSurface(const std::vector<std::shared_ptr<const Surface>> &steps)
+    : CurvesSurface(dynamic_cast<const CurvesSurface &>(*steps.front()), Moment{}) {
+    for (std::size_t k = 1; k < steps.size(); ++k) {
+        CurvesSurface next(dynamic_cast<const CurvesSurface &>(*steps[k]), Moment{});
+        const std::vector<NumericVariable *> all = numbers(), later = next.numbers();
+        for (std::size_t i = 0; i < all.size(); ++i)
+            addStep(*all[i], *later[i]);
+    }
+    times_ = int(steps.size());
+    if (isRound())
+        chooseAxes();
+    measure();
+    finer_ = chooseFiner();
+}
+
+std::shared_ptr<const Surface> CurvesSurface::step(int number) const {
+    if (times_ == 1)
+        return nullptr;
+    const Moment moment{number / finer_, float(number % finer_) / float(finer_)};
+    return std::shared_ptr<const CurvesSurface>(new CurvesSurface(*this, moment));
+}
+
 /// Where lines meet at an angle they are made longer, so that their outer sides meet too: a mitre.
 /// Beyond a right angle it is cut short.
-void CurvesSurface::extendLine(std::uint32_t number, CurveSegment &segment) const {
-    auto wayOf = [this](std::uint32_t line) {
+void CurvesSurface::extendLine(std::uint32_t number, int time, CurveSegment &segment) const {
+    auto wayOf = [&](std::uint32_t line) {
         Vec3 way;
         for (int c = 0; c < 3; ++c) {
-            const CurveOrdinates ordinates = layout_.ordinates(position_, line, c);
+            const CurveOrdinates ordinates = layout_.ordinates(position_, line, c, time);
             way[c] = ordinates[3] - ordinates[0];
         }
         return normalize(way);
@@ -76,30 +122,35 @@ void CurvesSurface::extendLine(std::uint32_t number, CurveSegment &segment) cons
     }
 }
 
-CurveSegment CurvesSurface::segmentAt(std::uint32_t number) const {
+CurveSegment CurvesSurface::segmentOf(std::uint32_t number, int time) const {
     CurveSegment segment;
     for (int c = 0; c < 3; ++c)
-        segment.position[c] = layout_.ordinates(position_, number, c);
-    segment.width = layout_.ordinates(width_, number, 0);
+        segment.position[c] = layout_.ordinates(position_, number, c, time);
+    segment.width = layout_.ordinates(width(), number, 0, time);
     if (!layout_.isCubic() && layout_.segmentsBeside(number) > 1)
-        extendLine(number, segment);
+        extendLine(number, time, segment);
     for (int c = 0; normal_ && c < 3; ++c)
-        segment.normal[c] = layout_.ordinates(*normal_, number, c);
+        segment.normal[c] = layout_.ordinates(*normal_, number, c, time);
     return segment;
+}
+
+CurveSegment CurvesSurface::segmentAt(std::uint32_t number, Moment moment) const {
+    const CurveSegment from = segmentOf(number, moment.step);
+    return moment.share == 0 ? from
+                             : between(from, segmentOf(number, moment.step + 1), moment.share);
 }
 
 void CurvesSurface::chooseAxes() {
     std::vector<Vec3> along(layout_.curves());
-    for (std::uint32_t i = 0; i < layout_.segments(); ++i) {
-        const CurveSegment segment = segmentAt(i);
+    forSegments([&](std::uint32_t i, const CurveSegment &segment) {
         for (float v : {0.0f, 0.5f, 1.0f}) {
             const Vec3 tangent = segment.tangentAt(v);
             for (int c = 0; c < 3; ++c)
                 along[layout_.curveOf(i)][c] =
                     std::max(along[layout_.curveOf(i)][c], std::fabs(tangent[c]));
         }
-    }
-    axes_.resize(along.size());
+    });
+    axes_.assign(along.size(), 0);
     for (std::size_t i = 0; i < along.size(); ++i)
         for (int c = 1; c < 3; ++c)
             if (along[i][c] < along[i][axes_[i]])
@@ -108,8 +159,7 @@ void CurvesSurface::chooseAxes() {
 
 void CurvesSurface::measure() {
     double lengths = 0, radii = 0;
-    for (std::uint32_t i = 0; i < layout_.segments(); ++i) {
-        const CurveSegment segment = segmentAt(i);
+    forSegments([&](std::uint32_t, const CurveSegment &segment) {
         // Ribbons reach out by half of their width, tubes by as much; rounding included.
         const float reach = largest(segment.width) / 2;
         for (int k = 0; k < 4; ++k) {
@@ -121,16 +171,35 @@ void CurvesSurface::measure() {
         }
         if (reach > 0)
             lengths += segment.largestSlope(), radii += reach;
-    }
+    });
     if (radii > 0)
         splits_ =
             int(std::clamp(std::ceil(lengths / (radii * slenderest)), 1.0, double(mostSplits)));
 }
 
+/// So many that between two of them nothing turns by more than a fifth of a radian: then chords are
+/// within half a percent of a radius of the arcs.
+int CurvesSurface::chooseFiner() const {
+    constexpr float most = 0.2f;
+    constexpr int mostSteps = 128;
+    float cosine = 1;
+    for (int time = 0; time + 1 < times_; ++time)
+        for (std::uint32_t i = 0; i < layout_.segments(); ++i) {
+            const CurveSegment from = segmentOf(i, time), to = segmentOf(i, time + 1);
+            for (float v : {0.0f, 0.5f, 1.0f}) {
+                cosine = std::min(cosine, dot(from.tangentAt(v), to.tangentAt(v)));
+                if (normal_)
+                    cosine = std::min(cosine, dot(normalize(ribbonPoint(from, 0, v).dPdu),
+                                                  normalize(ribbonPoint(to, 0, v).dPdu)));
+            }
+        }
+    const float turn = std::acos(std::clamp(cosine, -1.0f, 1.0f));
+    return std::clamp(int(std::ceil(turn / most)), 1, std::max(1, mostSteps / (times_ - 1)));
+}
+
 SectionPoint CurvesSurface::pointOn(const CurveSegment &segment, std::uint32_t number, float u,
                                     float v) const {
-    return normal_ ? ribbonPoint(segment, u, v)
-                   : tubePoint(segment, axisNumber(axes_[layout_.curveOf(number)]), u, v);
+    return normal_ ? ribbonPoint(segment, u, v) : tubePoint(segment, axisOf(number), u, v);
 }
 
 /// The unit normal that shaders see: the given one, where there is one.
@@ -148,7 +217,7 @@ Vec3 CurvesSurface::normalOn(const CurveSegment &segment, std::uint32_t number, 
 void CurvesSurface::evaluate(const SurfaceQuery &query, const SurfaceAnswer &answer) const {
     for (int k = 0; k < query.count; ++k) {
         const std::uint32_t number = query.piece[k];
-        const CurveSegment segment = segmentAt(number);
+        const CurveSegment segment = segmentAt(number, momentAt(query.share, k, times_));
         const SectionPoint point = pointOn(segment, number, query.u[k], query.v[k]);
         const float along = float(layout_.segmentsBeside(number));
         auto set = [k](const Vec3Planes &planes, Vec3 value) {
@@ -206,8 +275,9 @@ void CurvesSurface::evaluateVariable(int index, const SurfaceQuery &query, float
             continue;
         }
         const NumericVariable &variable = variables_[index];
+        const Moment moment = momentAt(query.share, k, times_);
         for (int c = 0; c < variable.components; ++c) {
-            const CubicAt at = cubicAt(layout_.ordinates(variable, number, c), query.v[k]);
+            const CubicAt at = cubicAt(layout_.ordinates(variable, number, c, moment), query.v[k]);
             if (value)
                 value[c][k] = at.value;
             if (valueDu)
@@ -224,7 +294,7 @@ float CurvesSurface::area() const {
     constexpr int cells = 8;
     double sum = 0;
     for (std::uint32_t i = 0; i < layout_.segments(); ++i) {
-        const CurveSegment segment = segmentAt(i);
+        const CurveSegment segment = segmentOf(i, 0);
         for (int node = 0; node < 2 * cells; ++node) {
             const double within = 0.5 + (node % 2 ? 1 : -1) * 0.5 / std::numbers::sqrt3;
             const float v = float((node / 2 + within) / cells);
@@ -237,47 +307,6 @@ float CurvesSurface::area() const {
         }
     }
     return float(sum);
-}
-
-RoundElements CurvesSurface::roundElements() const {
-    RoundElements elements;
-    elements.tubes.reserve(std::size_t(layout_.segments()) * splits_);
-    elements.knots.reserve(3 * elements.tubes.capacity() + layout_.curves());
-    for (std::uint32_t i = 0; i < layout_.segments(); ++i) {
-        const CurveSegment segment = segmentAt(i);
-        for (int part = 0; part < splits_; ++part) {
-            const float from = float(part) / splits_, to = float(part + 1) / splits_;
-            std::array<std::array<float, 4>, 4> knots;
-            for (int c = 0; c < 4; ++c) {
-                const auto ordinates =
-                    partOf(c < 3 ? segment.position[c] : segment.width, from, to);
-                for (int k = 0; k < 4; ++k)
-                    knots[k][c] = c < 3 ? ordinates[k] : std::max(ordinates[k] / 2, 0.0f);
-            }
-            // Where one begins at the end of the last they share a knot.
-            const bool shares = !elements.knots.empty() && elements.knots.back() == knots[0];
-            elements.tubes.push_back(std::uint32_t(elements.knots.size()) - shares);
-            elements.knots.insert(elements.knots.end(), knots.begin() + shares, knots.end());
-        }
-    }
-    return elements;
-}
-
-void CurvesSurface::nameRound(int count, const Vec3Planes &P, std::uint32_t *piece, float *u,
-                              float *v) const {
-    for (int k = 0; k < count; ++k) {
-        const std::uint32_t number = piece[k] / splits_;
-        const CurveSegment segment = segmentAt(number);
-        const float along = std::clamp((float(piece[k] % splits_) + u[k]) / splits_, 0.0f, 1.0f);
-        const TubeFrame frame =
-            tubeFrame(segment, axisNumber(axes_[layout_.curveOf(number)]), along);
-        const Vec3 out = P.get(k) - segment.at(along);
-        const float turns =
-            std::atan2(dot(out, frame.y), dot(out, frame.x)) / (2 * std::numbers::pi_v<float>);
-        piece[k] = number;
-        u[k] = std::clamp(turns < 0 ? turns + 1 : turns, 0.0f, 1.0f);
-        v[k] = along;
-    }
 }
 
 } // namespace candela

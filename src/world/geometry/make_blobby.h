@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// From the blobby of the interface to a surface.
+// Surfaces of RiBlobby.
 #pragma once
 
 #include "foundation/base/diagnostics.h"
-#include "world/geometry/surface.h"
+#include "world/geometry/surface_list.h"
 
 namespace candela {
 
 /// A mesh with smooth normals. Values of class vertex and varying, one a blob, blend as their
 /// fields do.
-std::vector<std::shared_ptr<const Surface>> makeBlobby(const BlobbyRecord &,
-                                                       const PrimitiveRecord &, DiagnosticSink &);
+SurfaceList makeBlobby(const PrimitiveRecord &, DiagnosticSink &);
+/// Of what it is at even steps over the shutter's interval.
+SurfaceList makeMovingBlobby(const std::vector<std::shared_ptr<const PrimitiveRecord>> &,
+                             DiagnosticSink &);
 
 } // namespace candela

@@ -150,6 +150,15 @@ void MovingSurface::evaluateVariable(int index, const SurfaceQuery &query, float
     });
 }
 
+bool haveSameNames(const Surface &one, const Surface &other) {
+    const auto isSame = [](const VariableInfo &a, const VariableInfo &b) {
+        return a.name == b.name && a.declaration == b.declaration;
+    };
+    return one.domain().pieces == other.domain().pieces && one.isRound() == other.isRound() &&
+           one.hasOwnNormals() == other.hasOwnNormals() &&
+           std::ranges::equal(one.variables(), other.variables(), isSame);
+}
+
 namespace {
 
 /// Points that a mesh names, one after the other.

@@ -41,6 +41,9 @@ private:
     std::vector<std::shared_ptr<const Surface>> steps_;
 };
 
+/// Whether points and variables of the one have the names that the other's have.
+bool haveSameNames(const Surface &, const Surface &);
+
 /// Where the vertices of a mesh that names points of the surface are at a later step, in the
 /// surface's own space, and how far its triangles are from the surface then.
 struct LaterMesh {

@@ -35,23 +35,67 @@ PointsSurface::PointsSurface(std::vector<std::array<float, 4>> knots,
                              std::vector<NumericVariable> variables,
                              std::optional<NumericVariable> normal,
                              const std::array<float, 8> &textureCoordinates)
-    : knots_(std::move(knots)), variables_(std::move(variables)), normal_(std::move(normal)),
+    : elements_{std::move(knots), {}}, variables_(std::move(variables)), normal_(std::move(normal)),
       textureCoordinates_(textureCoordinates) {
     for (const NumericVariable &variable : variables_)
         infos_.push_back({variable.name, variable.declaration});
     defaultS_ = addDefault("s", infos_), defaultT_ = addDefault("t", infos_);
-    for (const auto &[x, y, z, radius] : knots_) {
-        const float far = std::max({std::fabs(x), std::fabs(y), std::fabs(z)});
-        const float margin = radius + float(roundingError) * (radius + far);
-        bound_.add(Vec3{x, y, z} - Vec3{margin, margin, margin});
-        bound_.add(Vec3{x, y, z} + Vec3{margin, margin, margin});
-        largestRadius_ = std::max(largestRadius_, radius);
+    measure();
+}
+
+PointsSurface::PointsSurface(const PointsSurface &like, int step)
+    : elements_{like.knotsOf(step), {}}, variables_(like.variables_), infos_(like.infos_),
+      normal_(like.normal_), textureCoordinates_(like.textureCoordinates_),
+      defaultS_(like.defaultS_), defaultT_(like.defaultT_) {
+    for (NumericVariable &variable : variables_)
+        keepMoment(variable, like.steps(), {step, 0});
+    if (normal_)
+        keepMoment(*normal_, like.steps(), {step, 0});
+    measure();
+}
+
+PointsSurface::PointsSurface(const std::vector<std::shared_ptr<const Surface>> &steps)
+    : PointsSurface(dynamic_cast<const PointsSurface &>(*steps.front()), 0) {
+    for (std::size_t k = 1; k < steps.size(); ++k) {
+        const auto &next = dynamic_cast<const PointsSurface &>(*steps[k]);
+        elements_.later.push_back(next.elements_.knots);
+        for (std::size_t i = 0; i < variables_.size(); ++i)
+            addStep(variables_[i], next.variables_[i]);
+        if (normal_)
+            addStep(*normal_, *next.normal_);
     }
+    measure();
+}
+
+std::shared_ptr<const Surface> PointsSurface::step(int number) const {
+    if (steps() == 1)
+        return nullptr;
+    return std::shared_ptr<const PointsSurface>(new PointsSurface(*this, number));
+}
+
+void PointsSurface::measure() {
+    elements_.forSteps([this](const std::vector<Knot> &knots) {
+        for (const auto &[x, y, z, radius] : knots) {
+            const float far = std::max({std::fabs(x), std::fabs(y), std::fabs(z)});
+            const float margin = radius + float(roundingError) * (radius + far);
+            bound_.add(Vec3{x, y, z} - Vec3{margin, margin, margin});
+            bound_.add(Vec3{x, y, z} + Vec3{margin, margin, margin});
+            largestRadius_ = std::max(largestRadius_, radius);
+        }
+    });
+}
+
+PointsSurface::Knot PointsSurface::knotAt(std::uint32_t point, Moment moment) const {
+    Knot knot = knotsOf(moment.step)[point];
+    for (std::size_t k = 0; moment.share != 0 && k < knot.size(); ++k)
+        knot[k] = knot[k] * (1 - moment.share) + knotsOf(moment.step + 1)[point][k] * moment.share;
+    return knot;
 }
 
 void PointsSurface::evaluate(const SurfaceQuery &query, const SurfaceAnswer &answer) const {
     for (int k = 0; k < query.count; ++k) {
-        const auto &[x, y, z, radius] = knots_[query.piece[k]];
+        const Moment moment = momentAt(query.share, k, steps());
+        const auto [x, y, z, radius] = knotAt(query.piece[k], moment);
         const Direction direction(query.u[k], query.v[k]);
         const Vec3 outwards = direction.outwards();
         auto set = [k](const Vec3Planes &planes, Vec3 value) {
@@ -64,7 +108,7 @@ void PointsSurface::evaluate(const SurfaceQuery &query, const SurfaceAnswer &ans
         set(answer.dNgdu, direction.byU()), set(answer.dNgdv, direction.byV());
         Vec3 given;
         for (int c = 0; normal_ && c < 3; ++c)
-            given[c] = valueOf(*normal_, query.piece[k])[c];
+            given[c] = valueAt(*normal_, query.piece[k], c, moment);
         const bool isGiven = dot(given, given) > 0;
         set(answer.N, isGiven ? given : outwards);
         set(answer.dNdu, isGiven ? Vec3{} : direction.byU());
@@ -78,10 +122,10 @@ void PointsSurface::evaluate(const SurfaceQuery &query, const SurfaceAnswer &ans
     }
 }
 
-void PointsSurface::nameRound(int count, const Vec3Planes &P, std::uint32_t *piece, float *u,
-                              float *v) const {
+void PointsSurface::nameRound(int count, const Vec3Planes &P, const float *share,
+                              std::uint32_t *piece, float *u, float *v) const {
     for (int k = 0; k < count; ++k) {
-        const auto &[x, y, z, radius] = knots_[piece[k]];
+        const auto [x, y, z, radius] = knotAt(piece[k], momentAt(share, k, steps()));
         const Vec3 out = P.get(k) - Vec3{x, y, z};
         const float turns = std::atan2(out.y, out.x) / (2 * pi);
         const float latitude = std::atan2(out.z, std::hypot(out.x, out.y));
@@ -90,9 +134,13 @@ void PointsSurface::nameRound(int count, const Vec3Planes &P, std::uint32_t *pie
     }
 }
 
-const float *PointsSurface::valueOf(const NumericVariable &variable, std::uint32_t point) const {
-    const bool isOne = variable.count() == 1;
-    return variable.values.data() + (isOne ? 0 : std::size_t(point) * variable.components);
+float PointsSurface::valueAt(const NumericVariable &variable, std::uint32_t point, int component,
+                             Moment moment) const {
+    const std::size_t size = variable.values.size() / std::size_t(steps());
+    const bool isOne = size == std::size_t(variable.components);
+    const float *from = variable.values.data() + std::size_t(moment.step) * size +
+                        (isOne ? 0 : std::size_t(point) * variable.components) + component;
+    return moment.share == 0 ? *from : *from * (1 - moment.share) + from[size] * moment.share;
 }
 
 void PointsSurface::evaluateVariable(int index, const SurfaceQuery &query, float *const *value,
@@ -102,10 +150,10 @@ void PointsSurface::evaluateVariable(int index, const SurfaceQuery &query, float
                                query.v, value, valueDu, valueDv);
     const NumericVariable &variable = variables_[index];
     for (int k = 0; k < query.count; ++k) {
-        const float *from = valueOf(variable, query.piece[k]);
+        const Moment moment = momentAt(query.share, k, steps());
         for (int c = 0; c < variable.components; ++c) {
             if (value)
-                value[c][k] = from[c];
+                value[c][k] = valueAt(variable, query.piece[k], c, moment);
             if (valueDu)
                 valueDu[c][k] = 0;
             if (valueDv)
@@ -116,7 +164,7 @@ void PointsSurface::evaluateVariable(int index, const SurfaceQuery &query, float
 
 float PointsSurface::area() const {
     double sum = 0;
-    for (const auto &knot : knots_)
+    for (const Knot &knot : elements_.knots)
         sum += 4 * std::numbers::pi * knot[3] * knot[3];
     return float(sum);
 }
@@ -140,7 +188,7 @@ PointsSurface::Cells PointsSurface::cellsAt(const DiceRate &rate) const {
     const double r = largestRadius_, turn = 2 * std::numbers::pi, half = std::numbers::pi;
     const DerivativeBounds bounds{
         turn * r, half * r, turn * turn * r, turn * half * r, half * half * r, false, false};
-    const double cells = std::max(15.0, maximalCells / double(knots_.size()));
+    const double cells = std::max(15.0, maximalCells / double(count()));
     DiceCounts counts = chooseCounts(bounds, rate, {5, 3}, cells);
     const double scale = std::sqrt(4 * std::numbers::pi / areaOfCells(counts.u, counts.v));
     return {counts.u, counts.v, scale, cellError(bounds, counts) + (scale - 1) * r};
@@ -149,15 +197,15 @@ PointsSurface::Cells PointsSurface::cellsAt(const DiceRate &rate) const {
 /// Two a cell, one at the poles.
 double PointsSurface::triangleCount(const DiceRate &rate) const {
     const Cells cells = cellsAt(rate);
-    return double(knots_.size()) * cells.around * (2.0 * cells.along - 2);
+    return double(count()) * cells.around * (2.0 * cells.along - 2);
 }
 
 DicedMesh PointsSurface::dice(const DiceRate &rate) const {
     const Cells cells = cellsAt(rate);
     const std::uint32_t row = std::uint32_t(cells.around) + 1;
     DicedMesh mesh;
-    for (std::uint32_t piece = 0; piece < knots_.size(); ++piece) {
-        const auto &[x, y, z, radius] = knots_[piece];
+    for (std::uint32_t piece = 0; piece < count(); ++piece) {
+        const auto &[x, y, z, radius] = elements_.knots[piece];
         const auto first = std::uint32_t(mesh.positions.size());
         for (int v = 0; v <= cells.along; ++v)
             for (int u = 0; u <= cells.around; ++u) {

@@ -357,7 +357,7 @@ TEST(Protocol, PlacesOnStrokesComeBack) {
                     c.surface->nameRound(1,
                                          {const_cast<float *>(&p.x), const_cast<float *>(&p.y),
                                           const_cast<float *>(&p.z)},
-                                         &piece, &foundU, &foundV);
+                                         nullptr, &piece, &foundU, &foundV);
                     EXPECT_EQ(piece, number) << c.name;
                     EXPECT_LT(length(at(*c.surface, foundU, foundV, piece).P - p), 1e-5f)
                         << c.name << " " << number << " " << u << " " << v;
@@ -409,7 +409,7 @@ TEST(Protocol, PlacesOnSpheresComeBack) {
                 Vec3 p = place * r;
                 float u = -1, v = -1;
                 std::uint32_t piece = 0;
-                surface->nameRound(1, {&p.x, &p.y, &p.z}, &piece, &u, &v);
+                surface->nameRound(1, {&p.x, &p.y, &p.z}, nullptr, &piece, &u, &v);
                 EXPECT_TRUE(u >= 0 && u <= 1 && v >= 0 && v <= 1);
                 // u and v are floats of turns: 2 pi 2^-24, twice.
                 EXPECT_LT(length(at(*surface, u, v).P - p), 1e-6f * r) << place.x << " " << place.z;

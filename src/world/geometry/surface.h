@@ -132,18 +132,18 @@ public:
     virtual bool isRound() const { return false; }
     virtual RoundElements roundElements() const { return {}; }
     /// The names of points on round elements, or near them: the query's piece and (u,v). `piece` is
-    /// the element on entry, and `u`, of tubes, how far along it the ray has met it, from 0 to 1.
-    /// Only for round surfaces.
-    virtual void nameRound(int /*count*/, const Vec3Planes & /*P*/, std::uint32_t * /*piece*/,
-                           float * /*u*/, float * /*v*/) const {}
+    /// the element on entry, and `u`, of tubes, how far along it the ray has met it, from 0 to 1;
+    /// `share` as a query has it. Only for round surfaces.
+    virtual void nameRound(int /*count*/, const Vec3Planes & /*P*/, const float * /*share*/,
+                           std::uint32_t * /*piece*/, float * /*u*/, float * /*v*/) const {}
     /// A hair or a grain rather than a body: its opacity is that of all of it, so a ray meets it
     /// once, where it comes from outside, and leaves it unseen.
     virtual bool isStroke() const { return false; }
 
     /// It changes its shape while the shutter is open: what it is at that many even steps, between
-    /// which its points go straight. dice() names points of the first.
+    /// which its points go straight, or nearly. dice() names points of the first.
     virtual int steps() const { return 1; }
-    /// Null: the surface itself.
+    /// A surface that stays as this one is then. Null: the surface itself.
     virtual std::shared_ptr<const Surface> step(int) const { return nullptr; }
 
     /// Made of flat faces: dicing leaves them as they are, whatever the rate.

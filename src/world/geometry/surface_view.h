@@ -27,9 +27,9 @@ public:
     bool isRound() const override { return behind_->isRound(); }
     bool isStroke() const override { return behind_->isStroke(); }
     RoundElements roundElements() const override { return behind_->roundElements(); }
-    void nameRound(int count, const Vec3Planes &P, std::uint32_t *piece, float *u,
-                   float *v) const override {
-        behind_->nameRound(count, P, piece, u, v);
+    void nameRound(int count, const Vec3Planes &P, const float *share, std::uint32_t *piece,
+                   float *u, float *v) const override {
+        behind_->nameRound(count, P, share, piece, u, v);
     }
     bool isFlat() const override { return behind_->isFlat(); }
     bool hasOwnNormals() const override { return behind_->hasOwnNormals(); }

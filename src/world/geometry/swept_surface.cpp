@@ -81,8 +81,8 @@ template <class Profile> RoundElements SweptSurface<Profile>::roundElements() co
 }
 
 template <class Profile>
-void SweptSurface<Profile>::nameRound(int count, const Vec3Planes &P, std::uint32_t *, float *u,
-                                      float *v) const {
+void SweptSurface<Profile>::nameRound(int count, const Vec3Planes &P, const float *,
+                                      std::uint32_t *, float *u, float *v) const {
     if constexpr (std::is_same_v<Profile, CircularProfile>) {
         // A negative radius puts u = 0 and v = 0 on the other sides.
         float side = std::copysign(1.0f, profile_.minor);

@@ -22,8 +22,8 @@ public:
     /// Whole spheres are.
     bool isRound() const override;
     RoundElements roundElements() const override;
-    void nameRound(int count, const Vec3Planes &P, std::uint32_t *piece, float *u,
-                   float *v) const override;
+    void nameRound(int count, const Vec3Planes &P, const float *share, std::uint32_t *piece,
+                   float *u, float *v) const override;
     bool hasOwnNormals() const override { return variables_.hasNormals(); }
     std::span<const VariableInfo> variables() const override { return variables_.infos(); }
     void evaluateVariable(int index, const SurfaceQuery &, float *const *value,

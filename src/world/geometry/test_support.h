@@ -53,6 +53,13 @@ inline Point at(const Surface &surface, float u, float v, std::uint32_t piece = 
     return p;
 }
 
+/// Of a variable by its name, -1 = none.
+inline int numberOf(const Surface &surface, const std::string &name) {
+    const auto infos = surface.variables();
+    const auto found = std::ranges::find(infos, name, &VariableInfo::name);
+    return found == infos.end() ? -1 : int(found - infos.begin());
+}
+
 struct Value {
     std::vector<float> value, du, dv;
 };

@@ -24,7 +24,7 @@ void nameRound(const ShapeRun &run, ShadingPoints &points, RunScratch &own) {
         P.set(k, transformPoint(objectFromCurrent, P.get(k)));
     }
     transformPoints(run.count, run.shape.shapeFromOuter, P);
-    run.shape.surface->nameRound(run.count, P, run.piece, run.u, run.v);
+    run.shape.surface->nameRound(run.count, P, run.share, run.piece, run.u, run.v);
 }
 
 /// (piece, u, v) of the surface from what the rays have met.

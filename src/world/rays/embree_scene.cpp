@@ -113,10 +113,10 @@ RTCGeometry makeTriangles(RTCDevice device, const RayShape &shape, float unit) {
 
 /// Copies what is made of the values into a buffer of the geometry's own.
 template <class Value, class Made>
-void fillBuffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format,
+void fillBuffer(RTCGeometry geometry, RTCBufferType type, unsigned slot, RTCFormat format,
                 const std::vector<Value> &values, Made made) {
     auto *to = static_cast<Value *>(
-        rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(Value), values.size()));
+        rtcSetNewGeometryBuffer(geometry, type, slot, format, sizeof(Value), values.size()));
     if (to) // Else the device has been told of it.
         std::ranges::transform(values, to, made);
 }
@@ -127,14 +127,19 @@ RTCGeometry makeRound(RTCDevice device, const RoundElements &round, float unit) 
                                                            : RTC_GEOMETRY_TYPE_SPHERE_POINT);
     if (!geometry)
         return nullptr;
-    fillBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT4, round.knots,
-               [unit](std::array<float, 4> knot) {
-                   for (float &value : knot)
-                       value *= unit;
-                   return knot;
-               });
+    rtcSetGeometryTimeStepCount(geometry, unsigned(1 + round.later.size()));
+    unsigned step = 0;
+    round.forSteps([&](const std::vector<std::array<float, 4>> &knots) {
+        fillBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, step++, RTC_FORMAT_FLOAT4, knots,
+                   [unit](std::array<float, 4> knot) {
+                       for (float &value : knot)
+                           value *= unit;
+                       return knot;
+                   });
+    });
     if (areTubes)
-        fillBuffer(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT, round.tubes, std::identity());
+        fillBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT, round.tubes,
+                   std::identity());
     return geometry;
 }
 

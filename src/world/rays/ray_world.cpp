@@ -336,7 +336,7 @@ RayWorld::RayWorld(const RayObject &world, std::span<const RayObject> objects,
     };
     hidesShapes_ = hides(world) || std::ranges::any_of(objects, hides);
     const auto changes = [](const RayObject &object) {
-        return std::ranges::any_of(object, [](const RayShape &s) { return !s.later.empty(); });
+        return std::ranges::any_of(object, &RayShape::changes);
     };
     moves_ = changes(world) || std::ranges::any_of(objects, changes) ||
              std::ranges::any_of(instances, [](const RayInstance &i) { return !i.steps.empty(); });

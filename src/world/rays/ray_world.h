@@ -38,6 +38,7 @@ struct RayShape {
     float presentFrom = 0, presentUntil = 1;
 
     bool empty() const { return triangles.empty() && round.size() == 0; }
+    bool changes() const { return !later.empty() || !round.later.empty(); }
     bool isDissolved() const { return presentFrom > 0 || presentUntil < 1; }
 };
 

@@ -86,8 +86,10 @@ void measure(const std::vector<RayShape> &meshes, std::span<const std::uint32_t>
         const RayShape &mesh = meshes[i];
         for (Vec3 position : mesh.positions)
             own[i].add(position);
-        for (const auto &[x, y, z, r] : mesh.round.knots)
-            own[i].add(Vec3{x - r, y - r, z - r}), own[i].add(Vec3{x + r, y + r, z + r});
+        mesh.round.forSteps([&](const auto &knots) {
+            for (const auto &[x, y, z, r] : knots)
+                own[i].add(Vec3{x - r, y - r, z - r}), own[i].add(Vec3{x + r, y + r, z + r});
+        });
         for (const std::vector<Vec3> &positions : mesh.later)
             for (Vec3 position : positions)
                 own[i].add(position);

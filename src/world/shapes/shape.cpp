@@ -77,10 +77,12 @@ static RoundElements outerElements(const Shape &shape) {
         row[column] = shape.outerFromShape.at(0, column);
     const float stretch = length(row);
     RoundElements round = shape.surface->roundElements();
-    for (auto &[x, y, z, radius] : round.knots) {
-        const Vec3 place = transformPoint(shape.outerFromShape, {x, y, z});
-        x = place.x, y = place.y, z = place.z, radius *= stretch;
-    }
+    round.forSteps([&](auto &knots) {
+        for (auto &[x, y, z, radius] : knots) {
+            const Vec3 place = transformPoint(shape.outerFromShape, {x, y, z});
+            x = place.x, y = place.y, z = place.z, radius *= stretch;
+        }
+    });
     return round;
 }
 
@@ -89,12 +91,14 @@ static RoundElements outerElements(const Shape &shape) {
 static float roundRounding(const RoundElements &round) {
     constexpr float tubeRounding = 4e-6f;
     float radius = 0, longest = 0;
-    for (const auto &knot : round.knots)
-        radius = std::max(radius, knot[3]);
-    for (std::uint32_t first : round.tubes) {
-        const auto &a = round.knots[first], &b = round.knots[first + 3];
-        longest = std::max(longest, length(Vec3{b[0] - a[0], b[1] - a[1], b[2] - a[2]}));
-    }
+    round.forSteps([&](const auto &knots) {
+        for (const auto &knot : knots)
+            radius = std::max(radius, knot[3]);
+        for (std::uint32_t first : round.tubes) {
+            const auto &a = knots[first], &b = knots[first + 3];
+            longest = std::max(longest, length(Vec3{b[0] - a[0], b[1] - a[1], b[2] - a[2]}));
+        }
+    });
     return elementRounding * radius + tubeRounding * longest;
 }
 
