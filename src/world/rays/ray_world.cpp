@@ -266,6 +266,8 @@ private:
 
 } // namespace
 
+void RayShape::letGoOfElements() { positions = {}, triangles = {}, round = {}, later = {}; }
+
 FlushDenormals::FlushDenormals() : saved_(_mm_getcsr()) {
     _mm_setcsr(saved_ | _MM_FLUSH_ZERO_ON | _MM_DENORMALS_ZERO_ON);
 }
@@ -320,7 +322,7 @@ void RayWorld::numberSolids(std::span<const Solid> solids, std::size_t geometrie
             solidOf_[member.geometry] = std::int32_t(solid);
 }
 
-RayWorld::RayWorld(const RayObject &world, std::span<const RayObject> objects,
+RayWorld::RayWorld(RayObject world, std::vector<RayObject> objects,
                    std::span<const RayInstance> instances, const Shutter &shutter,
                    std::span<const Solid> solids)
     : handles_(std::make_unique<Handles>()), worldShapes_(std::uint32_t(world.size())),
@@ -345,6 +347,12 @@ RayWorld::RayWorld(const RayObject &world, std::span<const RayObject> objects,
     };
     dissolves_ = dissolves(world) || std::ranges::any_of(objects, dissolves);
     const RayTracerUnits tracer{unit_, moves_};
+    // Solids look at the elements once more.
+    const auto letGo = [&](RayObject &object) {
+        for (RayShape &shape : object)
+            if (solids.empty())
+                shape.letGoOfElements();
+    };
     numberSolids(solids, world.size() + instances.size());
     std::vector<OfBodies> ofBodies(objects.size(), OfBodies::No);
     for (std::size_t i = 0; i < instances.size(); ++i)
@@ -356,6 +364,7 @@ RayWorld::RayWorld(const RayObject &world, std::span<const RayObject> objects,
         if (failed())
             return;
         attachShapes(device, objects[object], tracer, [scene](std::size_t) { return scene; });
+        letGo(objects[object]);
         rtcCommitScene(scene);
     }
     handles_->scene = newScene(device, OfBodies::No);
@@ -369,6 +378,7 @@ RayWorld::RayWorld(const RayObject &world, std::span<const RayObject> objects,
         return solid < 0 ? handles_->scene : bodies[std::size_t(solid)];
     };
     attachShapes(device, world, tracer, sceneOf);
+    letGo(world);
     firstShapeOfInstance_.reserve(instances.size());
     for (const RayInstance &instance : instances) {
         const unsigned own = maskOf(objects[instance.object]);

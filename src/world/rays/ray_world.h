@@ -37,6 +37,8 @@ struct RayShape {
     /// Paths whose choiceOf() lies in [presentFrom, presentUntil) meet it.
     float presentFrom = 0, presentUntil = 1;
 
+    /// What it is made of goes; how rays meet it stays.
+    void letGoOfElements();
     bool empty() const { return triangles.empty() && round.size() == 0; }
     bool changes() const { return !later.empty() || !round.later.empty(); }
     bool isDissolved() const { return presentFrom > 0 || presentUntil < 1; }
@@ -66,11 +68,12 @@ private:
 
 class RayWorld {
 public:
-    /// world[i] is shape i of the scene, in current space. What is given is not needed afterwards.
-    RayWorld(const RayObject &world, std::span<const RayObject> objects,
+    /// world[i] is shape i of the scene, in current space. Shapes go as the ray tracer has
+    /// taken them; nothing of what is given is needed afterwards.
+    RayWorld(RayObject world, std::vector<RayObject> objects,
              std::span<const RayInstance> instances, const Shutter & = {},
              std::span<const Solid> solids = {});
-    explicit RayWorld(const RayObject &world) : RayWorld(world, {}, {}) {}
+    explicit RayWorld(RayObject world) : RayWorld(std::move(world), {}, {}) {}
     ~RayWorld();
     RayWorld(const RayWorld &) = delete;
 

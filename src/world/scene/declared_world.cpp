@@ -36,6 +36,23 @@ DeclaredGroup &DeclaredWorld::openFor(const std::shared_ptr<const Attributes> &a
     return objects[part->second];
 }
 
+template <class Do> void DeclaredWorld::forGroups(Do work) {
+    work(world);
+    for (DeclaredGroup &object : objects)
+        work(object);
+}
+
+void DeclaredWorld::letGoOfInstances() {
+    forGroups([](DeclaredGroup &group) { group.instances = {}; });
+}
+
+void DeclaredWorld::letGoOfRecords() {
+    forGroups([](DeclaredGroup &group) {
+        for (DeclaredPrimitive &primitive : group.primitives)
+            primitive.record.reset();
+    });
+}
+
 namespace {
 
 /// Instances within each other, the outermost first.

@@ -59,7 +59,13 @@ struct DeclaredWorld {
     /// is a solid there, is an object in it.
     DeclaredGroup &openFor(const std::shared_ptr<const Attributes> &, const SolidPlace &);
 
+    /// What has become of them is told by placementsOf(), and by surfaces.
+    void letGoOfInstances();
+    void letGoOfRecords();
+
 private:
+    template <class Do> void forGroups(Do);
+
     int openObject_ = -1;
     /// Of the open object, by their attributes, if they have any of their own, and their solid.
     std::map<std::pair<const Attributes *, int>, int> openParts_;

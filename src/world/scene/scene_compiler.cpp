@@ -268,8 +268,9 @@ void SceneCompiler::worldEnd() {
     lights.bindCategories(state_->library);
     state->findMediaOfLights();
     leaveOutRefusedLights(*state);
-    state->rays = std::make_unique<RayWorld>(geometry.world, geometry.objects, geometry.instances,
-                                             state->camera.shutter(), geometry.solids.all);
+    state->rays = std::make_unique<RayWorld>(std::move(geometry.world), std::move(geometry.objects),
+                                             geometry.instances, state->camera.shutter(),
+                                             geometry.solids.all);
     state->rays->clipBy(clippingPlanesOf(declared.options));
     if (std::string failure = state->rays->failure(); !failure.empty()) {
         state_->sink.error({}, failure + "; the frame is not rendered");

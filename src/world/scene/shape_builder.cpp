@@ -24,7 +24,7 @@ struct ObjectShapes {
 
 class ShapeBuilder {
 public:
-    ShapeBuilder(const DeclaredWorld &declared, SceneState &state, ShaderLibrary &library,
+    ShapeBuilder(DeclaredWorld &declared, SceneState &state, ShaderLibrary &library,
                  DiagnosticSink &sink)
         : declared_(declared), state_(state), points_(state.points), sink_(sink),
           looks_(state, library), plan_(state.camera),
@@ -35,6 +35,7 @@ public:
           timesPlaced_(declared.objects.size()) {}
 
     RayGeometry build() {
+        declared_.letGoOfInstances();
         for (const Placement &placement : placements_)
             ++timesPlaced_[placement.object];
         for (const DeclaredPrimitive &primitive : declared_.world.primitives)
@@ -56,6 +57,8 @@ public:
         markShining();
         points_.shapesChange = std::ranges::any_of(
             points_.shapes, [](const Shape &shape) { return shape.surface->steps() > 1; });
+        surfaces_.clear();
+        declared_.letGoOfRecords();
         std::vector<RayShape> meshes = plan_.dice(points_.shapes);
         displacements_.report(sink_);
         looks_.finish();
@@ -286,8 +289,9 @@ private:
         std::map<std::tuple<std::uint32_t, const Attributes *, bool, float, float>, std::int32_t>
             known;
         std::int32_t nextId = std::int32_t(points_.shapes.size());
+        makeRoomForInstances();
         for (std::size_t i = 0; i < placements_.size(); ++i) {
-            const Placement &placement = placements_[i];
+            Placement &placement = placements_[i];
             const Presence presence = presenceOf(placement);
             if (timesPlaced_[placement.object] <= 1 || presence.isNone())
                 continue;
@@ -303,10 +307,21 @@ private:
             addBodies(shapes, placement);
             addInstance(placement.currentFromObject, placement.steps, shapes, firstAppearance,
                         nextId);
+            placement.steps = {};
             nextId += std::int32_t(shapes.count);
             if (shinesFrom(firstAppearance, shapes.count))
                 known.erase(looks);
         }
+    }
+
+    /// There may be millions.
+    void makeRoomForInstances() {
+        std::size_t steps = points_.steps.size();
+        for (const Placement &placement : placements_)
+            steps += placement.steps.size();
+        const std::size_t count = points_.instances.size() + placements_.size();
+        points_.steps.reserve(steps), points_.instances.reserve(count);
+        points_.instanceMatrices.reserve(32 * count), shapeCounts_.reserve(count);
     }
 
     void addBodies(const ObjectShapes &shapes, const Placement &placement) {
@@ -393,15 +408,15 @@ private:
             }
     }
 
-    const DeclaredWorld &declared_;
+    DeclaredWorld &declared_;
     SceneState &state_;
     PointTables &points_;
     DiagnosticSink &sink_;
     AppearanceBuilder looks_;
     DicingPlan plan_;
     DisplacementBuilder displacements_;
-    const Placements all_;
-    const std::vector<Placement> &placements_;
+    Placements all_;
+    std::vector<Placement> &placements_;
     SolidBodies bodies_{declared_.solids, all_.solids};
     std::vector<int> timesPlaced_;           ///< By object.
     std::vector<PlacementDetail> details_;   ///< By placement.
@@ -423,7 +438,7 @@ private:
 
 } // namespace
 
-RayGeometry buildShapes(const DeclaredWorld &declared, SceneState &state, ShaderLibrary &library,
+RayGeometry buildShapes(DeclaredWorld &declared, SceneState &state, ShaderLibrary &library,
                         DiagnosticSink &sink) {
     return ShapeBuilder(declared, state, library, sink).build();
 }

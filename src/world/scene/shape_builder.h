@@ -7,7 +7,8 @@
 
 namespace candela {
 
-/// Fills SceneState::points, the light sets, the scene's extent and the statistics.
-RayGeometry buildShapes(const DeclaredWorld &, SceneState &, ShaderLibrary &, DiagnosticSink &);
+/// Fills SceneState::points, the light sets, the scene's extent and the statistics. Instances and
+/// records are let go as soon as they have become what the scene has.
+RayGeometry buildShapes(DeclaredWorld &, SceneState &, ShaderLibrary &, DiagnosticSink &);
 
 } // namespace candela
