@@ -43,6 +43,33 @@ TEST_F(Shown, listenersHearEachLight) {
         }
 }
 
+/// A light's string is compared with strings that the file gives, as with those of the text.
+TEST_F(Shown, stringsOfLightsAreComparedWithParameters) {
+    struct Case {
+        const char *parameters;
+        float heard, others;
+    };
+    const Case table[] = {
+        {"", 0, 0},
+        {"\"string wanted\" [\"key\"]", .25f, 0},
+        {"\"string wanted\" [\"fill\"]", .25f, 0},
+        {"\"string wanted\" [\"Fill\"]", 0, 0},
+        {"\"string wanted\" [\"key\"] \"string[2] others\" [\"x\" \"fill\"]", .25f, .25f},
+        {"\"string[2] others\" [\"key\" \"fill\"]", 0, .5f},
+        {"\"string wanted\" [\"none\"]", .25f, 0},
+    };
+    for (const char *lanes : {"1", "16"})
+        for (const char *place : {"", "Scale -1 1 1\n", "Sides 1\n"})
+            for (const Case &test : table) {
+                render(smallView(picture) + "WorldBegin\n" + twoLights +
+                           "LightSource \"tagged\" 3\n" + place + "Surface \"chooser\" " +
+                           test.parameters + "\n" + squareAt("1") + "WorldEnd\n",
+                       {"--integrator", "classic", "--lanes", lanes});
+                EXPECT_NEAR(meanOf(plane("out.exr", "R")), test.heard, 1e-6) << test.parameters;
+                EXPECT_NEAR(meanOf(plane("out.exr", "G")), test.others, 1e-6) << test.parameters;
+            }
+}
+
 /// Two lights of the same strength that tell different weights; each path hears one of them by
 /// chance, and with it its own number.
 TEST_F(Shown, lightsThatArePickedByChanceTellTheirOwn) {

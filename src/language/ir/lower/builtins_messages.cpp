@@ -15,15 +15,26 @@
 namespace candela::ir {
 namespace {
 
-/// What a light's string is where it is none of those that stand in the text.
+/// What a light's string is where it is none of those that the shader has.
 constexpr const char *anotherString = "(another string)";
 
+/// Those that stand in the text, and those of its parameters. What is left to run time is compared
+/// with none of them, or else it is not left.
+std::vector<std::string> stringsOf(const Lowering &lowering) {
+    std::vector<std::string> strings = textsOf(lowering.shader);
+    for (const StringValue &parameter : lowering.strings)
+        for (size_t k = 0; k < parameter.value.size(); ++k)
+            if (!parameter.isLeft(k) && std::ranges::count(strings, parameter.value[k]) == 0)
+                strings.push_back(parameter.value[k]);
+    return strings;
+}
+
 /// A string that a light tells. Strings are known when a shader is compiled, so what the light has
-/// is compared with those that stand in the text: there is nothing else that a text could do with
-/// it than compare it with them, or print it.
+/// is compared with those that the shader has: there is nothing else that a text could do with it
+/// than compare it with them, or print it.
 ValueId lightString(BuiltinCall &call, const std::string &name) {
     Builder &b = call.b;
-    const std::vector<std::string> texts = textsOf(call.lowering.shader);
+    const std::vector<std::string> texts = stringsOf(call.lowering);
     Values operands{*call.lowering.lightNumber};
     for (const std::string &candidate : texts)
         operands.push_back(text(b, candidate));
