@@ -4,6 +4,7 @@
 #include "tests/old_files/old_scene.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace candela::test {
 namespace {
@@ -38,6 +39,51 @@ TEST_F(OldFiles, LightsWithoutShadersHaveStandIns) {
             EXPECT_TRUE(run.says("library's \"" + std::string(each.standIn) + "\" stands in"))
                 << each.light << run.text();
             EXPECT_NEAR(red(27), each.lit, .02f) << each.light << integrator;
+        }
+}
+
+// Those of PRMan 17 to 20, whose shaders no file brings along: a square of radiance 3, parallel to
+// the wall at a distance of 1. By the contour of its quarters.
+TEST_F(OldFiles, AreaLightsWithoutShadersSendTheirRadiance) {
+    const float a = .5f / std::sqrt(1.25f);
+    const float square = 4 / (2 * std::numbers::pi_v<float>)*2 * a * std::atan(a);
+    struct {
+        const char *name, *before, *light, *shape;
+        float lit;
+    } const cases[] = {
+        {"plain", "",
+         "\"PxrStdAreaLight\" \"lamp\" \"float intensity\" [1.5] \"float exposure\" [1]",
+         "Geometry \"rectlight\"", 3 * square},
+        {"colored", "",
+         "\"lib/plausibleArealight\" \"lamp\" \"intensity\" [6] \"lightcolor\" [.5 1 1] "
+         "\"string shape\" [\"rect\"] \"coneangle\" [20]",
+         "Geometry \"rectlight\"", 3 * square},
+        {"turned round", "Rotate 180 1 0 0\n",
+         "\"plausibleArealight\" \"lamp\" \"float intensity\" [3]",
+         "Sides 1\nReverseOrientation\nGeometry \"rectlight\"", 3 * square},
+        {"turned away", "Rotate 180 1 0 0\n", "\"plausibleArealight\" \"lamp\" \"intensity\" [3]",
+         "Geometry \"rectlight\"", 0},
+        {"mirrored", "Scale -1 1 1\n", "\"GeoAreaLight\" \"lamp\" \"intensity\" [3]",
+         "Geometry \"rectlight\"", 3 * square},
+        {"a disk", "", "\"PxrAreaLight\" \"lamp\" \"intensity\" [3]", "Geometry \"disklight\"",
+         3 * .25f / 1.25f},
+        {"an instance", "ObjectBegin 1\nGeometry \"rectlight\"\nObjectEnd\n",
+         "\"PxrStdAreaLight\" \"lamp\" \"intensity\" [3]", "ObjectInstance 1", 3 * square},
+    };
+    for (const auto &each : cases)
+        for (const char *integrator : {"classic", "path"}) {
+            SCOPED_TRACE(std::string(each.name) + " " + integrator);
+            const Outcome run =
+                render(head +
+                           "Projection \"perspective\" \"fov\" 5\nWorldBegin\nAttributeBegin\n"
+                           "Attribute \"visibility\" \"integer camera\" [0]\nTranslate 0 0 3\n" +
+                           each.before + "Color [0 0 0]\nSurface \"matte\"\nAreaLightSource " +
+                           each.light + "\n" + each.shape +
+                           "\nAttributeEnd\nIlluminate \"lamp\" 1\n" + wall + "WorldEnd\n",
+                       {"--integrator", integrator, "--spp", "256"});
+            EXPECT_EQ(run.status, 1) << run.text();
+            EXPECT_TRUE(run.says("library's \"arealight\" stands in")) << run.text();
+            EXPECT_NEAR(red(27), each.lit, .03f * square + .02f * each.lit);
         }
 }
 

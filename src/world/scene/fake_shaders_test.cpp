@@ -158,7 +158,7 @@ ShaderLibrary::~ShaderLibrary() = default;
 void ShaderLibrary::makeReady() {}
 void ShaderLibrary::bindOptions(const Options &) {}
 bool ShaderLibrary::hasShadowMap(const std::string &) const { return true; }
-ShaderRecord ShaderLibrary::lightWithShader(const ShaderRecord &light, const Options &) {
+LightRecord ShaderLibrary::lightWithShader(const LightRecord &light, const Options &) {
     return light;
 }
 void ShaderLibrary::bindRays(const RayAnswers *) {}

@@ -132,28 +132,29 @@ LightBuilder::LightBuilder(SceneState &state, ShaderLibrary &library)
 
 void LightBuilder::declare(const std::vector<std::shared_ptr<const LightRecord>> &records) {
     std::vector<std::vector<ToldParameter>> told;
-    for (const auto &record : records) {
-        const ShaderRecord shader = library_.lightWithShader(record->shader, state_.options);
+    for (const auto &declared : records) {
+        const LightRecord record = library_.lightWithShader(*declared, state_.options);
+        const ShaderRecord &shader = record.shader;
         told.push_back(library_.parametersTold(ShaderKind::Light, shader, state_.options,
                                                ir::LightRule::Classic));
         SceneLight light;
-        light.title = "light \"" + record->handle + "\" (\"" + record->shader.name + "\")";
-        light.where = record->shader.parameters.where;
-        light.isTurnedOff = *record->isTurnedOff;
+        light.title = "light \"" + record.handle + "\" (\"" + declared->shader.name + "\")";
+        light.where = shader.parameters.where;
+        light.isTurnedOff = *record.isTurnedOff;
         LightTags tags;
         auto instance = library_.instance(ShaderKind::Light, shader, state_.options,
                                           ir::LightRule::Classic, {});
         if (instance) {
             light.shader = *instance;
-            light.kind = kindOf(*record, instance->code->shader().lightClass);
-            tags = tagsOf(*record, *instance->code);
+            light.kind = kindOf(record, instance->code->shader().lightClass);
+            tags = tagsOf(*declared, *instance->code);
         }
-        light.si = record->units == LightUnits::Si;
+        light.si = record.units == LightUnits::Si;
         const Shadows shadows = instance ? shadowsOf(*instance, library_) : Shadows::Unsaid;
         light.looksUpShadows = shadows == Shadows::Own;
         light.castsShadow = shadows == Shadows::ByRays ||
-                            (shadows == Shadows::Unsaid && (!state_.classic || record->shadows));
-        placeShader(record->shader.currentFromShader, state_.points.shutter, light);
+                            (shadows == Shadows::Unsaid && (!state_.classic || record.shadows));
+        placeShader(shader.currentFromShader, state_.points.shutter, light);
         light.parametersChange = shader.motion && state_.points.shutter.hasInterval();
         state_.lights.lights.push_back(std::move(light));
         tags_.push_back(std::move(tags));

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <initializer_list>
 #include <iterator>
 
@@ -45,14 +46,41 @@ StandIn choose(const ShaderRecord &record) {
     return alike;
 }
 
+/// Of the light's parameters; what is not given, or no such number, counts as `otherwise`.
+float numberOf(const ShaderRecord &record, const char *name, float otherwise) {
+    const Parameter *given = record.parameters.find(name);
+    return given && given->floats.size() == 1 ? given->floats[0] : otherwise;
+}
+
+LightRecord areaStandIn(const LightRecord &light) {
+    LightRecord result = light;
+    result.units = LightUnits::Si, result.shadows = true;
+    result.shader.name = "arealight";
+    result.shader.motion = nullptr;
+    std::vector<Parameter> &parameters = result.shader.parameters.all;
+    parameters.clear();
+    const float radiance =
+        numberOf(light.shader, "intensity", 1) * std::exp2(numberOf(light.shader, "exposure", 0));
+    parameters.push_back(
+        {"radiance", {StorageClass::Uniform, ValueType::Float, 1}, {radiance}, {}});
+    for (const char *name : {"lightcolor", "lightColor"})
+        if (const Parameter *given = light.shader.parameters.find(name);
+            given && given->floats.size() == colorSamples)
+            parameters.push_back(
+                {"lightcolor", {StorageClass::Uniform, ValueType::Color, 1}, given->floats, {}});
+    return result;
+}
+
 } // namespace
 
-ShaderRecord lightStandIn(const ShaderRecord &record) {
-    const StandIn standIn = choose(record);
-    ShaderRecord result = record;
-    result.name = standIn.shader;
-    result.motion = nullptr;
-    std::erase_if(result.parameters.all, [&](const Parameter &parameter) {
+LightRecord lightStandIn(const LightRecord &light) {
+    if (light.area)
+        return areaStandIn(light);
+    const StandIn standIn = choose(light.shader);
+    LightRecord result = light;
+    result.shader.name = standIn.shader;
+    result.shader.motion = nullptr;
+    std::erase_if(result.shader.parameters.all, [&](const Parameter &parameter) {
         return std::ranges::none_of(standIn.parameters, [&](const char *known) {
             return known && parameter.name == known;
         });

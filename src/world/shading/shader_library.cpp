@@ -272,16 +272,17 @@ std::optional<ShaderInstance> ShaderLibrary::instance(ShaderKind kind, const Sha
     return made;
 }
 
-ShaderRecord ShaderLibrary::lightWithShader(const ShaderRecord &light, const Options &options) {
+LightRecord ShaderLibrary::lightWithShader(const LightRecord &light, const Options &options) {
     State &state = *state_;
-    const SourceLocation &where = light.parameters.where;
+    const std::string &name = light.shader.name;
+    const SourceLocation &where = light.shader.parameters.where;
     if (state.libraryFolders.empty() ||
-        state.sources.find(ShaderKind::Light, light.name, searchFolders(options, "shader"), where))
+        state.sources.find(ShaderKind::Light, name, searchFolders(options, "shader"), where))
         return light;
-    ShaderRecord other = lightStandIn(light);
-    if (state.standIns.insert(light.name).second)
-        state.diagnostics.warning(where, "light \"" + light.name + "\": the library's \"" +
-                                             other.name + "\" stands in for it");
+    LightRecord other = lightStandIn(light);
+    if (state.standIns.insert(name).second)
+        state.diagnostics.warning(where, "light \"" + name + "\": the library's \"" +
+                                             other.shader.name + "\" stands in for it");
     return other;
 }
 

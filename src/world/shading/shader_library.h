@@ -57,7 +57,7 @@ public:
                                            const Attributes *attributes = nullptr);
     /// The record of a light itself, or of one of the library's if its shader is missing or faulty,
     /// which is reported: a scene is not left in the dark for it.
-    ShaderRecord lightWithShader(const ShaderRecord &, const Options &);
+    LightRecord lightWithShader(const LightRecord &, const Options &);
     /// Of the instance of a record that has become one: all its parameters. Empty for what is
     /// missing or faulty.
     std::vector<ToldParameter> parametersTold(ShaderKind, const ShaderRecord &, const Options &,
