@@ -121,6 +121,48 @@ def large_mesh(path, side=2237):
         file.write("]\nWorldEnd\n")
 
 
+def furnished_hall(path, tables=80, side=35):
+    """A hall of 30 x 8 x 20 m with tables, and on each a bowl of 2 * side * side triangles (some
+    200,000 in all), under eight lamps. Returns places of its floor that nothing stands on."""
+    wide, deep, high = 30, 20, 8
+    bowl_points, corners = [], []
+    for row in range(side + 1):
+        for column in range(side):
+            slope, around = math.pi * (.5 + .5 * row / side), 2 * math.pi * column / side
+            r = .35 * math.sin(slope) if row < side else 0
+            bowl_points.append(f"{r * math.cos(around):.4g} {.9 + .35 * (1 + math.cos(slope)):.4g} "
+                               f"{r * math.sin(around):.4g}")
+            if row < side:
+                a, b = row * side + column, row * side + (column + 1) % side
+                corners.append(f"{a} {b} {a + side} {b} {b + side} {a + side}")
+    bowl = (f"PointsPolygons [{'3 ' * (2 * side * side)}]\n[{' '.join(corners)}]\n"
+            f"\"P\" [{' '.join(bowl_points)}]\n")
+    across, along = 10, tables // 10
+    with open(path, "w", encoding="ascii") as file:
+        begin(file, path.stem, f"{-wide / 2:g} -3 -.5", 64)
+        file.write(LAMP.format(radiance=20))
+        for x in range(4):
+            for z in range(2):
+                a, b = wide * (x + .5) / 4, deep * (z + .5) / 2
+                file.write(f'Polygon "P" [{a - .5:g} 7.9 {b - .5:g} {a + .5:g} 7.9 {b - .5:g} '
+                           f'{a + .5:g} 7.9 {b + .5:g} {a - .5:g} 7.9 {b + .5:g}]\n')
+        file.write('AttributeEnd\nIlluminate 1 1\nSurface "matte" "Ka" 0 "Kd" 1\n'
+                   'Color .6 .6 .6\n' + box(0, wide, 0, high, 0, deep) +
+                   "Color .4 .3 .2\nObjectBegin 1\n" + box(-.8, .8, .8, .84, -.5, .5) +
+                   "".join(box(x - .04, x + .04, 0, .8, z - .04, z + .04)
+                           for x in (-.7, .7) for z in (-.4, .4)) +
+                   "Color .5 .6 .7\n" + bowl + "ObjectEnd\n")
+        turn = random.Random(4)
+        for column in range(across):
+            for row in range(along):
+                file.write(f"AttributeBegin Translate {wide * (column + .5) / across:g} 0 "
+                           f"{deep * (row + .5) / along:g} Rotate {turn.uniform(-20, 20):.3g} 0 1 0 "
+                           "ObjectInstance 1 AttributeEnd\n")
+        file.write("WorldEnd\n")
+    return [(wide * column / across, deep * (row + .25) / along)
+            for column in range(1, across) for row in range(along)]
+
+
 def emitting_spheres(path, count=100000):
     """So many glowing balls of 1 cm in a cube of 20 m over a floor."""
     with open(path, "w", encoding="ascii") as file:
