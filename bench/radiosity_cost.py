@@ -5,6 +5,7 @@ which `path` has made; CPU seconds are those of whole processes."""
 import json
 import math
 import os
+import resource
 import subprocess
 import time
 
@@ -26,26 +27,36 @@ def with_options(scene, folder, options):
     return copy
 
 
-def measured(bench, *words):
+class Stopped(SystemExit):
+    """candela has taken more than it may."""
+
+
+def limits(cpu_seconds):
+    resource.setrlimit(resource.RLIMIT_CPU, (cpu_seconds, cpu_seconds + 2))
+    resource.setrlimit(resource.RLIMIT_AS, (6 << 30, 6 << 30))
+
+
+def measured(bench, *words, cpu_seconds=600):
     """CPU seconds, peak bytes and standard output of candela."""
     with subprocess.Popen([str(bench.bin / "candela"), *map(str, words)], env=bench.environment,
                           cwd=bench.scratch, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
-                          text=True) as process:
+                          text=True, preexec_fn=lambda: limits(cpu_seconds)) as process:
         output = process.stdout.read()
         _, status, usage = os.wait4(process.pid, 0)
         process.returncode = os.waitstatus_to_exitcode(status)
     if process.returncode != 0:
-        raise SystemExit(f"bench/run: candela {' '.join(map(str, words))} failed")
+        raise Stopped(f"bench/run: candela {' '.join(map(str, words))}: status {process.returncode} after "
+                      f"{usage.ru_utime + usage.ru_stime:.0f} CPU s")
     return usage.ru_utime + usage.ru_stime, usage.ru_maxrss * 1024, output
 
 
-def solved(bench, scene, options):
+def solved(bench, scene, options, **limit):
     """CPU seconds, peak bytes and statistics of a solution and hardly a picture."""
     figures = bench.scratch / "radiosity.json"
     seconds, peak, _ = measured(bench, with_options(scene, bench.scratch, options), "--quiet",
                                 "--integrator", "radiosity", "--spp", 1, "--threads",
                                 bench.arguments.threads, "--output-dir", bench.scratch, "--stats",
-                                figures)
+                                figures, **limit)
     return seconds, peak, json.loads(figures.read_text())
 
 
@@ -121,7 +132,13 @@ def hall(bench):
     scene, points = bench.scratch / "furnished.rib", bench.scratch / "furnished.txt"
     free = scale_scenes.furnished_hall(scene)
     points.write_text("".join(f"{x:g} 0 {z:g} 0 1 0\n" for x, z in free), encoding="ascii")
-    seconds, peak, figures = solved(bench, scene, '"string finalpass" "fe"')
+    try:
+        seconds, peak, figures = solved(bench, scene, '"string finalpass" "fe"',
+                                        cpu_seconds=2 * HALL_SECONDS)
+    except Stopped as stopped:
+        bench.row("furnished hall: stopped", f"{2 * HALL_SECONDS} CPU s", f"<= {HALL_SECONDS}",
+                  False)
+        return {"stopped": str(stopped)}
     copy = with_options(scene, bench.scratch, '"string finalpass" "fe"')
     found = irradiance(bench, copy, points, "--integrator", "radiosity")[1]
     reference = irradiance(bench, scene, points, "--integrator", "path", "--spp", 16384)[1]

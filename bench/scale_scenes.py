@@ -134,8 +134,9 @@ def furnished_hall(path, tables=80, side=35):
                                f"{r * math.sin(around):.4g}")
             if row < side:
                 a, b = row * side + column, row * side + (column + 1) % side
-                corners.append(f"{a} {b} {a + side} {b} {b + side} {a + side}")
-    bowl = (f"PointsPolygons [{'3 ' * (2 * side * side)}]\n[{' '.join(corners)}]\n"
+                corners.append(f"{a} {b} {a + side}" +
+                               (f" {b} {b + side} {a + side}" if row + 1 < side else ""))
+    bowl = (f"PointsPolygons [{'3 ' * (2 * side * side - side)}]\n[{' '.join(corners)}]\n"
             f"\"P\" [{' '.join(bowl_points)}]\n")
     across, along = 10, tables // 10
     with open(path, "w", encoding="ascii") as file:
