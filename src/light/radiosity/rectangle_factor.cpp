@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "light/radiosity/rectangle_factor.h"
 
+#include "world/lights/shape_arithmetic.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,18 +15,10 @@ namespace {
 /// Of sizes: how far corners may be off, as floats in a turned space are.
 constexpr double tolerated = 2e-6;
 
-using Vector = std::array<double, 3>;
 /// From and to, along each axis.
 using Box = std::array<std::array<double, 2>, 3>;
 
-double dot(const Vector &a, const Vector &b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vector cross(const Vector &a, const Vector &b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-Vector wayBetween(const Vec3 &from, const Vec3 &to) {
-    return {double(to.x) - double(from.x), double(to.y) - double(from.y),
-            double(to.z) - double(from.z)};
-}
+Double3 wayBetween(const Vec3 &from, const Vec3 &to) { return wide(to) - wide(from); }
 double arcTangent(double y, double x) { return y == 0 ? 0 : std::atan(y / x); }
 
 /// A part of the integral over two parallel rectangles at that distance: both edges' differences.
@@ -57,18 +51,18 @@ template <class Part> double sumOfParts(const Part &part) {
 bool isRectangle(std::span<const Vec3> corners) {
     if (corners.size() != 4)
         return false;
-    const Vector x = wayBetween(corners[0], corners[1]), y = wayBetween(corners[0], corners[3]);
-    const Vector far = wayBetween(corners[0], corners[2]);
+    const Double3 x = wayBetween(corners[0], corners[1]), y = wayBetween(corners[0], corners[3]);
+    const Double3 far = wayBetween(corners[0], corners[2]);
     const double size = std::sqrt(dot(far, far));
-    double off = std::fabs(dot(x, y)) / std::max(size, 1e-300);
-    for (std::size_t c = 0; c < 3; ++c)
-        off = std::max(off, std::fabs(x[c] + y[c] - far[c]));
+    const Double3 open = x + y - far;
+    const double off = std::max({std::fabs(dot(x, y)) / std::max(size, 1e-300), std::fabs(open.x),
+                                 std::fabs(open.y), std::fabs(open.z)});
     return off <= tolerated * size && dot(x, x) > 0 && dot(y, y) > 0;
 }
 
 /// What corners span along the axes from an origin; nothing, if an edge leaves these.
 std::optional<Box> boxOf(std::span<const Vec3> corners, const Vec3 &origin,
-                         const std::array<Vector, 3> &axes, double rounding) {
+                         const std::array<Double3, 3> &axes, double rounding) {
     Box box;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         std::array<double, 4> at{};
@@ -107,15 +101,14 @@ bool keepToOneSide(std::array<double, 2> &range, double rounding) {
 std::optional<double> rectangleFactor(std::span<const Vec3> from, std::span<const Vec3> to) {
     if (!isRectangle(from) || !isRectangle(to))
         return std::nullopt;
-    std::array<Vector, 3> axes{wayBetween(from[0], from[1]), wayBetween(from[0], from[3]), {}};
+    std::array<Double3, 3> axes{wayBetween(from[0], from[1]), wayBetween(from[0], from[3]), {}};
     std::array<double, 2> size{};
     for (const std::size_t k : {0u, 1u}) {
         size[k] = std::sqrt(dot(axes[k], axes[k]));
-        for (double &component : axes[k])
-            component /= size[k];
+        axes[k] = {axes[k].x / size[k], axes[k].y / size[k], axes[k].z / size[k]};
     }
     axes[2] = cross(axes[0], axes[1]);
-    const Vector away = wayBetween(from[0], to[0]);
+    const Double3 away = wayBetween(from[0], to[0]);
     const double rounding = tolerated * (size[0] + size[1] + std::sqrt(dot(away, away)));
     std::optional<Box> box = boxOf(to, from[0], axes, rounding);
     if (!box)
